@@ -1,0 +1,143 @@
+//! Memory that the caller lends to `prepare`.
+
+use core::mem::{MaybeUninit, align_of, size_of};
+
+use crate::fault::Fault;
+
+/// Memory for a prepared scene: as many bytes as [`Scene::bytes`](crate::Scene::bytes) says.
+///
+/// On the desktop, where sizes are known only at run time, [`PreparedScene::new`](crate::PreparedScene::new)
+/// takes any slice of bytes.
+#[derive(Debug)]
+#[repr(C, align(16))]
+pub struct Workspace<const BYTES: usize>([MaybeUninit<u8>; BYTES]);
+
+impl<const BYTES: usize> Workspace<BYTES> {
+    /// Fresh memory. Use it in a `static` or a local variable: nothing is written until a scene is prepared.
+    pub const fn new() -> Self {
+        Self([MaybeUninit::uninit(); BYTES])
+    }
+
+    /// The bytes to lend.
+    pub const fn lend(&mut self) -> &mut [MaybeUninit<u8>] {
+        &mut self.0
+    }
+}
+
+impl<const BYTES: usize> Default for Workspace<BYTES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Hands out pieces of lent memory, from front to back, for the lifetime of the loan.
+#[derive(Debug)]
+pub struct Arena<'m> {
+    free: &'m mut [MaybeUninit<u8>],
+    lent: usize,
+}
+
+impl<'m> Arena<'m> {
+    /// Takes over the memory.
+    pub(crate) fn new(memory: &'m mut [MaybeUninit<u8>]) -> Self {
+        Self { lent: memory.len(), free: memory }
+    }
+
+    /// The most bytes that `count` values of `T` take, wherever the memory before them ends.
+    pub(crate) const fn bytes<T>(count: usize) -> usize {
+        if count == 0 {
+            return 0;
+        }
+        // Saturating: so much can never be lent.
+        size_of::<T>().saturating_mul(count).saturating_add(align_of::<T>() - 1)
+    }
+
+    /// Stores a value.
+    ///
+    /// # Errors
+    /// [`Fault::Memory`] where too little was lent.
+    pub fn store<T: Copy>(&mut self, value: T) -> Result<&'m T, Fault> {
+        self.store_with(1, |_| value)?.first().ok_or(Fault::Memory { needed: 0, lent: self.lent })
+    }
+
+    /// Stores `count` values that `value` gives for 0, 1, 2, …
+    ///
+    /// # Errors
+    /// [`Fault::Memory`] where too little was lent.
+    pub fn store_with<T: Copy>(
+        &mut self,
+        count: usize,
+        mut value: impl FnMut(usize) -> T,
+    ) -> Result<&'m [T], Fault> {
+        self.try_store_with(count, |index, _| Ok(value(index)))
+    }
+
+    /// As [`store_with`](Self::store_with), for values that may fail, and that may store more themselves.
+    pub(crate) fn try_store_with<T: Copy, E: From<Fault>>(
+        &mut self,
+        count: usize,
+        mut value: impl FnMut(usize, &mut Self) -> Result<T, E>,
+    ) -> Result<&'m [T], E> {
+        let slots = self.take(count)?;
+        for (index, slot) in slots.iter_mut().enumerate() {
+            slot.write(value(index, self)?);
+        }
+        // SAFETY: all `count` slots were written just above, or an error has returned.
+        #[allow(unsafe_code)]
+        let values = unsafe { &*(core::ptr::from_mut(slots) as *const [T]) };
+        Ok(values)
+    }
+
+    /// Cuts room for `count` values off the front of what is free.
+    fn take<T>(&mut self, count: usize) -> Result<&'m mut [MaybeUninit<T>], Fault> {
+        let free = core::mem::take(&mut self.free);
+        let padding = free.as_ptr().align_offset(align_of::<T>());
+        let taken = size_of::<T>()
+            .checked_mul(count)
+            .and_then(|bytes| bytes.checked_add(padding))
+            .and_then(|end| free.len().checked_sub(end).map(|_| end));
+        let Some(end) = taken else {
+            let missing = Self::bytes::<T>(count).saturating_sub(free.len());
+            self.free = free;
+            return Err(Fault::Memory { needed: self.lent.saturating_add(missing), lent: self.lent });
+        };
+        let Some((used, rest)) = free.split_at_mut_checked(end) else {
+            return Err(Fault::Memory { needed: end, lent: self.lent });
+        };
+        self.free = rest;
+        let Some(room) = used.get_mut(padding..) else {
+            return Err(Fault::Memory { needed: end, lent: self.lent });
+        };
+        // SAFETY: `room` is exclusively borrowed for 'm, begins at a multiple of T's alignment, and holds
+        // `count` times T's size; `MaybeUninit<T>` may hold any bytes.
+        #[allow(unsafe_code)]
+        let slots = unsafe { core::slice::from_raw_parts_mut(room.as_mut_ptr().cast(), count) };
+        Ok(slots)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_aligned_and_kept() {
+        let mut workspace = Workspace::<64>::new();
+        let mut arena = Arena::new(&mut workspace.lend()[1..]);
+        let bytes = arena.store_with(3, |i| i as u8).unwrap();
+        let words = arena.store_with(4, |i| i as u64 * 1_000_000_007).unwrap();
+        assert_eq!(bytes, [0, 1, 2]);
+        assert_eq!(words, [0, 1_000_000_007, 2_000_000_014, 3_000_000_021]);
+        assert!(words.as_ptr().is_aligned());
+    }
+
+    #[test]
+    fn too_little_memory_is_an_error_that_says_how_much() {
+        let mut workspace = Workspace::<16>::new();
+        let mut arena = Arena::new(workspace.lend());
+        let Err(Fault::Memory { needed, lent: 16 }) = arena.store_with(5, |i| i as u32) else { panic!() };
+        assert!((20..=23).contains(&needed), "{needed}");
+        assert!(arena.store_with(usize::MAX, |i| i as u32).is_err());
+        assert_eq!(arena.store_with(4, |i| i as u32).unwrap(), [0, 1, 2, 3]);
+    }
+}

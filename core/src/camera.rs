@@ -1,0 +1,129 @@
+//! Where the picture is taken from.
+
+use crate::fault::{Fault, check_coordinate, check_direction, check_point, unit};
+use crate::math::{Ray, Real, Vec3};
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the camera is.
+    pub eye: Vec3,
+    /// A point that it looks at: the center of the picture.
+    pub target: Vec3,
+    /// A direction that is up in the picture; any length but 0, not along the line of sight.
+    pub up: Vec3,
+    /// The full vertical angle of view in radians, between 0 and π. Pixels are square, so the horizontal
+    /// one follows from the picture's shape.
+    pub vertical_fov: f32,
+}
+
+/// A camera's orthonormal frame, checked and converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedCamera<R> {
+    eye: Vec3<R>,
+    forward: Vec3<R>,
+    right: Vec3<R>,
+    up: Vec3<R>,
+    /// Half the height of the picture at distance 1.
+    half_height: R,
+}
+
+impl Camera {
+    /// Checks the camera and builds its frame.
+    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedCamera<R>, Fault> {
+        check_point(self.eye)?;
+        check_point(self.target)?;
+        check_coordinate(self.vertical_fov)?;
+        if !(self.vertical_fov > 0.0 && self.vertical_fov < core::f32::consts::PI) {
+            return Err(Fault::FieldOfView);
+        }
+        let half_height = (R::from_f32(self.vertical_fov) * R::from_f32(0.5)).tan();
+        // Close to 180° the tangent leaves every useful range.
+        if half_height > R::from_f32(1e4) || half_height < R::from_f32(1e-6) {
+            return Err(Fault::FieldOfView);
+        }
+        let forward: Vec3<R> = unit(self.target - self.eye).map_err(|_| Fault::EyeAtTarget)?;
+        let right = forward.cross(check_direction(self.up)?);
+        if right.length() < R::from_f32(1e-4) {
+            return Err(Fault::UpAlongView);
+        }
+        let right = right.normalized().ok_or(Fault::UpAlongView)?;
+        Ok(PreparedCamera { eye: self.eye.to(), forward, right, up: right.cross(forward), half_height })
+    }
+}
+
+/// A camera and the size of a picture: knows the ray through each place of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Viewport<R> {
+    eye: Vec3<R>,
+    /// From the eye to the picture's upper left corner.
+    corner: Vec3<R>,
+    /// One pixel to the right.
+    right: Vec3<R>,
+    /// One pixel down.
+    down: Vec3<R>,
+}
+
+impl<R: Real> Viewport<R> {
+    pub(crate) fn new(camera: &PreparedCamera<R>, width: u16, height: u16) -> Self {
+        let pixel = if height == 0 {
+            R::ZERO
+        } else {
+            camera.half_height * R::from_f32(2.0) * R::from_u16(height).recip()
+        };
+        let half = pixel * R::from_f32(0.5);
+        let corner = camera.forward - camera.right * (half * R::from_u16(width))
+            + camera.up * (half * R::from_u16(height));
+        Self { eye: camera.eye, corner, right: camera.right * pixel, down: -(camera.up * pixel) }
+    }
+
+    /// The ray through a place of the picture in pixels: pixel (0, 0) has its center at (0.5, 0.5).
+    pub(crate) fn ray(&self, x: R, y: R) -> Ray<R> {
+        let direction = self.corner + self.right * x + self.down * y;
+        // The length is at least 1, the distance of the picture.
+        Ray { origin: self.eye, direction: direction * direction.length().recip() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CAMERA: Camera = Camera {
+        eye: Vec3::new(1.0, 2.0, 3.0),
+        target: Vec3::new(1.0, 2.0, -7.0),
+        up: Vec3::new(0.0, 5.0, 0.0),
+        vertical_fov: core::f32::consts::FRAC_PI_2,
+    };
+
+    #[test]
+    fn a_right_angle_sees_as_far_up_as_forward() {
+        let viewport = Viewport::new(&CAMERA.prepare::<f64>().unwrap(), 200, 100);
+        let top = viewport.ray(100.0, 0.0);
+        assert_eq!(top.origin, Vec3::new(1.0, 2.0, 3.0));
+        let half = core::f64::consts::FRAC_1_SQRT_2;
+        assert!((top.direction - Vec3::new(0.0, half, -half)).length() < 1e-7);
+        // Twice as wide as high: 63.4° to the right.
+        let right = viewport.ray(200.0, 50.0).direction;
+        assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
+    }
+
+    #[test]
+    fn bad_cameras_are_refused() {
+        let refused = |camera: Camera| camera.prepare::<f32>().unwrap_err();
+        assert_eq!(refused(Camera { target: CAMERA.eye, ..CAMERA }), Fault::EyeAtTarget);
+        assert_eq!(refused(Camera { up: Vec3::new(0.0, 0.0, 3.0), ..CAMERA }), Fault::UpAlongView);
+        assert_eq!(refused(Camera { up: Vec3::ZERO, ..CAMERA }), Fault::ZeroLength);
+        for fov in [0.0, -1.0, core::f32::consts::PI, 3.1415925, 7.0] {
+            assert_eq!(refused(Camera { vertical_fov: fov, ..CAMERA }), Fault::FieldOfView);
+        }
+        assert_eq!(refused(Camera { vertical_fov: f32::NAN, ..CAMERA }), Fault::NotFinite);
+        assert_eq!(refused(Camera { eye: Vec3::new(2e6, 0.0, 0.0), ..CAMERA }), Fault::TooFar);
+    }
+
+    #[test]
+    fn pictures_without_pixels_are_defined() {
+        Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 7, 0);
+        Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 0, 7);
+    }
+}

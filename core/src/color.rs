@@ -1,0 +1,72 @@
+//! Light: linear, not display codes.
+
+use core::ops::{Add, Mul};
+
+use crate::math::Real;
+
+/// Linear light or reflectivity in three channels, with the primaries of sRGB.
+///
+/// Light has no upper bound; a reflectivity lies in 0..=1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearRgb<R = f32> {
+    /// Red.
+    pub r: R,
+    /// Green.
+    pub g: R,
+    /// Blue.
+    pub b: R,
+}
+
+impl<R> LinearRgb<R> {
+    /// The color (r, g, b).
+    pub const fn new(r: R, g: R, b: R) -> Self {
+        Self { r, g, b }
+    }
+}
+
+impl LinearRgb {
+    /// White.
+    pub const WHITE: Self = Self::gray(1.0);
+
+    /// The same in all three channels.
+    pub const fn gray(value: f32) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// The same color in another number system.
+    pub fn to<R: Real>(self) -> LinearRgb<R> {
+        LinearRgb::new(R::from_f32(self.r), R::from_f32(self.g), R::from_f32(self.b))
+    }
+}
+
+impl<R: Real> LinearRgb<R> {
+    /// No light.
+    pub const BLACK: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
+
+    /// The color in `f32`, for people to read.
+    pub fn to_f32(self) -> LinearRgb {
+        LinearRgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
+    }
+}
+
+impl<R: Real> Add for LinearRgb<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.r + other.r, self.g + other.g, self.b + other.b)
+    }
+}
+
+impl<R: Real> Mul<R> for LinearRgb<R> {
+    type Output = Self;
+    fn mul(self, scale: R) -> Self {
+        Self::new(self.r * scale, self.g * scale, self.b * scale)
+    }
+}
+
+/// Light of one color on a surface of another.
+impl<R: Real> Mul for LinearRgb<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
+    }
+}

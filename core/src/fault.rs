@@ -1,0 +1,134 @@
+//! What can be wrong with a scene.
+
+use core::fmt;
+
+use crate::limits::MAX_COORDINATE;
+use crate::math::{Real, Vec3};
+
+/// Why a part of a scene was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Fault {
+    /// A number is NaN or infinite. Replace it.
+    NotFinite,
+    /// A coordinate, radius or distance is beyond ±[`MAX_COORDINATE`]. Scale the scene down.
+    TooFar,
+    /// A radius is zero or negative. Give a positive one; a cone needs one of its two.
+    RadiusNotPositive,
+    /// The three corners of a triangle lie on one line. Remove the triangle or move a corner.
+    Collinear,
+    /// A polygon has fewer than three vertices, or encloses no area. Remove it or add vertices.
+    NoArea,
+    /// The vertices of a polygon do not lie in one plane. Split it into triangles.
+    NotPlanar,
+    /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
+    ZeroLength,
+    /// A component of a color is negative. Use 0 or more.
+    NegativeColor,
+    /// A material's color or coefficient is outside 0..=1. Scale it down.
+    OutsideUnit,
+    /// Reflectance and transmittance add up to more than 1. Lower one of them.
+    EnergyAboveOne,
+    /// The shininess is negative. Use 0 or more.
+    NegativeShininess,
+    /// The index of refraction is zero or negative. Air is 1, glass about 1.5.
+    IorNotPositive,
+    /// The camera's target is where its eye is. Move one of them.
+    EyeAtTarget,
+    /// The camera looks along its up vector. Turn the up vector away from the line of sight.
+    UpAlongView,
+    /// The field of view is outside (0°, 180°). It is the full vertical angle, in radians.
+    FieldOfView,
+    /// An object names a material that does not exist. Add it or name another.
+    UnknownMaterial {
+        /// The material that was named.
+        named: usize,
+        /// How many there are.
+        materials: usize,
+    },
+    /// There are more than [`MAX_COUNT`](crate::limits::MAX_COUNT). Use fewer.
+    TooMany {
+        /// How many there are.
+        given: usize,
+    },
+    /// The lent memory is too small. Lend as much as [`Scene::bytes`](crate::Scene::bytes) says.
+    Memory {
+        /// Bytes that the scene needs.
+        needed: usize,
+        /// Bytes that were lent.
+        lent: usize,
+    },
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "a number is NaN or infinite; replace it",
+            Self::TooFar => "a coordinate, radius or distance is beyond ±1e6; scale the scene down",
+            Self::RadiusNotPositive => "the radius is not positive; a cone needs one of its two to be",
+            Self::Collinear => "the corners lie on one line; remove the triangle or move a corner",
+            Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
+            Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
+            Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
+            Self::NegativeColor => "a color is negative; use 0 or more",
+            Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",
+            Self::EnergyAboveOne => "reflectance and transmittance add up to more than 1; lower one of them",
+            Self::NegativeShininess => "the shininess is negative; use 0 or more",
+            Self::IorNotPositive => "the index of refraction is not positive; air is 1, glass about 1.5",
+            Self::EyeAtTarget => "the eye is at the target; move one of them",
+            Self::UpAlongView => "the up vector lies along the line of sight; turn it away",
+            Self::FieldOfView => "the vertical field of view is not between 0 and 180 degrees",
+            Self::UnknownMaterial { named, materials } => {
+                return write!(
+                    f,
+                    "material {named} does not exist: there are {materials}; add it or name another"
+                );
+            }
+            Self::TooMany { given } => return write!(f, "{given} are too many; use at most 65535"),
+            Self::Memory { needed, lent } => {
+                return write!(f, "preparing needs {needed} bytes and {lent} were lent; lend more");
+            }
+        })
+    }
+}
+
+impl core::error::Error for Fault {}
+
+/// Refuses what is not finite or too large.
+pub(crate) fn check_coordinate(value: f32) -> Result<(), Fault> {
+    if !value.is_finite() {
+        Err(Fault::NotFinite)
+    } else if value.abs() > MAX_COORDINATE {
+        Err(Fault::TooFar)
+    } else {
+        Ok(())
+    }
+}
+
+/// Refuses a point that is not finite or too far out.
+pub(crate) fn check_point(point: Vec3) -> Result<(), Fault> {
+    [point.x, point.y, point.z].into_iter().try_for_each(check_coordinate)
+}
+
+/// The unit vector along a direction that the scene names, or why there is none.
+pub(crate) fn check_direction<R: Real>(direction: Vec3) -> Result<Vec3<R>, Fault> {
+    check_point(direction)?;
+    unit(direction)
+}
+
+/// The unit vector along `vector`, or [`Fault::ZeroLength`].
+pub(crate) fn unit<R: Real>(vector: Vec3) -> Result<Vec3<R>, Fault> {
+    // Scale by the largest component first, so that nothing under- or overflows when squared.
+    let magnitude = vector.magnitude();
+    if magnitude >= f32::MIN_POSITIVE {
+        (vector * (1.0 / magnitude)).to().normalized().ok_or(Fault::ZeroLength)
+    } else {
+        Err(Fault::ZeroLength)
+    }
+}
+
+/// Refuses a radius that is not positive.
+pub(crate) fn check_radius(radius: f32) -> Result<(), Fault> {
+    check_coordinate(radius)?;
+    if radius > 0.0 { Ok(()) } else { Err(Fault::RadiusNotPositive) }
+}

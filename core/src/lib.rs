@@ -1,0 +1,103 @@
+//! A ray tracer for microcontroller displays: `no_std`, no allocation, no frame buffer, line by line into any
+//! embedded-graphics [`DrawTarget`](embedded_graphics::draw_target::DrawTarget).
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+//! use rayline::shape::Sphere;
+//! use rayline::{
+//!     Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings, Vec3, Workspace,
+//! };
+//!
+//! static SCENE: Scene<Sphere> = Scene {
+//!     camera: Camera {
+//!         eye: Vec3::new(0.0, 0.0, 4.0),
+//!         target: Vec3::new(0.0, 0.0, 0.0),
+//!         up: Vec3::new(0.0, 1.0, 0.0),
+//!         vertical_fov: 0.7,
+//!     },
+//!     background: LinearRgb::gray(0.05),
+//!     objects: &[Object::new(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), 0)],
+//!     materials: &[Material::matte(LinearRgb::gray(0.9))],
+//!     lights: &[Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }],
+//! };
+//!
+//! # fn main() -> Result<(), Box<dyn core::error::Error>> {
+//! let mut memory = Workspace::<512>::new();
+//! let scene = PreparedScene::<f32, _>::new(&SCENE, memory.lend())?;
+//! let renderer = Renderer::new(&scene, Settings::new(64, 64))?;
+//!
+//! let mut display = MockDisplay::<Gray8>::new(); // yours here
+//! let mut line = [Gray8::new(0); 64];
+//! renderer.draw(&mut display, &mut line)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # The way of the data
+//!
+//! | step | what it is | where |
+//! |---|---|---|
+//! | [`Scene`] | what to draw, in `f32`: a `static` in flash, or lent by a [`SceneBuf`] | [`shape`], [`Material`], [`Light`], [`Camera`] |
+//! | [`PreparedScene`] | the same, checked, in the kernel's number system, in memory that the caller lends | `prepared` |
+//! | radiance | how much light comes along a ray | `integrator` |
+//! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
+//!
+//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `color`, `surface`,
+//! `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`, `render`,
+//! `builtin`.
+//!
+//! # Conventions
+//!
+//! Coordinates are right-handed, in any unit. Angles are in radians. Colors are linear light with the primaries
+//! of sRGB. Pixel (0, 0) is at the upper left and has its center at (0.5, 0.5). A surface has two sides; its
+//! normal says which is the front.
+//!
+//! # What always holds
+//!
+//! - No allocation, no recursion, no panic between a prepared scene and the display.
+//! - The same scene and settings give the same bytes on every processor, unless the feature `micromath` is on.
+//! - After [`PreparedScene::new`], only the display can fail.
+//! - A pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted ([`RayCounts`]).
+//!
+//! # Features
+//!
+//! - `std`: the standard library's square root. Changes no byte.
+//! - `micromath`: micromath's square roots and powers for `f32`, refined: faster without an FPU, other bytes.
+
+#![cfg_attr(not(any(feature = "std", test)), no_std)]
+
+mod arena;
+pub mod builtin;
+mod camera;
+mod color;
+mod fault;
+mod integrator;
+mod light;
+pub mod limits;
+mod material;
+pub mod math;
+mod prepared;
+mod probe;
+mod render;
+mod sampler;
+mod scene;
+pub mod shape;
+mod surface;
+mod texture;
+
+pub use arena::{Arena, Workspace};
+pub use camera::Camera;
+pub use color::LinearRgb;
+pub use fault::Fault;
+pub use light::Light;
+pub use material::Material;
+pub use math::{Real, Vec3};
+pub use prepared::{Hit, Part, PreparedScene, SceneError, prepared_bytes};
+pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
+pub use render::{
+    Digest, DisplayColor, Dither, DrawError, Frame, Light16, LineError, Progress, Quantizer, Renderer,
+    Settings, SettingsError, Transfer,
+};
+pub use scene::{MaterialId, Object, Scene, SceneBuf};
+pub use surface::Surface;
+pub use texture::{Checker, Texture};

@@ -1,0 +1,80 @@
+//! Where light comes from.
+
+use crate::color::LinearRgb;
+use crate::fault::{Fault, check_coordinate, check_direction, check_point};
+use crate::math::{Real, Vec3};
+
+/// A light without size: shadows have sharp edges. Intensity does not fall off with distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Light {
+    /// Shines from one point in all directions.
+    Point {
+        /// Where the light is.
+        position: Vec3,
+        /// Its color and intensity, 0 or more.
+        color: LinearRgb,
+    },
+    /// Shines from infinitely far away, like the sun.
+    Directional {
+        /// The way the light travels; any length but 0.
+        direction: Vec3,
+        /// Its color and intensity, 0 or more.
+        color: LinearRgb,
+    },
+}
+
+impl Light {
+    /// Checks every number and converts it.
+    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedLight<R>, Fault> {
+        let (source, color) = match *self {
+            Self::Point { position, color } => {
+                check_point(position)?;
+                (Source::At(position.to()), color)
+            }
+            Self::Directional { direction, color } => (Source::Toward(-check_direction(direction)?), color),
+        };
+        check_emission(color)?;
+        Ok(PreparedLight { source, color: color.to() })
+    }
+}
+
+/// Refuses emitted light that is negative or not finite; it may be above 1.
+pub(crate) fn check_emission(color: LinearRgb) -> Result<(), Fault> {
+    for value in [color.r, color.g, color.b] {
+        check_coordinate(value)?;
+        if value < 0.0 {
+            return Err(Fault::NegativeColor);
+        }
+    }
+    Ok(())
+}
+
+/// A light that was checked and converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedLight<R> {
+    source: Source<R>,
+    pub(crate) color: LinearRgb<R>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source<R> {
+    At(Vec3<R>),
+    /// Unit vector toward the light.
+    Toward(Vec3<R>),
+}
+
+impl<R: Real> PreparedLight<R> {
+    /// The unit direction from a point toward the light, and how far the light is along it; `None` where
+    /// the point is the light's own.
+    pub(crate) fn seen_from(&self, point: Vec3<R>) -> Option<(Vec3<R>, R)> {
+        match self.source {
+            Source::At(position) => {
+                let toward = position - point;
+                let distance = toward.length();
+                (distance > R::ZERO).then(|| (toward * distance.recip(), distance))
+            }
+            Source::Toward(direction) => Some((direction, R::FARTHEST)),
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The door to the floating-point backends: which crate computes a root or a power, and how well.
+//!
+//! | function | backend, the first that applies | error bound |
+//! |---|---|---|
+//! | `sqrt` | feature `micromath`: its estimate and two Newton steps | 2 units in the last place |
+//! | | `vsqrt.f32` on Arm with a hardware float ABI | correctly rounded |
+//! | | feature `std`: the standard library | correctly rounded |
+//! | | libm | correctly rounded |
+//! | `powf` | feature `micromath`: squarings and refined square roots | 3e-3 for exponents to 1000 |
+//! | | libm | 1 unit in the last place |
+//!
+//! Powers never come from the standard library: its `pow` is the platform's, and differs between platforms.
+//! Tangents, needed once per picture, always come from libm.
+
+/// The square root.
+#[allow(unreachable_code)]
+pub(crate) fn sqrt(value: f32) -> f32 {
+    #[cfg(feature = "micromath")]
+    return micro::sqrt(value);
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    return vsqrt(value);
+    #[cfg(feature = "std")]
+    return std::primitive::f32::sqrt(value);
+    libm::sqrtf(value)
+}
+
+/// `base` to the power `exponent`, for `base` in `[0, 1]`.
+#[allow(unreachable_code)]
+pub(crate) fn powf(base: f32, exponent: f32) -> f32 {
+    #[cfg(feature = "micromath")]
+    return micro::powf(base, exponent);
+    libm::powf(base, exponent)
+}
+
+/// The square root of the reference build.
+#[allow(unreachable_code)]
+pub(crate) fn sqrt_f64(value: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return std::primitive::f64::sqrt(value);
+    libm::sqrt(value)
+}
+
+/// The FPU's own square root: 9 instructions where libm's takes 58, and the same bits.
+///
+/// The compiler knows the instruction but offers it only through `std`; a register operand of class `sreg`
+/// is refused on these targets, so the value travels through `s0`.
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+#[allow(unsafe_code)]
+#[inline(always)]
+fn vsqrt(value: f32) -> f32 {
+    let bits = value.to_bits();
+    let root: u32;
+    // SAFETY: the target has the FPU that its ABI passes floats in; only s0 is touched, and it is declared.
+    unsafe {
+        core::arch::asm!(
+            "vmov s0, {value}",
+            "vsqrt.f32 s0, s0",
+            "vmov {root}, s0",
+            value = in(reg) bits,
+            root = lateout(reg) root,
+            out("s0") _,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    f32::from_bits(root)
+}
+
+#[cfg(feature = "micromath")]
+mod micro {
+    //! micromath's estimates, refined here until the bounds in the table above hold.
+
+    use micromath::F32Ext;
+
+    pub(super) fn sqrt(value: f32) -> f32 {
+        if !(value > 0.0) {
+            return 0.0;
+        }
+        // The estimate is off by up to 6 %; each of Heron's steps squares the error: 1.8e-3, then 1.7e-6, then 1.4e-12.
+        let mut root = F32Ext::sqrt(value);
+        for _ in 0..3 {
+            root = 0.5 * (root + value / root);
+        }
+        root
+    }
+
+    pub(super) fn powf(base: f32, exponent: f32) -> f32 {
+        if !(base > 0.0) {
+            return if exponent > 0.0 { 0.0 } else { 1.0 };
+        }
+        // micromath's powf loses all digits for large exponents. The binary expansion of the exponent needs
+        // squarings left of the point and square roots right of it; ten roots leave an exponent error of 2⁻¹¹.
+        let quantized = (exponent * 1024.0 + 0.5) as u32;
+        let mut power = 1.0;
+        let mut factor = base;
+        let mut whole = quantized >> 10;
+        while whole > 0 {
+            if whole & 1 == 1 {
+                power *= factor;
+            }
+            factor *= factor;
+            whole >>= 1;
+        }
+        let mut root = base;
+        for bit in (0..10).rev() {
+            root = sqrt(root);
+            if quantized >> bit & 1 == 1 {
+                power *= root;
+            }
+        }
+        power
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Evenly spread over the bit patterns, so over all magnitudes.
+    fn positive_floats() -> impl Iterator<Item = f32> {
+        (1..200_000u32).map(|i| f32::from_bits(0x0080_0000 + i * 10_000)).filter(|x| x.is_finite())
+    }
+
+    #[test]
+    fn sqrt_keeps_its_bound() {
+        let bound = if cfg!(feature = "micromath") { 2 } else { 0 };
+        for value in positive_floats() {
+            let exact = f64::from(value).sqrt() as f32;
+            assert!(sqrt(value).to_bits().abs_diff(exact.to_bits()) <= bound, "sqrt({value:e})");
+        }
+        assert_eq!(sqrt(0.0), 0.0);
+    }
+
+    #[test]
+    fn sqrt_f64_is_correctly_rounded() {
+        for value in positive_floats().map(f64::from) {
+            assert_eq!(sqrt_f64(value), value.sqrt());
+        }
+    }
+
+    #[test]
+    fn powf_keeps_its_bound() {
+        for exponent in [0.0, 0.5, 1.0, 3.0827, 10.0, 50.0, 101.148, 999.9] {
+            for step in 0..=1000u16 {
+                let base = f32::from(step) / 1000.0;
+                let exact = f64::from(base).powf(f64::from(exponent));
+                let error = (f64::from(powf(base, exponent)) - exact).abs();
+                let bound = if cfg!(feature = "micromath") { 3e-3 } else { exact * 1.2e-7 + 1e-45 };
+                assert!(error <= bound, "{base} to the power {exponent} is off by {error:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! A point, a direction or a normal in space.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::Real;
+
+/// A point, a direction or a normal in space: right-handed, in the scene's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vec3<R = f32> {
+    /// First coordinate.
+    pub x: R,
+    /// Second coordinate.
+    pub y: R,
+    /// Third coordinate.
+    pub z: R,
+}
+
+impl<R> Vec3<R> {
+    /// The vector (x, y, z).
+    pub const fn new(x: R, y: R, z: R) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl Vec3 {
+    /// The same vector in another number system.
+    pub fn to<R: Real>(self) -> Vec3<R> {
+        Vec3::new(R::from_f32(self.x), R::from_f32(self.y), R::from_f32(self.z))
+    }
+}
+
+impl<R: Real> Vec3<R> {
+    /// The origin.
+    pub const ZERO: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
+
+    /// The scalar product.
+    pub fn dot(self, other: Self) -> R {
+        R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
+    }
+
+    /// The vector product: perpendicular to both, by the right-hand rule.
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// The squared length.
+    pub fn length_squared(self) -> R {
+        self.dot(self)
+    }
+
+    /// The length.
+    pub fn length(self) -> R {
+        self.length_squared().sqrt()
+    }
+
+    /// The unit vector of the same direction, or `None` where the length is 0.
+    pub fn normalized(self) -> Option<Self> {
+        let length = self.length();
+        (length > R::ZERO).then(|| self * length.recip())
+    }
+
+    /// The largest absolute value among the coordinates.
+    pub fn magnitude(self) -> R {
+        self.x.abs().larger(self.y.abs()).larger(self.z.abs())
+    }
+
+    /// This vector or its opposite, whichever points against `direction`.
+    pub fn facing(self, direction: Self) -> Self {
+        if self.dot(direction) > R::ZERO { -self } else { self }
+    }
+
+    /// The vector in `f32`, for people to read.
+    pub fn to_f32(self) -> Vec3 {
+        Vec3::new(self.x.to_f32(), self.y.to_f32(), self.z.to_f32())
+    }
+}
+
+impl<R: Real> Add for Vec3<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<R: Real> Sub for Vec3<R> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl<R: Real> Neg for Vec3<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<R: Real> Mul<R> for Vec3<R> {
+    type Output = Self;
+    fn mul(self, scale: R) -> Self {
+        Self::new(self.x * scale, self.y * scale, self.z * scale)
+    }
+}

@@ -1,0 +1,138 @@
+//! Watching the renderer at work: counters, and everything that happens to one pixel.
+
+use crate::color::LinearRgb;
+use crate::math::{Ray, Real, Vec3};
+use crate::prepared::Hit;
+
+/// Why a ray was traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the eye through a pixel.
+    Camera,
+    /// From a surface toward a light.
+    Shadow,
+    /// Mirrored by a surface.
+    Reflected,
+    /// Through a transparent surface.
+    Refracted,
+}
+
+/// Why light was left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// A ray would have exceeded [`Settings::bounces`](crate::Settings).
+    Bounces,
+    /// A ray would have brought less than [`Settings::cutoff`](crate::Settings) of its light to the pixel.
+    Throughput,
+    /// The pixel had spent its [`Settings::rays_per_pixel`](crate::Settings).
+    Rays,
+    /// A shadow ray met more than [`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS) transparent surfaces.
+    ShadowLayers,
+}
+
+/// Something that happened while a pixel was traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event<R> {
+    /// A ray is traced; shadow rays come as [`Event::Light`].
+    Ray {
+        /// Why.
+        kind: RayKind,
+        /// The ray.
+        ray: Ray<R>,
+        /// Bounces since the camera.
+        bounces: u8,
+        /// Share of its light that reaches the pixel.
+        throughput: R,
+    },
+    /// That ray met an object.
+    Hit {
+        /// Why the ray was traced.
+        kind: RayKind,
+        /// Where.
+        hit: Hit<R>,
+        /// The color of its texture there.
+        color: LinearRgb<R>,
+    },
+    /// That ray met nothing and sees the background.
+    Miss,
+    /// A shadow ray was traced from that hit.
+    Light {
+        /// Position of the light in [`Scene::lights`](crate::Scene::lights).
+        light: usize,
+        /// Unit vector toward it.
+        toward: Vec3<R>,
+        /// Share of its light that comes through.
+        through: R,
+        /// What it adds to the light that leaves the hit along the ray.
+        shown: LinearRgb<R>,
+    },
+    /// Light was left out.
+    Cut(Cut),
+}
+
+/// Is told what happens; what it does not use costs nothing.
+pub trait Probe<R> {
+    /// Something happened.
+    fn record(&mut self, event: Event<R>);
+}
+
+/// Watches nothing.
+impl<R> Probe<R> for () {
+    #[inline(always)]
+    fn record(&mut self, _: Event<R>) {}
+}
+
+/// Counts rays by kind, and what was cut short.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    /// Rays from the eye.
+    pub camera: u64,
+    /// Rays toward lights.
+    pub shadow: u64,
+    /// Mirrored rays.
+    pub reflected: u64,
+    /// Rays through transparent surfaces.
+    pub refracted: u64,
+    /// Rays from the eye that met an object.
+    pub camera_hits: u64,
+    /// How often [`Cut::Bounces`] happened.
+    pub cut_bounces: u64,
+    /// How often [`Cut::Throughput`] happened.
+    pub cut_throughput: u64,
+    /// How often [`Cut::Rays`] happened.
+    pub cut_rays: u64,
+    /// How often [`Cut::ShadowLayers`] happened.
+    pub cut_shadow_layers: u64,
+}
+
+impl<R: Real> Probe<R> for RayCounts {
+    fn record(&mut self, event: Event<R>) {
+        let count = match event {
+            Event::Ray { kind: RayKind::Camera, .. } => &mut self.camera,
+            Event::Ray { kind: RayKind::Reflected, .. } => &mut self.reflected,
+            Event::Ray { kind: RayKind::Refracted, .. } => &mut self.refracted,
+            Event::Ray { kind: RayKind::Shadow, .. } | Event::Light { .. } => &mut self.shadow,
+            Event::Hit { kind: RayKind::Camera, .. } => &mut self.camera_hits,
+            Event::Cut(Cut::Bounces) => &mut self.cut_bounces,
+            Event::Cut(Cut::Throughput) => &mut self.cut_throughput,
+            Event::Cut(Cut::Rays) => &mut self.cut_rays,
+            Event::Cut(Cut::ShadowLayers) => &mut self.cut_shadow_layers,
+            Event::Hit { .. } | Event::Miss => return,
+        };
+        *count = count.saturating_add(1);
+    }
+}
+
+impl core::ops::AddAssign for RayCounts {
+    fn add_assign(&mut self, other: Self) {
+        self.camera = self.camera.saturating_add(other.camera);
+        self.shadow = self.shadow.saturating_add(other.shadow);
+        self.reflected = self.reflected.saturating_add(other.reflected);
+        self.refracted = self.refracted.saturating_add(other.refracted);
+        self.camera_hits = self.camera_hits.saturating_add(other.camera_hits);
+        self.cut_bounces = self.cut_bounces.saturating_add(other.cut_bounces);
+        self.cut_throughput = self.cut_throughput.saturating_add(other.cut_throughput);
+        self.cut_rays = self.cut_rays.saturating_add(other.cut_rays);
+        self.cut_shadow_layers = self.cut_shadow_layers.saturating_add(other.cut_shadow_layers);
+    }
+}

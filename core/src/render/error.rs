@@ -1,0 +1,113 @@
+//! What can go wrong between a prepared scene and the display.
+
+use core::fmt;
+
+/// A setting is out of range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SettingsError {
+    /// The picture is too wide or too high. Render a smaller one.
+    Size {
+        /// The side that is too long.
+        side: u32,
+        /// The longest that is allowed.
+        most: u32,
+    },
+    /// Too many bounces. Ask for fewer.
+    Bounces {
+        /// How many were asked for.
+        given: u8,
+        /// The most that are allowed.
+        most: u8,
+    },
+    /// Not even one ray per pixel. Allow at least 1.
+    RaysPerPixel,
+    /// Not even one sample per pixel. Take at least 1.
+    SamplesPerPixel,
+    /// The cut-off is not between 0 and 1. Use 0 to follow every ray.
+    Cutoff,
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Size { side, most } => write!(f, "a side of {side} pixels is too long; use at most {most}"),
+            Self::Bounces { given, most } => write!(f, "{given} bounces are too many; use at most {most}"),
+            Self::RaysPerPixel => f.write_str("no rays per pixel; allow at least 1"),
+            Self::SamplesPerPixel => f.write_str("no samples per pixel; take at least 1"),
+            Self::Cutoff => f.write_str("the cut-off is not between 0 and 1; use 0 to follow every ray"),
+        }
+    }
+}
+
+impl core::error::Error for SettingsError {}
+
+/// A line cannot be rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LineError {
+    /// The buffer does not hold whole lines. Lend one of the picture's width, or of a multiple of it to draw
+    /// several lines at once.
+    BufferLength {
+        /// Pixels that it holds.
+        given: usize,
+        /// Width of the picture.
+        width: u32,
+    },
+    /// The picture has no such line.
+    NoSuchLine {
+        /// The line that was asked for.
+        line: u32,
+        /// How many the picture has.
+        height: u32,
+    },
+}
+
+impl fmt::Display for LineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BufferLength { given, width } => {
+                write!(f, "a buffer of {given} pixels does not hold whole lines of {width}; lend another")
+            }
+            Self::NoSuchLine { line, height } => {
+                write!(f, "there is no line {line}: the picture has {height}, counted from 0")
+            }
+        }
+    }
+}
+
+impl core::error::Error for LineError {}
+
+/// Drawing stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DrawError<E> {
+    /// Nothing was drawn: buffer and lines do not fit the picture.
+    Line(LineError),
+    /// The display failed. Everything above `line` was drawn; draw again from there.
+    Display {
+        /// The first line that may not have been drawn.
+        line: u32,
+        /// The display's own error.
+        error: E,
+    },
+}
+
+impl<E> From<LineError> for DrawError<E> {
+    fn from(error: LineError) -> Self {
+        Self::Line(error)
+    }
+}
+
+impl<E: fmt::Debug> fmt::Display for DrawError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(error) => error.fmt(f),
+            Self::Display { line, error } => {
+                write!(f, "the display failed at line {line}: {error:?}; draw again from there")
+            }
+        }
+    }
+}
+
+impl<E: fmt::Debug> core::error::Error for DrawError<E> {}

@@ -1,0 +1,170 @@
+//! From light to the display, line by line.
+
+mod digest;
+mod display_color;
+mod error;
+mod frame;
+mod quantize;
+mod settings;
+
+pub use digest::Digest;
+pub use display_color::DisplayColor;
+pub use error::{DrawError, LineError, SettingsError};
+pub use frame::{Frame, Progress};
+pub use quantize::{Dither, Light16, Quantizer, Transfer};
+pub use settings::Settings;
+
+use core::ops::Range;
+
+use embedded_graphics::draw_target::DrawTarget;
+
+use crate::camera::Viewport;
+use crate::color::LinearRgb;
+use crate::integrator::{Bounds, RayBudget, radiance};
+use crate::math::Real;
+use crate::prepared::PreparedScene;
+use crate::probe::Probe;
+use crate::sampler::sample_position;
+use crate::shape::{Geometry, Shape};
+
+/// Renders any line of one picture, of a size that is fixed when the renderer is made.
+///
+/// A picture is a pure function of scene and settings: its lines can be rendered in any order, and by any
+/// number of cores that each have a `&Renderer`.
+#[derive(Clone, Copy, Debug)]
+pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
+    scene: &'p PreparedScene<'m, R, S>,
+    viewport: Viewport<R>,
+    width: u16,
+    height: u16,
+    bounds: Bounds<R>,
+    samples_per_pixel: u16,
+    sample_weight: R,
+    settings: Settings,
+}
+
+impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
+    /// A renderer of this scene.
+    ///
+    /// # Errors
+    /// The setting that is out of range.
+    pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
+        let (width, height) = settings.check()?;
+        Ok(Self {
+            scene,
+            viewport: Viewport::new(scene.camera(), width, height),
+            width,
+            height,
+            bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
+            samples_per_pixel: settings.samples_per_pixel,
+            sample_weight: R::from_u16(settings.samples_per_pixel).recip(),
+            settings,
+        })
+    }
+
+    /// Width of the picture in pixels.
+    pub fn width(&self) -> u32 {
+        u32::from(self.width)
+    }
+
+    /// Height of the picture in pixels.
+    pub fn height(&self) -> u32 {
+        u32::from(self.height)
+    }
+
+    /// The light that pixel (x, y) receives, and the rays that it took: at most
+    /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
+    pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
+        let mut rays = RayBudget(self.settings.rays_per_pixel);
+        let mut light = LinearRgb::BLACK;
+        for sample in 0..self.samples_per_pixel {
+            let (right, down) = sample_position(x, y, sample, self.samples_per_pixel, self.settings.seed);
+            let ray = self
+                .viewport
+                .ray(R::from_u16(x) + R::from_fraction(right), R::from_u16(y) + R::from_fraction(down));
+            light = light + radiance(self.scene, ray, &self.bounds, &mut rays, probe);
+        }
+        (light * self.sample_weight, self.settings.rays_per_pixel.saturating_sub(rays.0))
+    }
+
+    /// Pixel (x, y) in the display's color, and the rays that it took.
+    fn display_pixel<C: DisplayColor>(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (C, u32) {
+        let (light, rays) = self.pixel(x, y, probe);
+        (C::from_light(Light16::new(light), &Quantizer::new(&self.settings, x, y)), rays)
+    }
+
+    /// Renders line `y` into a slice of the picture's width.
+    ///
+    /// # Errors
+    /// Before the first pixel, where the slice has another length or the picture has no such line.
+    pub fn line<C: DisplayColor>(&self, y: u32, line: &mut [C]) -> Result<(), LineError> {
+        self.line_watched(y, line, &mut ())
+    }
+
+    /// As [`line`](Self::line), and tells `probe` what happens.
+    ///
+    /// # Errors
+    /// As [`line`](Self::line).
+    pub fn line_watched<C: DisplayColor>(
+        &self,
+        y: u32,
+        line: &mut [C],
+        probe: &mut impl Probe<R>,
+    ) -> Result<(), LineError> {
+        let Some(y) = u16::try_from(y).ok().filter(|y| *y < self.height) else {
+            return Err(LineError::NoSuchLine { line: y, height: self.height() });
+        };
+        if line.len() != usize::from(self.width) {
+            return Err(LineError::BufferLength { given: line.len(), width: self.width() });
+        }
+        for (x, pixel) in (0..self.width).zip(line) {
+            *pixel = self.display_pixel(x, y, probe).0;
+        }
+        Ok(())
+    }
+
+    /// Draws the whole picture with its upper left corner at the display's origin, one `fill_contiguous` per
+    /// buffer. The buffer holds one line, or as many whole lines as shall be sent at once.
+    ///
+    /// # Errors
+    /// A buffer that does not hold whole lines, before the first pixel; or the display's own error, with the
+    /// line at which [`draw_lines`](Self::draw_lines) goes on.
+    pub fn draw<D>(&self, display: &mut D, buffer: &mut [D::Color]) -> Result<(), DrawError<D::Error>>
+    where
+        D: DrawTarget,
+        D::Color: DisplayColor,
+    {
+        self.draw_lines(0..self.height(), display, buffer)
+    }
+
+    /// Draws some lines of the picture, each where it belongs.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub fn draw_lines<D>(
+        &self,
+        lines: Range<u32>,
+        display: &mut D,
+        buffer: &mut [D::Color],
+    ) -> Result<(), DrawError<D::Error>>
+    where
+        D: DrawTarget,
+        D::Color: DisplayColor,
+    {
+        let mut frame = self.frame(lines, buffer)?;
+        while !frame.step(display, u32::MAX)?.is_done() {}
+        Ok(())
+    }
+
+    /// Begins to draw some lines of the picture step by step, each step a bounded amount of work.
+    ///
+    /// # Errors
+    /// Where the buffer does not hold one whole line or several, or the picture has no such lines.
+    pub fn frame<'b, C: DisplayColor>(
+        &self,
+        lines: Range<u32>,
+        buffer: &'b mut [C],
+    ) -> Result<Frame<'p, 'm, 'b, R, S, C>, LineError> {
+        Frame::new(*self, lines, buffer)
+    }
+}

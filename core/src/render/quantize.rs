@@ -1,0 +1,194 @@
+//! From linear light to the levels of a display, in integers: the same on every processor and in every number
+//! system.
+
+use super::Settings;
+use crate::color::LinearRgb;
+use crate::math::Real;
+
+/// How light becomes a display's code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Transfer {
+    /// The curve of IEC 61966-2-1, which displays expect.
+    #[default]
+    Srgb,
+    /// Codes proportional to light: for comparisons, and for dithering to black and white.
+    Linear,
+}
+
+/// How light is rounded to a display's levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Dither {
+    /// To the nearest level.
+    #[default]
+    None,
+    /// Up or down by an 8×8 threshold matrix, so that areas keep their mean (Bayer, "An Optimum Method for
+    /// Two-Level Rendition of Continuous-Tone Pictures", 1973).
+    Ordered,
+}
+
+/// Light at a pixel, clamped to what a display can show: 0 is black, 65536 full light in a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Light16 {
+    /// Red, 0 to 65536.
+    pub r: u32,
+    /// Green, 0 to 65536.
+    pub g: u32,
+    /// Blue, 0 to 65536.
+    pub b: u32,
+}
+
+impl Light16 {
+    /// Clamps light to what a display can show.
+    pub(super) fn new<R: Real>(light: LinearRgb<R>) -> Self {
+        Self { r: light.r.to_q16(), g: light.g.to_q16(), b: light.b.to_q16() }
+    }
+
+    /// The luminance, 0 to 65536 (ITU-R BT.709: 0.2126 R + 0.7152 G + 0.0722 B).
+    pub fn luminance(&self) -> u32 {
+        // The weights in units of 1/32768, so that the sum fits in 32 bits: they add up to 32768.
+        (self.r * 6966 + self.g * 23436 + self.b * 2366 + 0x4000) >> 15
+    }
+}
+
+/// Turns light into levels, for one pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantizer {
+    transfer: Transfer,
+    /// The part of a level, in units of 1/65536, that is added before rounding down.
+    threshold: u32,
+}
+
+impl Quantizer {
+    pub(super) fn new(settings: &Settings, x: u16, y: u16) -> Self {
+        let threshold = match settings.dither {
+            Dither::None => 0x8000,
+            Dither::Ordered => bayer(x, y) * 1024 + 512,
+        };
+        Self { transfer: settings.transfer, threshold }
+    }
+
+    /// The level, 0 to `most`, of a display that has `most + 1`, for light from 0 to 65536.
+    pub fn level(&self, light: u32, most: u8) -> u8 {
+        let light = light.min(65536);
+        let code = match self.transfer {
+            Transfer::Linear => light,
+            Transfer::Srgb => encode_srgb(light),
+        };
+        ((code * u32::from(most) + self.threshold) >> 16) as u8
+    }
+}
+
+/// Place of a pixel in the order in which Bayer's 8×8 matrix turns them on, 0 to 63: the bits of x ^ y and y,
+/// interleaved, from the lowest up.
+fn bayer(x: u16, y: u16) -> u32 {
+    let (a, b) = (u32::from(x ^ y), u32::from(y));
+    (a & 1) << 5 | (b & 1) << 4 | (a & 2) << 2 | (b & 2) << 1 | (a & 4) >> 1 | (b & 4) >> 2
+}
+
+/// Segments of the tone curve.
+const SEGMENTS: usize = 512;
+
+/// The curve of sRGB at every 512th part of the range, in units of 1/65535: 1 KB of flash. Between them it is
+/// read off a straight line, which is right within 0.2 of 255.
+static SRGB: [u16; SEGMENTS + 1] = srgb_curve();
+
+const fn srgb_curve() -> [u16; SEGMENTS + 1] {
+    let mut curve = [0; SEGMENTS + 1];
+    let mut i = 0;
+    while i <= SEGMENTS {
+        let light = i as f64 / SEGMENTS as f64;
+        let code = if light <= 0.003_130_8 {
+            light * 12.92
+        } else {
+            // light^(1/2.4) = y with y¹² = light⁵: Newton's method from above.
+            let target = light * light * light * light * light;
+            let mut y = 1.0;
+            let mut step = 0;
+            while step < 100 {
+                let y2 = y * y;
+                let y4 = y2 * y2;
+                let y11 = y4 * y4 * y2 * y;
+                y -= (y11 * y - target) / (12.0 * y11);
+                step += 1;
+            }
+            1.055 * y - 0.055
+        };
+        #[allow(clippy::indexing_slicing)] // evaluated by the compiler
+        {
+            curve[i] = (code * 65535.0 + 0.5) as u16;
+        }
+        i += 1;
+    }
+    curve
+}
+
+/// The sRGB code, 0 to 65536, of light from 0 to 65536.
+fn encode_srgb(light: u32) -> u32 {
+    let position = light as usize / (65536 / SEGMENTS);
+    let along = light % (65536 / SEGMENTS) as u32;
+    match SRGB.get(position..) {
+        Some([below, above, ..]) => {
+            let (below, above) = (u32::from(*below), u32::from(*above));
+            let code = below + (above - below) * along / (65536 / SEGMENTS) as u32;
+            code + (code >> 15)
+        }
+        _ => 65536,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_is_within_a_fifth_of_a_code() {
+        for light in 0..=65536u32 {
+            let linear = f64::from(light) / 65536.0;
+            let exact =
+                if linear <= 0.0031308 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+            let error = (f64::from(encode_srgb(light)) / 65536.0 - exact).abs() * 255.0;
+            assert!(error < 0.2, "{light} is off by {error}");
+        }
+        assert_eq!((encode_srgb(0), encode_srgb(65536)), (0, 65536));
+    }
+
+    #[test]
+    fn levels_are_rounded_to_nearest() {
+        let quantizer = Quantizer { transfer: Transfer::Linear, threshold: 0x8000 };
+        for most in [1u8, 15, 31, 63, 255] {
+            for light in 0..=65536u32 {
+                let exact = f64::from(light) / 65536.0 * f64::from(most);
+                assert_eq!(quantizer.level(light, most), (exact + 0.5).floor() as u8);
+            }
+        }
+    }
+
+    #[test]
+    fn every_place_of_the_matrix_is_taken_once() {
+        let mut seen = [false; 64];
+        for (x, y) in (0..8).flat_map(|y| (0..8).map(move |x| (x, y))) {
+            assert!(!core::mem::replace(&mut seen[bayer(x, y) as usize], true));
+        }
+        // The first row of the classic matrix.
+        assert_eq!([0, 1, 2, 3, 4, 5, 6, 7].map(|x| bayer(x, 0)), [0, 32, 8, 40, 2, 34, 10, 42]);
+    }
+
+    #[test]
+    fn dithering_keeps_the_mean() {
+        let settings =
+            Settings { dither: Dither::Ordered, transfer: Transfer::Linear, ..Settings::new(8, 8) };
+        for sixtyfourths in 0..=64u32 {
+            let on: u32 = (0..8u16)
+                .flat_map(|y| (0..8u16).map(move |x| (x, y)))
+                .map(|(x, y)| u32::from(Quantizer::new(&settings, x, y).level(sixtyfourths * 1024, 1)))
+                .sum();
+            assert_eq!(on, sixtyfourths);
+        }
+    }
+
+    #[test]
+    fn luminance_of_white_is_full() {
+        assert_eq!(Light16 { r: 65536, g: 65536, b: 65536 }.luminance(), 65536);
+        assert_eq!(Light16 { r: 0, g: 65536, b: 0 }.luminance(), 46872);
+    }
+}

@@ -1,0 +1,88 @@
+//! A scene that is put together at run time, without allocation.
+
+use heapless::Vec;
+
+use super::{MaterialId, Object, Scene};
+use crate::camera::Camera;
+use crate::color::LinearRgb;
+use crate::light::Light;
+use crate::material::Material;
+
+/// A scene that is put together at run time, in arrays of fixed size.
+///
+/// ```
+/// use rayline::{Camera, Light, LinearRgb, Material, SceneBuf, Vec3, shape::Sphere};
+/// let camera = Camera {
+///     eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+/// };
+/// let mut scene = SceneBuf::<Sphere, 8, 2, 1>::new(camera, LinearRgb::gray(0.1));
+/// let red = scene.add_material(Material::matte(LinearRgb::new(0.9, 0.2, 0.1))).unwrap();
+/// scene.add_object(Sphere::new(Vec3::ZERO, 1.0), red).unwrap();
+/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }).unwrap();
+/// assert_eq!(scene.as_scene().objects.len(), 1);
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneBuf<S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize> {
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// What a ray sees that hits nothing.
+    pub background: LinearRgb,
+    objects: Vec<Object<S>, OBJECTS>,
+    materials: Vec<Material, MATERIALS>,
+    lights: Vec<Light, LIGHTS>,
+}
+
+impl<S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
+    SceneBuf<S, OBJECTS, MATERIALS, LIGHTS>
+{
+    const NUMBERED_BY_U16: () = assert!(MATERIALS <= crate::limits::MAX_COUNT);
+
+    /// An empty scene.
+    pub const fn new(camera: Camera, background: LinearRgb) -> Self {
+        let () = Self::NUMBERED_BY_U16;
+        Self { camera, background, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() }
+    }
+
+    /// Adds a material and tells its id.
+    ///
+    /// # Errors
+    /// Hands the material back where there is no room; the scene is unchanged. Raise `MATERIALS`.
+    pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Material> {
+        let id = MaterialId(self.materials.len() as u16);
+        self.materials.push(material).map(|()| id)
+    }
+
+    /// Adds an object.
+    ///
+    /// # Errors
+    /// Hands the object back where there is no room; the scene is unchanged. Raise `OBJECTS`.
+    pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<(), Object<S>> {
+        self.objects.push(Object { shape, material })
+    }
+
+    /// Adds a light.
+    ///
+    /// # Errors
+    /// Hands the light back where there is no room; the scene is unchanged. Raise `LIGHTS`.
+    pub fn add_light(&mut self, light: Light) -> Result<(), Light> {
+        self.lights.push(light)
+    }
+
+    /// Removes all objects, materials and lights.
+    pub fn clear(&mut self) {
+        self.objects.clear();
+        self.materials.clear();
+        self.lights.clear();
+    }
+
+    /// The scene as everything else takes it.
+    pub fn as_scene(&self) -> Scene<'_, S> {
+        Scene {
+            camera: self.camera,
+            background: self.background,
+            objects: &self.objects,
+            materials: &self.materials,
+            lights: &self.lights,
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The description of a scene: plain data that can be a `static` in flash.
+
+mod buf;
+
+pub use buf::SceneBuf;
+
+use crate::camera::Camera;
+use crate::color::LinearRgb;
+use crate::light::Light;
+use crate::material::Material;
+use crate::math::Real;
+use crate::prepared;
+use crate::shape::Shape;
+
+/// Everything that is in a picture.
+///
+/// `S` is the set of shapes that objects may have; by default all built-in ones, see
+/// [`shape_set!`](crate::shape_set).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene<'a, S = Shape<'a>> {
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// What a ray sees that hits nothing: 0 or more.
+    pub background: LinearRgb,
+    /// What rays can hit. Where two are at the same distance, the first in this order is seen.
+    pub objects: &'a [Object<S>],
+    /// What objects are made of.
+    pub materials: &'a [Material],
+    /// What lights them.
+    pub lights: &'a [Light],
+}
+
+/// A shape and what it is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object<S> {
+    /// Where the object is and what form it has.
+    pub shape: S,
+    /// What it is made of.
+    pub material: MaterialId,
+}
+
+/// A material of the same scene, by its position in [`Scene::materials`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaterialId(pub u16);
+
+impl<S> Object<S> {
+    /// The object of this shape and the material at this position in [`Scene::materials`].
+    pub const fn new(shape: S, material: u16) -> Self {
+        Self { shape, material: MaterialId(material) }
+    }
+}
+
+impl Scene<'_> {
+    /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R`
+    /// and the built-in shapes. For a set of your own see [`prepared_bytes`](crate::prepared_bytes).
+    ///
+    /// ```
+    /// use rayline::{PreparedScene, Workspace, builtin::CLASSIC};
+    /// let mut memory = Workspace::<{ CLASSIC.bytes::<f32>() }>::new();
+    /// let prepared = PreparedScene::<f32, _>::new(&CLASSIC, memory.lend());
+    /// assert!(prepared.is_ok());
+    /// ```
+    pub const fn bytes<R: Real>(&self) -> usize {
+        let mut vectors: usize = 0;
+        let mut objects = self.objects;
+        while let [object, rest @ ..] = objects {
+            vectors = vectors.saturating_add(object.shape.const_vectors());
+            objects = rest;
+        }
+        prepared::prepared_bytes::<R, Shape<'_>>(
+            self.objects.len(),
+            self.materials.len(),
+            self.lights.len(),
+            vectors,
+        )
+    }
+}

@@ -1,0 +1,31 @@
+//! A cylinder: a [`Cone`] whose two radii are the same.
+
+use super::{Cone, Geometry, PreparedCone};
+use crate::arena::Arena;
+use crate::fault::Fault;
+use crate::math::{Real, Vec3};
+
+/// A cylinder between two points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder {
+    /// The middle of one end.
+    pub base: Vec3,
+    /// The middle of the other.
+    pub top: Vec3,
+    /// More than 0.
+    pub radius: f32,
+    /// Whether discs close the ends; without, it is a pipe without thickness.
+    pub capped: bool,
+}
+
+impl Geometry for Cylinder {
+    type Prepared<'m, R: Real> = PreparedCone<R>;
+
+    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<PreparedCone<R>, Fault>
+    where
+        Self: 'm,
+    {
+        let Self { base, top, radius, capped } = *self;
+        Cone { base, base_radius: radius, top, top_radius: radius, capped }.prepare(memory)
+    }
+}

@@ -1,0 +1,97 @@
+//! Shapes: what each must say of itself, and the set of those built in.
+//!
+//! A shape is two types: its description ([`Geometry`], `f32`, `const`) and its prepared form
+//! ([`Intersect`], in the kernel's number system). The kernel is generic over the description's type, so it
+//! contains the code of just the shapes that a scene's type names: a `Scene<Sphere>` links no polygon.
+//! [`shape_set!`](crate::shape_set) makes a closed set out of any shapes, yours among them; [`Shape`] is
+//! the set of all that are built in.
+
+mod cone;
+mod cylinder;
+mod plane;
+mod polygon;
+mod set;
+mod sphere;
+#[cfg(test)]
+mod tests;
+mod triangle;
+
+use core::fmt::Debug;
+
+pub use cone::{Cone, PreparedCone};
+pub use cylinder::Cylinder;
+pub use plane::{Plane, PreparedPlane};
+pub use polygon::{Polygon, PreparedPolygon};
+pub use sphere::{PreparedSphere, Sphere};
+pub use triangle::{PreparedTriangle, Triangle};
+
+use crate::arena::Arena;
+use crate::fault::Fault;
+use crate::math::{Interval, Ray, Real, Vec3};
+use crate::surface::Surface;
+
+/// The description of a shape: plain `f32` data, `Copy` and small.
+pub trait Geometry: Copy + Debug {
+    /// What the description becomes in the number system `R`; it may keep vectors in lent memory.
+    type Prepared<'m, R: Real>: Intersect<R> + Copy + Debug + Send + Sync
+    where
+        Self: 'm;
+
+    /// How many vectors [`prepare`](Self::prepare) takes from the memory that the caller lends.
+    fn vectors(&self) -> usize {
+        0
+    }
+
+    /// Checks every number and converts the shape.
+    ///
+    /// # Errors
+    /// A [`Fault`] that says what is wrong with the description.
+    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<Self::Prepared<'m, R>, Fault>
+    where
+        Self: 'm;
+}
+
+/// A shape that rays can meet.
+pub trait Intersect<R: Real> {
+    /// The distance to the nearest hit inside `range`. Merely touching a curved outline is a miss.
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
+
+    /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
+}
+
+crate::shape_set! {
+    /// The set of all built-in shapes.
+    pub enum Shape<'a>;
+    /// [`Shape`] as the kernel sees it.
+    pub enum PreparedShape {
+        /// A sphere.
+        Sphere(Sphere),
+        /// An infinite plane.
+        Plane(Plane),
+        /// A triangle.
+        Triangle(Triangle),
+        /// A planar polygon.
+        Polygon(Polygon<'a>),
+        /// A cylinder, open or capped.
+        Cylinder(Cylinder),
+        /// A cone or frustum, open or capped.
+        Cone(Cone),
+    }
+}
+
+impl Shape<'_> {
+    /// [`Geometry::vectors`], usable in constants.
+    pub(crate) const fn const_vectors(&self) -> usize {
+        match self {
+            Self::Triangle(triangle) => triangle.const_vectors(),
+            Self::Polygon(polygon) => polygon.vertices.len(),
+            Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) => 0,
+        }
+    }
+}
+
+/// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.
+fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
+    point - normal * (normal.dot(point) - distance)
+}

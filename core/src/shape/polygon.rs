@@ -1,0 +1,139 @@
+//! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
+//! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
+
+use super::{Geometry, Intersect, PreparedPlane};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_point};
+use crate::math::{Interval, Ray, Real, Vec3};
+use crate::surface::Surface;
+
+/// A planar polygon; its front is the side from which the vertices run counterclockwise.
+///
+/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polygon<'a> {
+    /// The outline, three vertices or more; the last is joined to the first.
+    pub vertices: &'a [Vec3],
+}
+
+impl<'a> Polygon<'a> {
+    /// The polygon with this outline.
+    pub const fn new(vertices: &'a [Vec3]) -> Self {
+        Self { vertices }
+    }
+}
+
+/// Off its plane by this share of its extent, a vertex is wrong rather than rounded.
+const PLANARITY: f32 = 1e-3;
+
+impl Geometry for Polygon<'_> {
+    type Prepared<'m, R: Real>
+        = PreparedPolygon<'m, R>
+    where
+        Self: 'm;
+
+    fn vectors(&self) -> usize {
+        self.vertices.len()
+    }
+
+    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<PreparedPolygon<'m, R>, Fault>
+    where
+        Self: 'm,
+    {
+        self.vertices.iter().copied().try_for_each(check_point)?;
+        let [first, .., last] = self.vertices else { return Err(Fault::NoArea) };
+        // Newell's method, relative to the first vertex: the sum of the cross products of neighbors is twice
+        // the enclosed area along the normal (Sutherland, Sproull and Schumacker 1974).
+        let corner: Vec3<R> = first.to();
+        let mut doubled_area = Vec3::ZERO;
+        let mut previous = last.to::<R>() - corner;
+        let mut extent = R::ZERO;
+        for vertex in self.vertices {
+            let vertex = vertex.to() - corner;
+            doubled_area = doubled_area + previous.cross(vertex);
+            extent = extent.larger(vertex.length());
+            previous = vertex;
+        }
+        if !(doubled_area.length() > R::from_f32(1e-6) * extent * extent) {
+            return Err(Fault::NoArea);
+        }
+        let normal = doubled_area.normalized().ok_or(Fault::NoArea)?;
+        let tolerance = R::from_f32(PLANARITY) * extent;
+        if self.vertices.iter().any(|vertex| normal.dot(vertex.to() - corner).abs() > tolerance) {
+            return Err(Fault::NotPlanar);
+        }
+        // Drop the axis along which the polygon is thinnest: the shadow on the other two is the largest.
+        let (x, y, z) = (normal.x.abs(), normal.y.abs(), normal.z.abs());
+        let dropped = if x >= y && x >= z {
+            Axis::X
+        } else if y >= z {
+            Axis::Y
+        } else {
+            Axis::Z
+        };
+        let vertices = self.vertices;
+        let edges = memory.store_with(vertices.len(), |i| {
+            let (u, v) = dropped.flatten(vertices.get(i).unwrap_or(first).to::<R>());
+            let next = vertices.get(i.wrapping_add(1)).unwrap_or(first);
+            let (next_u, next_v) = dropped.flatten(next.to::<R>());
+            let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
+            Vec3::new(u, v, slope)
+        })?;
+        Ok(PreparedPolygon { plane: PreparedPlane { normal, distance: normal.dot(corner) }, dropped, edges })
+    }
+}
+
+/// The axis that is left out when a polygon is looked at in two dimensions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    fn flatten<R>(self, point: Vec3<R>) -> (R, R) {
+        match self {
+            Self::X => (point.y, point.z),
+            Self::Y => (point.z, point.x),
+            Self::Z => (point.x, point.y),
+        }
+    }
+}
+
+/// A [`Polygon`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedPolygon<'m, R> {
+    plane: PreparedPlane<R>,
+    dropped: Axis,
+    /// Per vertex: its two coordinates in the flattened plane, and du/dv along the edge to the next.
+    edges: &'m [Vec3<R>],
+}
+
+impl<R: Real> PreparedPolygon<'_, R> {
+    /// Whether a point of the plane is inside the outline: the half-line toward +u crosses an odd number of
+    /// edges. A vertex belongs to the edge above it, so that none is counted twice.
+    fn encloses(&self, point: Vec3<R>) -> bool {
+        let (u, v) = self.dropped.flatten(point);
+        let mut inside = false;
+        let mut edges = self.edges.iter().peekable();
+        while let Some(edge) = edges.next() {
+            let next = edges.peek().copied().or(self.edges.first()).unwrap_or(edge);
+            if (edge.y > v) != (next.y > v) && u < edge.x + (v - edge.y) * edge.z {
+                inside = !inside;
+            }
+        }
+        inside
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let t = self.plane.intersect(ray, range)?;
+        self.encloses(ray.at(t)).then_some(t)
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+}

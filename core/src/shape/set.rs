@@ -1,0 +1,89 @@
+//! The macro that makes one shape out of several.
+
+/// Makes a closed set of shapes: an enum that is itself a shape ([`Geometry`](crate::shape::Geometry)).
+///
+/// Name only what your scenes use, and nothing else is linked; a shape of your own joins like any other.
+///
+/// ```
+/// use rayline::shape::{Plane, Sphere};
+/// rayline::shape_set! {
+///     /// Balls on a floor.
+///     pub enum Balls;
+///     /// `Balls`, prepared.
+///     pub enum PreparedBalls {
+///         /// A ball.
+///         Ball(Sphere),
+///         /// The floor.
+///         Floor(Plane),
+///     }
+/// }
+/// let _scene: Option<rayline::Scene<Balls>> = None;
+/// ```
+#[macro_export]
+macro_rules! shape_set {
+    (
+        $(#[$set_doc:meta])*
+        $vis:vis enum $Set:ident $(<$life:lifetime>)?;
+        $(#[$prepared_doc:meta])*
+        $prepared_vis:vis enum $Prepared:ident {
+            $($(#[$doc:meta])* $Variant:ident($Type:ty)),+ $(,)?
+        }
+    ) => {
+        $(#[$set_doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        $vis enum $Set $(<$life>)? {
+            $($(#[$doc])* $Variant($Type)),+
+        }
+
+        $(#[$prepared_doc])*
+        #[derive(Clone, Copy, Debug)]
+        $prepared_vis enum $Prepared<$($life: 'm,)? 'm, R: $crate::math::Real> {
+            $($(#[$doc])* $Variant(<$Type as $crate::shape::Geometry>::Prepared<'m, R>)),+
+        }
+
+        impl $(<$life>)? $crate::shape::Geometry for $Set $(<$life>)? {
+            type Prepared<'m, R: $crate::math::Real> = $Prepared<$($life,)? 'm, R> where Self: 'm;
+
+            fn vectors(&self) -> usize {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Geometry::vectors(shape)),+
+                }
+            }
+
+            fn prepare<'m, R: $crate::math::Real>(
+                &self,
+                memory: &mut $crate::Arena<'m>,
+            ) -> Result<Self::Prepared<'m, R>, $crate::Fault>
+            where
+                Self: 'm,
+            {
+                Ok(match self {
+                    $(Self::$Variant(shape) => {
+                        $Prepared::$Variant($crate::shape::Geometry::prepare(shape, memory)?)
+                    }),+
+                })
+            }
+        }
+
+        impl<$($life: 'm,)? 'm, R: $crate::math::Real> $crate::shape::Intersect<R>
+            for $Prepared<$($life,)? 'm, R>
+        {
+            #[inline]
+            fn intersect(
+                &self,
+                ray: &$crate::math::Ray<R>,
+                range: $crate::math::Interval<R>,
+            ) -> Option<R> {
+                match self {
+                    $(Self::$Variant(shape) => shape.intersect(ray, range)),+
+                }
+            }
+
+            fn surface(&self, ray: &$crate::math::Ray<R>, t: R) -> $crate::Surface<R> {
+                match self {
+                    $(Self::$Variant(shape) => shape.surface(ray, t)),+
+                }
+            }
+        }
+    };
+}

@@ -1,0 +1,75 @@
+//! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
+//! Ray Tracing Gems, 2019, ch. 7.
+
+use super::{Geometry, Intersect};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_point, check_radius};
+use crate::math::{Interval, Ray, Real, Vec3};
+use crate::surface::Surface;
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// The middle.
+    pub center: Vec3,
+    /// More than 0.
+    pub radius: f32,
+}
+
+impl Sphere {
+    /// The sphere around `center`.
+    pub const fn new(center: Vec3, radius: f32) -> Self {
+        Self { center, radius }
+    }
+}
+
+impl Geometry for Sphere {
+    type Prepared<'m, R: Real> = PreparedSphere<R>;
+
+    fn prepare<'m, R: Real>(&self, _: &mut Arena<'m>) -> Result<PreparedSphere<R>, Fault>
+    where
+        Self: 'm,
+    {
+        check_point(self.center)?;
+        check_radius(self.radius)?;
+        let radius = R::from_f32(self.radius);
+        Ok(PreparedSphere { center: self.center.to(), radius, radius_squared: radius * radius })
+    }
+}
+
+/// A [`Sphere`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedSphere<R> {
+    center: Vec3<R>,
+    radius: R,
+    radius_squared: R,
+}
+
+impl<R: Real> Intersect<R> for PreparedSphere<R> {
+    #[inline]
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let from_center = ray.origin - self.center;
+        let middle = -from_center.dot(ray.direction);
+        // The discriminant from the point of the ray nearest to the center, not from b² − c: that would lose
+        // a sphere that is 100 radii away.
+        let nearest = from_center + ray.direction * middle;
+        let discriminant = self.radius_squared - nearest.length_squared();
+        if discriminant > R::ZERO {
+            let half_chord = discriminant.sqrt();
+            range.first(middle - half_chord, middle + half_chord)
+        } else {
+            None
+        }
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let outward = ray.at(t) - self.center;
+        let normal = outward * outward.length().recip();
+        Surface {
+            point: self.center + normal * self.radius,
+            normal,
+            shading_normal: normal,
+            magnitude: self.center.magnitude() + self.radius,
+        }
+    }
+}
