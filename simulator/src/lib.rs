@@ -1,1 +1,3 @@
-//! x
+//! The desktop side of Rayline: scene files, pictures and measurements.
+
+pub mod nff;
