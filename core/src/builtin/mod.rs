@@ -1,8 +1,14 @@
 //! Scenes to start with: `static`, so that firmware can draw them from flash.
 
 mod classic;
+mod flake;
+mod prism;
+mod whitted;
 
 pub use classic::CLASSIC;
+pub use flake::FLAKE;
+pub use prism::PRISM;
+pub use whitted::WHITTED;
 
 use crate::scene::Scene;
 
@@ -20,9 +26,24 @@ pub struct Builtin {
 }
 
 /// All scenes of this module.
-pub static ALL: [Builtin; 1] = [Builtin {
-    name: "classic",
-    description: "four spheres of ivory, glass, rubber and mirror on a checkered floor",
-    scene: &CLASSIC,
-    bounces: 3,
-}];
+pub static ALL: [Builtin; 4] = [
+    Builtin {
+        name: "classic",
+        description: "four spheres of ivory, glass, rubber and mirror on a checkered floor",
+        scene: &CLASSIC,
+        bounces: 3,
+    },
+    Builtin {
+        name: "whitted",
+        description: "the picture of 1980: a hollow glass ball and a mirrored one over a checkered floor",
+        scene: &WHITTED,
+        bounces: 6,
+    },
+    Builtin { name: "flake", description: "the sphereflake: 91 mirroring balls", scene: &FLAKE, bounces: 4 },
+    Builtin {
+        name: "prism",
+        description: "a glass prism among shapes of each kind",
+        scene: &PRISM,
+        bounces: 5,
+    },
+];

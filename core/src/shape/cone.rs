@@ -181,3 +181,104 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    // Half a right angle: as wide at the base as it is high.
+    const TENT: Cone = Cone {
+        base: Vec3::new(0.0, 0.0, 0.0),
+        base_radius: 2.0,
+        top: Vec3::new(0.0, 2.0, 0.0),
+        top_radius: 0.0,
+        capped: true,
+    };
+    const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+    const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
+
+    #[test]
+    fn met_on_the_side() {
+        assert_meets(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, 4.0, [HALF, HALF, 0.0]);
+        // From inside the same way: the far wall.
+        assert_meets(TENT, Vec3::new(0.5, 1.0, 0.0), LEFT, 1.5, [-HALF, HALF, 0.0]);
+        assert_meets(TENT, Vec3::new(0.0, 5.0, 1.0), DOWN, 4.0, [0.0, HALF, HALF]);
+    }
+
+    #[test]
+    fn lids_close_it_only_when_capped() {
+        let up = -DOWN;
+        assert_meets(TENT, Vec3::new(1.0, -3.0, 0.0), up, 3.0, [0.0, -1.0, 0.0]);
+        let open = Cone { capped: false, ..TENT };
+        // Through the open base onto the inside of the wall.
+        assert_meets(open, Vec3::new(1.0, -3.0, 0.0), up, 4.0, [HALF, HALF, 0.0]);
+        let frustum = Cone { top_radius: 1.0, ..TENT };
+        assert_meets(frustum, Vec3::new(0.5, 5.0, 0.0), DOWN, 3.0, [0.0, 1.0, 0.0]);
+        assert_misses(Cone { capped: false, ..frustum }, Vec3::new(0.5, 5.0, 0.0), DOWN);
+    }
+
+    #[test]
+    fn its_mirror_image_beyond_the_apex_is_not_there() {
+        assert_misses(TENT, Vec3::new(5.0, 2.5, 0.0), LEFT);
+        assert_misses(TENT, Vec3::new(5.0, 3.0, 0.0), LEFT);
+        assert_misses(TENT, Vec3::new(5.0, -0.5, 0.0), LEFT);
+    }
+
+    #[test]
+    fn a_ray_along_a_line_of_the_cone_is_met_once() {
+        // Parallel to the wall on the left, half a unit inside: leaves through the lid.
+        let along = Vec3::new(-1.0, -1.0, 0.0);
+        let inside = Vec3::new(-0.5, 1.0, 0.0);
+        assert_meets(TENT, inside, along, f64::sqrt(2.0), [0.0, -1.0, 0.0]);
+    }
+
+    #[test]
+    fn a_cylinder_is_a_cone_that_does_not_narrow() {
+        let pipe = super::super::Cylinder {
+            base: Vec3::new(1.0, 0.0, 0.0),
+            top: Vec3::new(1.0, 0.0, 4.0),
+            radius: 0.5,
+            capped: false,
+        };
+        assert_meets(pipe, Vec3::new(5.0, 0.0, 2.0), LEFT, 3.5, [1.0, 0.0, 0.0]);
+        assert_meets(pipe, Vec3::new(1.0, 0.0, 2.0), LEFT, 0.5, [-1.0, 0.0, 0.0]);
+        // Over half the radius off the axis.
+        let off = 0.5 * f64::sqrt(0.75);
+        assert_meets(pipe, Vec3::new(5.0, 0.25, 2.0), LEFT, 4.0 - off, [2.0 * off, 0.5, 0.0]);
+        assert_misses(pipe, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0));
+        assert_misses(pipe, Vec3::new(5.0, 0.5, 2.0), LEFT);
+        assert_misses(pipe, Vec3::new(5.0, 0.0, 4.1), LEFT);
+        let can = super::super::Cylinder { capped: true, ..pipe };
+        assert_meets(can, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0), 5.0, [0.0, 0.0, 1.0]);
+        assert_meets(can, Vec3::new(1.0, 0.1, 3.0), Vec3::new(0.0, 0.0, -1.0), 3.0, [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            for top_radius in [0.0, 0.4, 0.8] {
+                for capped in [false, true] {
+                    let cone = Cone {
+                        base: Vec3::new(-0.7, 0.1, -0.2) * extent,
+                        base_radius: 0.8 * extent,
+                        top: Vec3::new(0.6, 0.3, 0.5) * extent,
+                        top_radius: top_radius * extent,
+                        capped,
+                    };
+                    assert_no_self_hits(cone, Vec3::ZERO, extent, 20_000);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bad_cones_are_refused() {
+        let refused = |cone: Cone| refusal(cone);
+        assert_eq!(refused(Cone { base_radius: 0.0, ..TENT }), Fault::RadiusNotPositive);
+        assert_eq!(refused(Cone { base_radius: 1.0, top_radius: -0.5, ..TENT }), Fault::RadiusNotPositive);
+        assert_eq!(refused(Cone { top: TENT.base, ..TENT }), Fault::ZeroLength);
+        assert_eq!(refused(Cone { top_radius: f32::NAN, ..TENT }), Fault::NotFinite);
+    }
+}

@@ -13,7 +13,7 @@ mod polygon;
 mod set;
 mod sphere;
 #[cfg(test)]
-mod tests;
+mod testing;
 mod triangle;
 
 use core::fmt::Debug;

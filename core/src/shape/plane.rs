@@ -62,3 +62,47 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         Surface { point, normal: self.normal, shading_normal: self.normal, magnitude }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    const FLOOR: Plane = Plane::new(Vec3::new(7.0, -1.0, 3.0), Vec3::new(0.0, 5.0, 0.0));
+
+    #[test]
+    fn met_from_both_sides() {
+        assert_meets(FLOOR, Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), 3.0, [0.0, 1.0, 0.0]);
+        assert_meets(FLOOR, Vec3::new(0.0, -4.0, 0.0), Vec3::new(0.0, 1.0, 0.0), 3.0, [0.0, 1.0, 0.0]);
+        let slant = Vec3::new(3.0, -4.0, 0.0);
+        assert_meets(FLOOR, Vec3::new(0.0, 3.0, 0.0), slant, 5.0, [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn missed_behind_and_along() {
+        assert_misses(FLOOR, Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+        assert_misses(FLOOR, Vec3::new(0.0, 2.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+        assert_misses(FLOOR, Vec3::new(0.0, -1.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let point = Vec3::new(0.3, -0.7, 0.2) * extent;
+            assert_no_self_hits(Plane::new(point, Vec3::new(0.3, 0.9, -0.2)), point, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn bad_planes_are_refused() {
+        assert_eq!(refusal(Plane { normal: Vec3::ZERO, ..FLOOR }), Fault::ZeroLength);
+        assert_eq!(refusal(Plane { normal: Vec3::new(0.0, f32::NAN, 1.0), ..FLOOR }), Fault::NotFinite);
+        assert_eq!(refusal(Plane { point: Vec3::new(0.0, -3e6, 1.0), ..FLOOR }), Fault::TooFar);
+    }
+
+    #[test]
+    fn a_tiny_normal_is_a_direction() {
+        let floor = Plane::new(Vec3::ZERO, Vec3::new(0.0, 1e-30, 0.0));
+        assert_meets(floor, Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, -1.0, 0.0), 2.0, [0.0, 1.0, 0.0]);
+    }
+}

@@ -137,3 +137,89 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         self.plane.surface(ray, t)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    /// An arrow head with a notch, in the plane z = 0.
+    const ARROW: [Vec3; 4] = [
+        Vec3::new(0.0, 0.0, 0.0),
+        Vec3::new(2.0, -2.0, 0.0),
+        Vec3::new(0.0, 3.0, 0.0),
+        Vec3::new(-2.0, -2.0, 0.0),
+    ];
+
+    fn down(x: f32, y: f32) -> (Vec3, Vec3) {
+        (Vec3::new(x, y, 2.0), Vec3::new(0.0, 0.0, -1.0))
+    }
+
+    #[test]
+    fn a_concave_outline_has_a_notch() {
+        let arrow = Polygon::new(&ARROW);
+        for (x, y) in [(0.0, 0.5), (0.0, 2.9), (1.5, -1.4), (-1.5, -1.4), (0.3, 0.0)] {
+            let (origin, toward) = down(x, y);
+            assert_meets(arrow, origin, toward, 2.0, [0.0, 0.0, 1.0]);
+        }
+        for (x, y) in [(0.0, -0.5), (0.0, -1.9), (1.0, -1.5), (1.5, 2.0), (0.0, 3.1), (3.0, 0.0)] {
+            let (origin, toward) = down(x, y);
+            assert_misses(arrow, origin, toward);
+        }
+        assert_misses(arrow, Vec3::new(0.0, 1.0, 2.0), Vec3::new(0.0, 0.0, 1.0));
+        assert_misses(arrow, Vec3::new(-5.0, 1.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn every_orientation_is_the_same_polygon() {
+        // A unit square, turned through all three planes and both windings.
+        for (u, v, n) in [
+            ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
+            ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+            ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+        ] {
+            let vec = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
+            let (u, v, n) = (vec(u), vec(v), vec(n));
+            for sign in [1.0, -1.0] {
+                let square = [Vec3::ZERO, u * sign, u * sign + v, v];
+                let normal = n * sign;
+                let origin = u * (0.25 * sign) + v * 0.75 + n * 3.0;
+                let expected = [normal.x, normal.y, normal.z].map(f64::from);
+                assert_meets(Polygon::new(&square), origin, -n, 3.0, expected);
+                assert_misses(Polygon::new(&square), origin + v * 0.5, -n);
+            }
+        }
+    }
+
+    #[test]
+    fn two_polygons_share_their_common_edge() {
+        // Points on the edge belong to one of the two, never to both or none, through vertices as well.
+        let left = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
+        let right = left.map(|vertex| vertex + Vec3::new(1.0, 0.0, 0.0));
+        for i in 1..100u16 {
+            let point = Vec3::new(1.0, f32::from(i) / 100.0, 0.0);
+            let inside = |outline: &[Vec3]| {
+                with_prepared::<_, f32, _>(Polygon::new(outline), |polygon| polygon.encloses(point)).unwrap()
+            };
+            assert!(inside(&left) != inside(&right), "{point:?}");
+        }
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let tilted = ARROW.map(|v| Vec3::new(v.x, v.y, 0.5 * v.x - 0.2 * v.y + 0.3) * (0.5 * extent));
+            assert_no_self_hits(Polygon::new(&tilted), Vec3::ZERO, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn bad_polygons_are_refused() {
+        assert_eq!(refusal(Polygon::new(&[])), Fault::NoArea);
+        assert_eq!(refusal(Polygon::new(&ARROW[..2])), Fault::NoArea);
+        let [a, b, c, d] = ARROW;
+        assert_eq!(refusal(Polygon::new(&[a, b, a, b])), Fault::NoArea);
+        assert_eq!(refusal(Polygon::new(&[a, b, c + Vec3::new(0.0, 0.0, 0.5), d])), Fault::NotPlanar);
+        assert_eq!(refusal(Polygon::new(&[a, b, c, d * f32::INFINITY])), Fault::NotFinite);
+    }
+}

@@ -73,3 +73,58 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    const BALL: Sphere = Sphere::new(Vec3::new(1.0, 2.0, 3.0), 2.0);
+
+    #[test]
+    fn met_from_outside_from_inside_and_from_behind() {
+        assert_meets(BALL, Vec3::new(1.0, 2.0, 10.0), Vec3::new(0.0, 0.0, -1.0), 5.0, [0.0, 0.0, 1.0]);
+        assert_meets(BALL, Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 0.0, 0.0), 2.0, [1.0, 0.0, 0.0]);
+        assert_meets(BALL, Vec3::new(1.0, 2.0, 4.5), Vec3::new(0.0, 0.0, -1.0), 3.5, [0.0, 0.0, -1.0]);
+        assert_misses(BALL, Vec3::new(1.0, 2.0, 10.0), Vec3::new(0.0, 0.0, 1.0));
+        assert_misses(BALL, Vec3::new(1.0, 5.0, 10.0), Vec3::new(0.0, 0.0, -1.0));
+    }
+
+    #[test]
+    fn met_off_center() {
+        // At half the radius off the axis the surface is √3/2 radii high.
+        let height = 3f64.sqrt();
+        let normal = [0.5, 0.0, height / 2.0];
+        assert_meets(BALL, Vec3::new(2.0, 2.0, 10.0), Vec3::new(0.0, 0.0, -1.0), 7.0 - height, normal);
+    }
+
+    #[test]
+    fn touching_is_a_miss() {
+        assert_misses(BALL, Vec3::new(3.0, 2.0, 10.0), Vec3::new(0.0, 0.0, -1.0));
+    }
+
+    #[test]
+    fn found_from_a_hundred_thousand_radii_away() {
+        let marble = Sphere::new(Vec3::ZERO, 1.0);
+        assert_meets(marble, Vec3::new(0.0, 0.0, 1e5), Vec3::new(0.0, 0.0, -1.0), 1e5 - 1.0, [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for radius in EXTENTS {
+            for center in [Vec3::ZERO, Vec3::new(3.0, -2.0, 1.0) * radius] {
+                assert_no_self_hits(Sphere::new(center, radius), center, radius, 20_000);
+            }
+        }
+    }
+
+    #[test]
+    fn bad_spheres_are_refused() {
+        for radius in [0.0, -1.0, -0.0] {
+            assert_eq!(refusal(Sphere { radius, ..BALL }), Fault::RadiusNotPositive);
+        }
+        assert_eq!(refusal(Sphere { radius: f32::NAN, ..BALL }), Fault::NotFinite);
+        assert_eq!(refusal(Sphere { radius: 2e6, ..BALL }), Fault::TooFar);
+        assert_eq!(refusal(Sphere::new(Vec3::new(0.0, f32::INFINITY, 0.0), 1.0)), Fault::NotFinite);
+    }
+}

@@ -123,3 +123,80 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    // In the plane z = 1, counterclockwise from above.
+    const FLAT: Triangle =
+        Triangle::flat(Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 3.0, 1.0));
+
+    fn down(x: f32, y: f32) -> (Vec3, Vec3) {
+        (Vec3::new(x, y, 6.0), Vec3::new(0.0, 0.0, -1.0))
+    }
+
+    #[test]
+    fn met_inside_from_both_sides() {
+        let (above, toward) = down(1.0, 1.0);
+        assert_meets(FLAT, above, toward, 5.0, [0.0, 0.0, 1.0]);
+        assert_meets(FLAT, Vec3::new(1.0, 1.0, -1.0), -toward, 2.0, [0.0, 0.0, 1.0]);
+        for (x, y) in [(0.01, 0.01), (3.9, 0.01), (0.01, 2.9), (1.99, 1.49)] {
+            let (origin, toward) = down(x, y);
+            assert_meets(FLAT, origin, toward, 5.0, [0.0, 0.0, 1.0]);
+        }
+    }
+
+    #[test]
+    fn missed_outside_along_and_behind() {
+        for (x, y) in [(-0.01, 1.0), (1.0, -0.01), (2.01, 1.51), (5.0, 0.0), (-1.0, -1.0)] {
+            let (origin, toward) = down(x, y);
+            assert_misses(FLAT, origin, toward);
+        }
+        assert_misses(FLAT, Vec3::new(-1.0, 1.0, 1.0), Vec3::new(1.0, 0.0, 0.0));
+        assert_misses(FLAT, Vec3::new(1.0, 1.0, 6.0), Vec3::new(0.0, 0.0, 1.0));
+    }
+
+    #[test]
+    fn normals_are_interpolated_by_barycentric_coordinates() {
+        let normals = [Vec3::new(0.0, 0.0, 9.0), Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
+        let smooth = Triangle { normals: Some(normals), ..FLAT };
+        // Weights 1/4, 1/2, 1/4.
+        let (origin, toward) = down(2.0, 0.75);
+        let length = 6f64.sqrt() / 4.0;
+        let expected = [0.5 / length, 0.25 / length, 0.25 / length];
+        let got = shading_normal(smooth, origin, toward);
+        assert!(got.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{got:?}");
+        assert_eq!(shading_normal(FLAT, origin, toward), [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn normals_that_cancel_give_way_to_the_flat_one() {
+        let normals = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
+        let smooth = Triangle { normals: Some(normals), ..FLAT };
+        let (origin, toward) = down(2.0, 0.0);
+        let got = shading_normal(smooth, origin, toward);
+        assert!((got[2] - 1.0).abs() < 1e-6, "{got:?}");
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let corner = |x, y, z| Vec3::new(x, y, z) * extent;
+            let triangle =
+                Triangle::flat(corner(-1.0, -0.8, 0.3), corner(1.0, -0.6, -0.5), corner(0.1, 1.0, 0.9));
+            assert_no_self_hits(triangle, Vec3::ZERO, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn bad_triangles_are_refused() {
+        let [a, b, c] = FLAT.vertices;
+        assert_eq!(refusal(Triangle::flat(a, b, b)), Fault::Collinear);
+        assert_eq!(refusal(Triangle::flat(a, b, a * 0.5 + b * 0.5)), Fault::Collinear);
+        assert_eq!(refusal(Triangle::flat(a, a, a)), Fault::Collinear);
+        assert_eq!(refusal(Triangle::flat(a, b, c * f32::NAN)), Fault::NotFinite);
+        assert_eq!(refusal(Triangle { normals: Some([a, b, Vec3::ZERO]), ..FLAT }), Fault::ZeroLength);
+    }
+}

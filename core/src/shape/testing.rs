@@ -1,0 +1,134 @@
+//! What the closed-form tests of all shapes share.
+
+use super::{Geometry, Intersect};
+use crate::arena::{Arena, Workspace};
+use crate::fault::Fault;
+use crate::math::{Interval, Ray, Real, Vec3};
+use crate::surface::Surface;
+
+/// Where a ray met a shape, in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Meeting {
+    pub(super) t: f64,
+    pub(super) point: [f64; 3],
+    pub(super) normal: [f64; 3],
+    pub(super) shading_normal: [f64; 3],
+}
+
+fn doubles<R: Real>(v: Vec3<R>) -> [f64; 3] {
+    [v.x, v.y, v.z].map(|x| f64::from(x.to_f32()))
+}
+
+/// Prepares a shape and hands it over.
+pub(super) fn with_prepared<G: Geometry, R: Real, T>(
+    shape: G,
+    use_it: impl FnOnce(G::Prepared<'_, R>) -> T,
+) -> Result<T, Fault> {
+    let mut memory = Workspace::<4096>::new();
+    let mut arena = Arena::new(memory.lend());
+    shape.prepare(&mut arena).map(use_it)
+}
+
+/// Why a shape is refused.
+pub(super) fn refusal<G: Geometry>(shape: G) -> Fault {
+    with_prepared::<G, f32, _>(shape, |_| ()).expect_err("the shape was accepted")
+}
+
+fn meet_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Option<Meeting> {
+    let direction = toward.to::<R>().normalized().expect("a direction");
+    let ray = Ray { origin: origin.to(), direction };
+    with_prepared::<G, R, _>(shape, |prepared| {
+        prepared.intersect(&ray, Interval::AHEAD).map(|t| {
+            let Surface { point, normal, shading_normal, .. } = prepared.surface(&ray, t);
+            Meeting {
+                t: f64::from(t.to_f32()),
+                point: doubles(point),
+                normal: doubles(normal),
+                shading_normal: doubles(shading_normal),
+            }
+        })
+    })
+    .expect("a legal shape")
+}
+
+fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < 2e-5)
+}
+
+/// A ray from `origin` along `toward` meets the shape at distance `t`, with this outward normal.
+pub(super) fn assert_meets<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, t: f64, normal: [f64; 3]) {
+    let length = f64::from(toward.length());
+    let at: Vec<f64> = doubles(origin).iter().zip(doubles(toward)).map(|(o, d)| o + d / length * t).collect();
+    for meeting in [meet_in::<f32, G>(shape, origin, toward), meet_in::<f64, G>(shape, origin, toward)] {
+        let meeting = meeting.unwrap_or_else(|| panic!("{shape:?} is missed from {origin:?} to {toward:?}"));
+        assert!((meeting.t - t).abs() < 2e-5 * t.max(1.0), "{meeting:?}, not at {t}");
+        assert!(near(meeting.normal, normal), "{meeting:?}, not {normal:?}");
+        assert!(near(meeting.point, [at[0], at[1], at[2]]), "{meeting:?}, not at {at:?}");
+    }
+}
+
+/// The shading normal where the ray meets the shape.
+pub(super) fn shading_normal<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 3] {
+    meet_in::<f64, G>(shape, origin, toward).expect("a hit").shading_normal
+}
+
+/// A ray from `origin` along `toward` does not meet the shape.
+pub(super) fn assert_misses<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) {
+    assert_eq!(meet_in::<f32, G>(shape, origin, toward), None);
+    assert_eq!(meet_in::<f64, G>(shape, origin, toward), None);
+}
+
+/// Numbers in [-1, 1) that are the same on every run (Knuth's MMIX generator).
+pub(super) struct Random(pub(super) u64);
+
+impl Random {
+    pub(super) fn next(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 40) as f32 / (1u32 << 23) as f32 - 1.0
+    }
+
+    pub(super) fn vector(&mut self) -> Vec3 {
+        Vec3::new(self.next(), self.next(), self.next())
+    }
+
+    pub(super) fn direction(&mut self) -> Vec3 {
+        loop {
+            let vector = self.vector();
+            if vector.length() > 0.1 && vector.length() < 1.0 {
+                return vector.normalized().expect("a length");
+            }
+        }
+    }
+}
+
+/// Fires `rays` from around the shape at points around `middle`; from each hit a ray is spawned into a random
+/// direction, which must not meet the same place of the surface again.
+pub(super) fn assert_no_self_hits<G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
+    let mut random = Random(extent.to_bits().into());
+    let mut hits = 0;
+    with_prepared::<G, f32, _>(shape, |prepared| {
+        for _ in 0..rays {
+            let origin = middle + random.direction() * (extent * (3.0 + 2.0 * random.next()));
+            let aim = middle + random.vector() * extent;
+            let Some(direction) = (aim - origin).normalized() else { continue };
+            let ray = Ray { origin, direction };
+            let Some(t) = prepared.intersect(&ray, Interval::AHEAD) else { continue };
+            hits += 1;
+            let surface = prepared.surface(&ray, t);
+            let away = random.direction();
+            // Rays within half a degree of the surface may rightly meet a curved one again close by.
+            if away.dot(surface.normal).abs() < 0.01 {
+                continue;
+            }
+            let spawned = Ray::spawn(surface.point, surface.normal, away, surface.magnitude);
+            if let Some(again) = prepared.intersect(&spawned, Interval::AHEAD) {
+                assert!(again > extent * 1e-3, "{shape:?}: {ray:?} meets itself after {again}");
+            }
+        }
+    })
+    .expect("a legal shape");
+    assert!(hits > rays / 20, "only {hits} of {rays} rays met {shape:?}");
+}
+
+/// Sizes over nine orders of magnitude.
+pub(super) const EXTENTS: [f32; 5] = [1e-3, 0.1, 1.0, 300.0, 1e5];
