@@ -1,1 +1,16 @@
-//! x
+//! What the tests share: the scenes, pictures of them by the core and by an independent textbook renderer, and the
+//! bar that pictures are held to.
+
+// This crate is test code: where something is wrong, it panics.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
+mod comparison;
+mod core_picture;
+mod picture;
+mod scenes;
+pub mod textbook;
+
+pub use comparison::{Comparison, assert_alike};
+pub use core_picture::{core_picture, ray_counts};
+pub use picture::Picture;
+pub use scenes::{scene_names, settings, with_scene};

@@ -1,0 +1,109 @@
+//! An independent renderer, written from the formulas of textbooks: recursive, on the heap, in `f64`, with no
+//! acceleration. It shares the description of scenes with the core, and nothing else.
+//!
+//! Recursive ray tracing as Whitted describes it ("An Improved Illumination Model for Shaded Display", CACM 1980);
+//! the formulas are those of Glassner (ed.), "An Introduction to Ray Tracing", 1989, where not said otherwise.
+
+mod shading;
+mod shapes;
+
+use glam::{DMat4, DVec3};
+use rayline::{LinearRgb, Object, Scene, Settings, Vec3};
+
+use crate::Picture;
+
+/// What is nearer than this to where a ray starts is the surface that the ray leaves. In `f64` a point lies
+/// within about 1e-12 of its surface in scenes of this size, and nothing in them is as small as this.
+const NEAR: f64 = 1e-7;
+
+/// A renderer for one scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Textbook<'s> {
+    scene: &'s Scene<'s>,
+    settings: Settings,
+}
+
+/// A half-line from `origin` along the unit vector `direction`.
+#[derive(Clone, Copy, Debug)]
+struct Ray {
+    origin: DVec3,
+    direction: DVec3,
+}
+
+/// A place where a ray goes through a surface.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    t: f64,
+    /// The unit normal of the shape.
+    geometric: DVec3,
+    /// The unit normal to shade with.
+    normal: DVec3,
+}
+
+impl<'s> Textbook<'s> {
+    /// A renderer of this scene with the size, bounces and cutoff of these settings.
+    pub fn new(scene: &'s Scene<'s>, settings: Settings) -> Self {
+        Self { scene, settings }
+    }
+
+    /// The picture in 8-bit linear light.
+    pub fn picture(&self) -> Picture {
+        let quantize = |light: f64| (light.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let pixels = self.radiance().into_iter().map(|light| light.to_array().map(quantize)).collect();
+        Picture { width: self.settings.width, pixels }
+    }
+
+    /// The light at each pixel, line by line.
+    pub fn radiance(&self) -> Vec<DVec3> {
+        let Settings { width, height, .. } = self.settings;
+        (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| self.pixel(x, y)).collect()
+    }
+
+    /// The light at one pixel.
+    pub fn pixel(&self, x: u32, y: u32) -> DVec3 {
+        let (width, height) = (f64::from(self.settings.width), f64::from(self.settings.height));
+        let camera = &self.scene.camera;
+        let eye = vector(camera.eye);
+        let to_world = DMat4::look_at_rh(eye, vector(camera.target), vector(camera.up)).inverse();
+        // The picture hangs at distance 1 before the eye; from its middle to its top is the tangent.
+        let top = (f64::from(camera.vertical_fov) / 2.0).tan();
+        let right = ((f64::from(x) + 0.5) / width * 2.0 - 1.0) * top * width / height;
+        let up = (1.0 - (f64::from(y) + 0.5) / height * 2.0) * top;
+        let direction = to_world.transform_vector3(DVec3::new(right, up, -1.0)).normalize();
+        self.trace(Ray { origin: eye, direction }, 0, 1.0)
+    }
+
+    /// Where a ray goes through an object, in no particular order.
+    fn crossings(&self, ray: Ray, object: &'s Object<rayline::shape::Shape<'s>>) -> Vec<Crossing> {
+        let mut crossings = shapes::crossings(&object.shape, ray);
+        crossings.retain(|crossing| crossing.t > NEAR);
+        crossings
+    }
+
+    /// The first surface that a ray meets.
+    fn nearest(&self, ray: Ray) -> Option<(&'s Object<rayline::shape::Shape<'s>>, Crossing)> {
+        let objects = self.scene.objects.iter();
+        let all =
+            objects.flat_map(|object| self.crossings(ray, object).into_iter().map(move |at| (object, at)));
+        all.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+    }
+
+    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part.
+    fn transmission(&self, ray: Ray, distance: f64) -> f64 {
+        let share = |object: &'s Object<_>| {
+            let crossings = self.crossings(ray, object);
+            let surfaces = crossings.iter().filter(|crossing| crossing.t < distance).count();
+            let material = &self.scene.materials[usize::from(object.material.0)];
+            f64::from(material.transmittance).powi(surfaces as i32)
+        };
+        self.scene.objects.iter().map(share).product()
+    }
+}
+
+fn vector(vector: Vec3) -> DVec3 {
+    DVec3::new(f64::from(vector.x), f64::from(vector.y), f64::from(vector.z))
+}
+
+fn color(color: LinearRgb) -> DVec3 {
+    DVec3::new(f64::from(color.r), f64::from(color.g), f64::from(color.b))
+}

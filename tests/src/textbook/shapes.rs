@@ -1,0 +1,137 @@
+//! Where rays go through shapes.
+
+use glam::{DQuat, DVec3};
+use rayline::shape::{Shape, Triangle};
+
+use super::{Crossing, Ray, vector};
+
+/// All crossings of the whole line that a ray lies on with a shape.
+pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
+    match *shape {
+        Shape::Sphere(sphere) => self::sphere(vector(sphere.center), f64::from(sphere.radius), ray),
+        Shape::Plane(plane) => {
+            self::plane(vector(plane.point), vector(plane.normal), ray).into_iter().collect()
+        }
+        Shape::Triangle(triangle) => self::triangle(&triangle, ray).into_iter().collect(),
+        Shape::Polygon(polygon) => {
+            let vertices: Vec<DVec3> = polygon.vertices.iter().copied().map(vector).collect();
+            self::polygon(&vertices, ray).into_iter().collect()
+        }
+        Shape::Cylinder(shape) => {
+            let radius = f64::from(shape.radius);
+            frustum(vector(shape.base), radius, vector(shape.top), radius, shape.capped, ray)
+        }
+        Shape::Cone(shape) => {
+            let (base_radius, top_radius) = (f64::from(shape.base_radius), f64::from(shape.top_radius));
+            frustum(vector(shape.base), base_radius, vector(shape.top), top_radius, shape.capped, ray)
+        }
+    }
+}
+
+fn flat(t: f64, normal: DVec3) -> Crossing {
+    Crossing { t, geometric: normal, normal }
+}
+
+/// The real roots of a t² + b t + c = 0.
+fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+    if a.abs() < 1e-12 {
+        return if b == 0.0 { vec![] } else { vec![-c / b] };
+    }
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return vec![];
+    }
+    vec![(-b - discriminant.sqrt()) / (2.0 * a), (-b + discriminant.sqrt()) / (2.0 * a)]
+}
+
+/// |o + t d - c|² = r².
+fn sphere(center: DVec3, radius: f64, ray: Ray) -> Vec<Crossing> {
+    let from_center = ray.origin - center;
+    let roots = quadratic(
+        ray.direction.dot(ray.direction),
+        2.0 * ray.direction.dot(from_center),
+        from_center.dot(from_center) - radius * radius,
+    );
+    roots.into_iter().map(|t| flat(t, (from_center + ray.direction * t) / radius)).collect()
+}
+
+/// (o + t d - p) · n = 0.
+fn plane(point: DVec3, normal: DVec3, ray: Ray) -> Option<Crossing> {
+    let normal = normal.normalize();
+    let slope = ray.direction.dot(normal);
+    (slope != 0.0).then(|| flat((point - ray.origin).dot(normal) / slope, normal))
+}
+
+/// o + t d = (1 - u - v) a + u b + v c, by Cramer's rule (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
+/// Intersection", Journal of Graphics Tools, 1997).
+fn triangle(triangle: &Triangle, ray: Ray) -> Option<Crossing> {
+    let [a, b, c] = triangle.vertices.map(vector);
+    let (ab, ac) = (b - a, c - a);
+    let p = ray.direction.cross(ac);
+    let determinant = ab.dot(p);
+    if determinant == 0.0 {
+        return None;
+    }
+    let from_a = ray.origin - a;
+    let u = from_a.dot(p) / determinant;
+    let q = from_a.cross(ab);
+    let v = ray.direction.dot(q) / determinant;
+    if u < 0.0 || v < 0.0 || u + v > 1.0 {
+        return None;
+    }
+    let geometric = ab.cross(ac).normalize();
+    let normal = triangle.normals.map_or(geometric, |normals| {
+        let [at_a, at_b, at_c] = normals.map(|normal| vector(normal).normalize());
+        (at_a * (1.0 - u - v) + at_b * u + at_c * v).normalize()
+    });
+    Some(Crossing { t: ac.dot(q) / determinant, geometric, normal })
+}
+
+/// The plane of the outline (Newell's normal: Sutherland, Sproull and Schumacker 1974), then the angle that the
+/// outline sweeps around the point: an odd number of full turns means inside.
+fn polygon(vertices: &[DVec3], ray: Ray) -> Option<Crossing> {
+    let edges = || vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
+    let normal: DVec3 = edges().map(|(a, b)| (a - vertices[0]).cross(b - vertices[0])).sum();
+    let crossing = plane(vertices[0], normal, ray)?;
+    let point = ray.origin + ray.direction * crossing.t;
+    let swept: f64 = edges()
+        .map(|(a, b)| (a - point, b - point))
+        .map(|(a, b)| crossing.normal.dot(a.cross(b)).atan2(a.dot(b)))
+        .sum();
+    let turns = (swept / std::f64::consts::TAU).round() as i64;
+    (turns % 2 != 0).then_some(crossing)
+}
+
+/// A cone, cylinder or frustum, turned so that its axis is z and its base lies at the origin: there
+/// x² + y² = (base_radius + slope z)².
+fn frustum(
+    base: DVec3,
+    base_radius: f64,
+    top: DVec3,
+    top_radius: f64,
+    capped: bool,
+    ray: Ray,
+) -> Vec<Crossing> {
+    let height = base.distance(top);
+    let slope = (top_radius - base_radius) / height;
+    let upright = DQuat::from_rotation_arc((top - base) / height, DVec3::Z);
+    let (o, d) = (upright * (ray.origin - base), upright * ray.direction);
+    let radius_at_origin = base_radius + slope * o.z;
+    let roots = quadratic(
+        d.x * d.x + d.y * d.y - slope * slope * d.z * d.z,
+        2.0 * (o.x * d.x + o.y * d.y - slope * d.z * radius_at_origin),
+        o.x * o.x + o.y * o.y - radius_at_origin * radius_at_origin,
+    );
+    let at = |t: f64| o + d * t;
+    let side = roots.into_iter().filter(|t| (0.0..=height).contains(&at(*t).z)).map(|t| {
+        let point = at(t);
+        let gradient = DVec3::new(point.x, point.y, -slope * (base_radius + slope * point.z));
+        flat(t, (upright.inverse() * gradient).normalize())
+    });
+    let lid = |z: f64, radius: f64, normal: DVec3| {
+        let t = (z - o.z) / d.z;
+        let inside = capped && at(t).truncate().length() <= radius;
+        inside.then(|| flat(t, upright.inverse() * normal))
+    };
+    side.chain(lid(0.0, base_radius, -DVec3::Z)).chain(lid(height, top_radius, DVec3::Z)).collect()
+}
