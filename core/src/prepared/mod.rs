@@ -127,20 +127,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in
     /// [`Scene::objects`].
     pub fn closest_hit(&self, ray: &Ray<R>, range: Interval<R>) -> Option<Hit<R>> {
-        let (index, object, t) = self.closest_object(ray, range)?;
+        let (t, index) = self.closest_object(ray, range)?;
+        let object = self.objects.get(index)?;
         Some(Hit { t, object: index, surface: object.shape.surface(ray, t) })
     }
 
-    fn closest_object(
-        &self,
-        ray: &Ray<R>,
-        mut range: Interval<R>,
-    ) -> Option<(usize, &PreparedObject<S::Prepared<'m, R>>, R)> {
+    /// Distance and position of the first object that a ray meets.
+    fn closest_object(&self, ray: &Ray<R>, mut range: Interval<R>) -> Option<(R, usize)> {
         let mut closest = None;
         for (index, object) in self.objects.iter().enumerate() {
             if let Some(t) = object.shape.intersect(ray, range) {
                 range.max = t;
-                closest = Some((index, object, t));
+                closest = Some((t, index));
             }
         }
         closest
@@ -154,9 +152,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
-        for object in self.objects {
+        for (index, object) in self.objects.iter().enumerate() {
             if object.shape.intersect(ray, range).is_some() {
-                if !self.lets_light_through(object) {
+                if !(self.transmittance(index) > R::ZERO) {
                     return (R::ZERO, false);
                 }
                 clear = false;
@@ -165,13 +163,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if clear {
             return (R::ONE, false);
         }
-        // Transparent surfaces are multiplied in the order of the ray: one order, the same rounding. An object
-        // that is transparent is met twice if it has two sides.
+        // Transparent surfaces are multiplied in the order of the ray: one order, the same rounding. A shape
+        // with an inside is met twice.
         let mut through = R::ONE;
         for _ in 0..MAX_SHADOW_LAYERS {
-            let Some((_, object, t)) = self.closest_object(ray, range) else { return (through, false) };
-            let Some(material) = self.materials.get(usize::from(object.material)) else { break };
-            through = through * material.transmittance;
+            let Some((t, index)) = self.closest_object(ray, range) else { return (through, false) };
+            through = through * self.transmittance(index);
             range.min = t;
         }
         match self.closest_object(ray, range) {
@@ -180,10 +177,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    fn lets_light_through(&self, object: &PreparedObject<S::Prepared<'m, R>>) -> bool {
-        self.materials
-            .get(usize::from(object.material))
-            .is_some_and(|material| material.transmittance > R::ZERO)
+    fn transmittance(&self, object: usize) -> R {
+        self.material(object).map_or(R::ZERO, |material| material.transmittance)
     }
 }
 

@@ -258,7 +258,8 @@ mod tests {
     #[test]
     fn spawned_rays_do_not_meet_their_own_surface() {
         for extent in EXTENTS {
-            for top_radius in [0.0, 0.4, 0.8] {
+            // Not down to a tip: there the opposite wall really is that near.
+            for top_radius in [0.1, 0.4, 0.8] {
                 for capped in [false, true] {
                     let cone = Cone {
                         base: Vec3::new(-0.7, 0.1, -0.2) * extent,

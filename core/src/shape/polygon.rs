@@ -199,7 +199,8 @@ mod tests {
         for i in 1..100u16 {
             let point = Vec3::new(1.0, f32::from(i) / 100.0, 0.0);
             let inside = |outline: &[Vec3]| {
-                with_prepared::<_, f32, _>(Polygon::new(outline), |polygon| polygon.encloses(point)).unwrap()
+                let mut memory = Memory::new();
+                prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
             };
             assert!(inside(&left) != inside(&right), "{point:?}");
         }
