@@ -8,6 +8,7 @@ mod shading;
 mod shapes;
 
 use glam::{DMat4, DVec3};
+use rayline::shape::Shape;
 use rayline::{LinearRgb, Object, Scene, Settings, Vec3};
 
 use crate::Picture;
@@ -74,18 +75,23 @@ impl<'s> Textbook<'s> {
     }
 
     /// Where a ray goes through an object, in no particular order.
-    fn crossings(&self, ray: Ray, object: &'s Object<rayline::shape::Shape<'s>>) -> Vec<Crossing> {
+    fn crossings(&self, ray: Ray, object: &'s Object<Shape<'s>>) -> Vec<Crossing> {
         let mut crossings = shapes::crossings(&object.shape, ray);
         crossings.retain(|crossing| crossing.t > NEAR);
         crossings
     }
 
-    /// The first surface that a ray meets.
-    fn nearest(&self, ray: Ray) -> Option<(&'s Object<rayline::shape::Shape<'s>>, Crossing)> {
+    /// The first surface that a ray meets. Of several at the same distance, but for rounding, it is that of the
+    /// first object.
+    fn nearest(&self, ray: Ray) -> Option<(&'s Object<Shape<'s>>, Crossing)> {
         let objects = self.scene.objects.iter();
-        let all =
-            objects.flat_map(|object| self.crossings(ray, object).into_iter().map(move |at| (object, at)));
-        all.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        let all: Vec<_> = objects
+            .flat_map(|object| {
+                self.crossings(ray, object).into_iter().map(move |crossing| (object, crossing))
+            })
+            .collect();
+        let least = all.iter().map(|(_, crossing)| crossing.t).min_by(f64::total_cmp)?;
+        all.into_iter().find(|(_, crossing)| crossing.t <= least + NEAR)
     }
 
     /// The share of light that comes through along the first `distance` of a ray: each surface takes its part.
