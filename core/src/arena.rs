@@ -90,6 +90,9 @@ impl<'m> Arena<'m> {
 
     /// Cuts room for `count` values off the front of what is free.
     fn take<T>(&mut self, count: usize) -> Result<&'m mut [MaybeUninit<T>], Fault> {
+        if count == 0 {
+            return Ok(&mut []);
+        }
         let free = core::mem::take(&mut self.free);
         let padding = free.as_ptr().align_offset(align_of::<T>());
         let taken = size_of::<T>()
@@ -129,6 +132,12 @@ mod tests {
         assert_eq!(bytes, [0, 1, 2]);
         assert_eq!(words, [0, 1_000_000_007, 2_000_000_014, 3_000_000_021]);
         assert!(words.as_ptr().is_aligned());
+    }
+
+    #[test]
+    fn nothing_needs_no_memory() {
+        let mut arena = Arena::new(&mut []);
+        assert!(arena.store_with(0, |i| i as u64).unwrap().is_empty());
     }
 
     #[test]
