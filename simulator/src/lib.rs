@@ -1,3 +1,29 @@
-//! The desktop side of Rayline: scene files, pictures and measurements.
+//! Rayline on the desktop: pictures on several threads, scene files, and what can be measured and watched.
+//!
+//! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
+//! - [`nff`] reads scene files, and [`LoadedScene`] finds a scene by name or file;
+//! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
+//! - [`report_pixel`] tells all that happened to one pixel;
+//! - [`Orbit`] moves a camera around what it looks at.
+//!
+//! The program `rayline` is a thin shell around these.
 
+mod display;
+mod file;
+mod loaded;
 pub mod nff;
+mod options;
+mod orbit;
+mod picture;
+pub mod povray;
+mod report;
+mod stats;
+
+pub use display::Display;
+pub use file::{FileError, PictureFile, check_writable, write_file};
+pub use loaded::{LoadError, LoadedScene};
+pub use options::{Number, RenderOptions};
+pub use orbit::Orbit;
+pub use picture::{Picture, RenderError, render, render_watched};
+pub use report::{ReportError, report_pixel};
+pub use stats::{Cuts, Hits, Rays, Stats};

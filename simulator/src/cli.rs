@@ -1,0 +1,214 @@
+//! The arguments of `rayline`.
+
+use std::num::NonZero;
+use std::ops::Range;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, value_parser};
+use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
+use rayline::{Dither, Settings, Transfer};
+use rayline_simulator::{Display, LoadedScene, Number, RenderOptions};
+
+/// Renders ray-traced pictures as a microcontroller's display would show them.
+///
+/// Without a command, renders the showcase scene, shows it in the terminal and writes rayline.png.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 100)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Render a scene into a file
+    Render(Render),
+    /// List the built-in scenes
+    Scenes,
+    /// Tell everything that happened to one pixel: rays, hits, lights, colors
+    Pixel(Pixel),
+    /// Show a scene in a window: arrow keys orbit, + and - come closer and go away, S saves, Q quits
+    Window(Window),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Render {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Where to write the picture: a .png or .ppm file [default: the scene's name with .png]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) look: Look,
+    /// How many threads share the lines; the picture is the same for any number [default: one for each
+    /// processor]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Render only the lines from A up to, but without, B, into a picture of B-A lines
+    #[arg(long, value_name = "A..B", value_parser = lines)]
+    pub(crate) lines: Option<Range<u32>>,
+    /// Write what the picture took, as JSON: rays by kind, what was cut short, seconds, bytes
+    #[arg(long, value_name = "FILE")]
+    pub(crate) stats: Option<PathBuf>,
+    /// Say nothing unless something fails
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Pixel {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The pixel, counted from 0,0 in the upper left corner
+    #[arg(value_name = "X,Y", value_parser = pixel)]
+    pub(crate) pixel: (u32, u32),
+    #[command(flatten)]
+    pub(crate) look: Look,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Window {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    #[command(flatten)]
+    pub(crate) look: Look,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SceneArgs {
+    /// The name of a built-in scene, or an .nff file
+    #[arg(value_name = "SCENE")]
+    pub(crate) source: PathBuf,
+}
+
+/// What decides the colors of the pixels.
+#[derive(Debug, Args)]
+pub(crate) struct Look {
+    /// Width and height in pixels [default: what an .nff file says, else 640x480]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<(u32, u32)>,
+    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 4 for
+    /// files]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]
+    bounces: Option<u8>,
+    /// The number system to compute in
+    #[arg(long, value_name = "TYPE", default_value_t, value_enum)]
+    number: Number,
+    /// The display to make the picture for
+    #[arg(long, value_name = "DISPLAY", default_value_t, value_enum)]
+    color: Display,
+    /// How light is rounded to the display's levels: to the nearest, or by an ordered pattern that keeps the
+    /// mean of areas
+    #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
+    dither: Dither,
+    /// How light becomes the display's codes: by the curve of sRGB, or in proportion
+    #[arg(long, value_name = "CURVE", default_value = "srgb", value_parser = transfer())]
+    transfer: Transfer,
+    /// How many places of each pixel are looked at; more make edges smooth
+    #[arg(long, value_name = "N", default_value = "1")]
+    samples: NonZero<u16>,
+    /// Where in the pixel the places lie; changes nothing unless --samples is above 1
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u32,
+    /// The most rays that one pixel may spend, shadow rays included
+    #[arg(long, value_name = "N", default_value = "4096")]
+    rays_per_pixel: NonZero<u32>,
+    /// Leave out rays that bring a smaller share of their light to the pixel, 0 to 1 [default: 1/256]
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    cutoff: Option<f32>,
+}
+
+impl Look {
+    /// The options for a picture of this scene.
+    pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
+        let meant = scene.options();
+        let (width, height) = self.size.unwrap_or(scene.size);
+        let settings = Settings {
+            width,
+            height,
+            bounces: self.bounces.unwrap_or(scene.bounces),
+            rays_per_pixel: self.rays_per_pixel.get(),
+            cutoff: self.cutoff.unwrap_or(meant.settings.cutoff),
+            samples_per_pixel: self.samples.get(),
+            seed: self.seed,
+            transfer: self.transfer,
+            dither: self.dither,
+        };
+        RenderOptions { settings, number: self.number, display: self.color, ..meant }
+    }
+}
+
+fn dither() -> impl TypedValueParser<Value = Dither> {
+    PossibleValuesParser::new(["none", "ordered"]).map(|name| match &*name {
+        "ordered" => Dither::Ordered,
+        _ => Dither::None,
+    })
+}
+
+fn transfer() -> impl TypedValueParser<Value = Transfer> {
+    PossibleValuesParser::new(["srgb", "linear"]).map(|name| match &*name {
+        "linear" => Transfer::Linear,
+        _ => Transfer::Srgb,
+    })
+}
+
+/// Two whole numbers with something between them.
+fn pair(text: &str, separator: &str) -> Option<(u32, u32)> {
+    let (first, second) = text.split_once(separator)?;
+    Some((first.parse().ok()?, second.parse().ok()?))
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let side = 1..=MAX_SIDE;
+    pair(text, "x")
+        .filter(|(width, height)| side.contains(width) && side.contains(height))
+        .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
+}
+
+fn pixel(text: &str) -> Result<(u32, u32), &'static str> {
+    pair(text, ",").ok_or("expected a column and a line, such as 160,120")
+}
+
+fn lines(text: &str) -> Result<Range<u32>, &'static str> {
+    pair(text, "..")
+        .filter(|(first, end)| first < end)
+        .map(|(first, end)| first..end)
+        .ok_or("expected the first line and the one after the last, such as 0..120")
+}
+
+fn share(text: &str) -> Result<f32, &'static str> {
+    text.parse().ok().filter(|share| (0.0..=1.0).contains(share)).ok_or("expected a number from 0 to 1")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_well_formed() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_lines_pixels_and_shares() {
+        assert_eq!(size("320x240"), Ok((320, 240)));
+        assert_eq!(size("65535x1"), Ok((65_535, 1)));
+        for bad in ["", "320", "0x240", "320x0", "65536x1", "-1x5", "320X240", "3.5x2", "1x2x3"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+        assert_eq!(lines("3..7"), Ok(3..7));
+        for bad in ["", "3", "7..3", "3..3", "3..=7", "..7"] {
+            assert!(lines(bad).is_err(), "{bad}");
+        }
+        assert_eq!(pixel("0,7"), Ok((0, 7)));
+        for bad in ["7", "-1,0", "1,2,3"] {
+            assert!(pixel(bad).is_err(), "{bad}");
+        }
+        assert_eq!(share("0.25"), Ok(0.25));
+        for bad in ["NaN", "-0.1", "1.1", "x"] {
+            assert!(share(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What each command of `rayline` does.
+
+use std::error::Error;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use bumpalo::Bump;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayline::builtin;
+use rayline_simulator::{
+    LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, Stats, check_writable,
+    render_watched, report_pixel, write_file,
+};
+
+use crate::cli::{Cli, Command, Pixel, Render, Window};
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+pub(crate) fn run(cli: Cli) -> Outcome {
+    match cli.command {
+        None => showcase(),
+        Some(Command::Render(arguments)) => render(&arguments),
+        Some(Command::Scenes) => scenes(),
+        Some(Command::Pixel(arguments)) => pixel(&arguments),
+        Some(Command::Window(arguments)) => window(&arguments),
+    }
+}
+
+/// The picture that `rayline` alone renders.
+const SHOWCASE: &str = "classic";
+
+fn showcase() -> Outcome {
+    let arena = Bump::new();
+    let scene = LoadedScene::open(Path::new(SHOWCASE), &arena)?;
+    let file = PictureFile::new(Path::new("rayline.png"))?;
+    let (picture, time) = timed(&scene, &scene.options(), false)?;
+    file.write(&picture)?;
+    if io::stdout().is_terminal() {
+        show(&picture)?;
+    }
+    say(&file, &picture, time)
+}
+
+fn render(arguments: &Render) -> Outcome {
+    let arena = Bump::new();
+    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let own_name = || PathBuf::from(format!("{}.png", scene.name));
+    let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    if let Some(stats) = &arguments.stats {
+        check_writable(stats)?;
+    }
+    let options = RenderOptions {
+        lines: arguments.lines.clone(),
+        threads: arguments.threads.map_or(0, usize::from),
+        ..arguments.look.options(&scene)
+    };
+    let (picture, time) = timed(&scene, &options, arguments.quiet)?;
+    file.write(&picture)?;
+    if let Some(stats) = &arguments.stats {
+        let mut json = serde_json::to_vec_pretty(&Stats::new(&scene.scene, &picture, time))?;
+        json.push(b'\n');
+        write_file(stats, &json)?;
+    }
+    if arguments.quiet { Ok(()) } else { say(&file, &picture, time) }
+}
+
+fn scenes() -> Outcome {
+    let longest = builtin::ALL.iter().map(|builtin| builtin.name.len()).max().unwrap_or(0);
+    for builtin in &builtin::ALL {
+        writeln!(io::stdout(), "{:longest$}  {}", builtin.name, builtin.description)?;
+    }
+    Ok(())
+}
+
+fn pixel(arguments: &Pixel) -> Outcome {
+    let arena = Bump::new();
+    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let report = report_pixel(&scene, &arguments.look.options(&scene), arguments.pixel);
+    let report = report.map_err(|error| match error {
+        ReportError::Render(error) => explain(&scene, error),
+        error => error.into(),
+    })?;
+    Ok(io::stdout().write_all(report.as_bytes())?)
+}
+
+#[cfg(feature = "window")]
+fn window(arguments: &Window) -> Outcome {
+    let arena = Bump::new();
+    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let file = PictureFile::new(&PathBuf::from(format!("{}.png", scene.name)))?;
+    rayline_simulator::show_window(&scene, &arguments.look.options(&scene), &file)?;
+    Ok(())
+}
+
+#[cfg(not(feature = "window"))]
+fn window(arguments: &Window) -> Outcome {
+    Err(format!(
+        "this build has no window; with SDL2 installed: cargo run --release --features window -- window {}",
+        arguments.scene.source.display()
+    )
+    .into())
+}
+
+/// Renders a picture with a progress bar, and takes the time.
+fn timed(
+    scene: &LoadedScene<'_>,
+    options: &RenderOptions,
+    quiet: bool,
+) -> Result<(Picture, Duration), Box<dyn Error>> {
+    let lines = options.lines.as_ref().map_or(options.settings.height, |lines| lines.end - lines.start);
+    // A bar draws itself on the terminal of the standard error output, or nowhere if that is none.
+    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(u64::from(lines)) };
+    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} line {pos} of {len}, {eta} to go")?);
+    bar.set_message(scene.name.clone());
+    let start = Instant::now();
+    let picture = render_watched(&scene.scene, options, &|| bar.inc(1));
+    let time = start.elapsed();
+    bar.finish_and_clear();
+    Ok((picture.map_err(|error| explain(scene, error))?, time))
+}
+
+/// An error about this scene, with the line of its file where there is one.
+fn explain(scene: &LoadedScene<'_>, error: RenderError) -> Box<dyn Error> {
+    match error {
+        RenderError::Scene(error) => scene.explain(&error).into(),
+        error => error.into(),
+    }
+}
+
+fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
+    let rays = picture.rays;
+    let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
+    let Picture { width, height, .. } = picture;
+    let path = file.path().display();
+    writeln!(io::stdout(), "{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64())?;
+    Ok(())
+}
+
+/// Shows a picture in the terminal, as large as fits.
+fn show(picture: &Picture) -> Outcome {
+    let image = image::RgbImage::from_raw(picture.width, picture.height, picture.rgb.clone());
+    if let Some(image) = image {
+        let config = viuer::Config { absolute_offset: false, ..viuer::Config::default() };
+        viuer::print(&image.into(), &config)?;
+    }
+    Ok(())
+}

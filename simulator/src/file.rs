@@ -1,0 +1,145 @@
+//! Files that are written whole or not at all.
+
+use core::fmt;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use image::ImageEncoder;
+use image::codecs::png::PngEncoder;
+use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
+use image::{ExtendedColorType, ImageError};
+
+use crate::Picture;
+
+/// A file that a picture will be written to: its format is known before the first ray.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PictureFile {
+    path: PathBuf,
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Png,
+    Ppm,
+}
+
+/// Why a file cannot be written.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum FileError {
+    /// The name ends in something else than `.png` or `.ppm`. Name one of these.
+    Extension(PathBuf),
+    /// The system refused. Mend what it says.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        error: io::Error,
+    },
+}
+
+impl PictureFile {
+    /// Checks the name of the file, and that there is a directory for it.
+    ///
+    /// # Errors
+    /// An extension that is neither `.png` nor `.ppm`; a directory that is missing.
+    pub fn new(path: &Path) -> Result<Self, FileError> {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        let format = match extension.as_deref() {
+            Some("png") => Format::Png,
+            Some("ppm") => Format::Ppm,
+            _ => return Err(FileError::Extension(path.to_owned())),
+        };
+        check_writable(path)?;
+        Ok(Self { path: path.to_owned(), format })
+    }
+
+    /// Where the file will be.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the picture.
+    ///
+    /// # Errors
+    /// The system's; then there is no file, or the one that was there before.
+    pub fn write(&self, picture: &Picture) -> Result<(), FileError> {
+        let Picture { width, height, rgb, .. } = picture;
+        let mut bytes = Vec::new();
+        match self.format {
+            Format::Png => {
+                PngEncoder::new(&mut bytes).write_image(rgb, *width, *height, ExtendedColorType::Rgb8)
+            }
+            Format::Ppm => PnmEncoder::new(&mut bytes)
+                .with_subtype(PnmSubtype::Pixmap(SampleEncoding::Binary))
+                .write_image(rgb, *width, *height, ExtendedColorType::Rgb8),
+        }
+        .map_err(|error| FileError::Io { path: self.path.clone(), error: into_io(error) })?;
+        write_file(&self.path, &bytes)
+    }
+}
+
+fn into_io(error: ImageError) -> io::Error {
+    match error {
+        ImageError::IoError(error) => error,
+        error => io::Error::other(error),
+    }
+}
+
+/// Refuses a file that surely cannot be written, before work is spent on what goes into it.
+///
+/// # Errors
+/// The name is a directory's, or names one that is missing.
+pub fn check_writable(path: &Path) -> Result<(), FileError> {
+    let refuse = |kind: io::ErrorKind| Err(FileError::Io { path: path.to_owned(), error: kind.into() });
+    if path.is_dir() {
+        return refuse(io::ErrorKind::IsADirectory);
+    }
+    if directory_of(path).is_dir() { Ok(()) } else { refuse(io::ErrorKind::NotFound) }
+}
+
+fn directory_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Writes a file under another name and renames it, so that nobody ever finds half of it.
+///
+/// # Errors
+/// The system's; then there is no file, or the one that was there before.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    let write = || -> io::Result<()> {
+        let mut builder = tempfile::Builder::new();
+        #[cfg(unix)]
+        {
+            // As any other new file, and not for the owner alone: the system's mask still applies.
+            use std::os::unix::fs::PermissionsExt;
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let mut file = builder.prefix(".rayline-").tempfile_in(directory_of(path))?;
+        file.write_all(bytes)?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    write().map_err(|error| FileError::Io { path: path.to_owned(), error })
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Extension(path) => {
+                write!(f, "cannot write {}: pictures are .png or .ppm files", path.display())
+            }
+            Self::Io { path, error } => write!(f, "cannot write {}: {error}", path.display()),
+        }
+    }
+}
+
+impl core::error::Error for FileError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Extension(_) => None,
+            Self::Io { error, .. } => Some(error),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! A scene, found by its name or read from its file.
+
+use core::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use bumpalo::Bump;
+use rayline::builtin;
+use rayline::{Scene, SceneError};
+
+use crate::RenderOptions;
+use crate::nff::{self, Import, NffError};
+
+/// A scene, found by its name or read from its file, with what is said about its picture.
+#[derive(Clone, Debug)]
+pub struct LoadedScene<'a> {
+    /// What to call its pictures.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene<'a>,
+    /// Width and height that it is meant to be seen in.
+    pub size: (u32, u32),
+    /// Bounces that it is meant to be seen with.
+    pub bounces: u8,
+    /// Where it was read from; `None`: it is built in.
+    file: Option<(PathBuf, Import<'a>)>,
+}
+
+/// Why there is no scene.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// There is no such built-in scene. Name one that there is, or a file that ends in `.nff`.
+    Unknown {
+        /// What was asked for.
+        name: String,
+    },
+    /// The system cannot read the file. Mend what it says.
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        error: io::Error,
+    },
+    /// The file breaks the grammar of its format. Mend the line.
+    Nff {
+        /// The file.
+        path: PathBuf,
+        /// Line and reason.
+        error: NffError,
+    },
+}
+
+impl<'a> LoadedScene<'a> {
+    /// Reads an `.nff` file into `arena`, or finds a built-in scene.
+    ///
+    /// # Errors
+    /// The scene does not exist or cannot be read.
+    pub fn open(source: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        if source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("nff")) {
+            Self::read(source, arena)
+        } else {
+            Self::find(&source.to_string_lossy())
+        }
+    }
+
+    fn read(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        let path = path.to_owned();
+        let bytes = match std::fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) => return Err(LoadError::Read { path, error }),
+        };
+        match nff::parse_bytes(arena, &bytes) {
+            Ok(import) => Ok(Self {
+                name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+                scene: import.scene,
+                size: import.resolution,
+                bounces: 4,
+                file: Some((path, import)),
+            }),
+            Err(error) => Err(LoadError::Nff { path, error }),
+        }
+    }
+
+    fn find(name: &str) -> Result<Self, LoadError> {
+        let builtin = builtin::ALL.iter().find(|builtin| builtin.name == name);
+        let builtin = builtin.ok_or_else(|| LoadError::Unknown { name: name.to_owned() })?;
+        Ok(Self {
+            name: builtin.name.to_owned(),
+            scene: *builtin.scene,
+            size: (640, 480),
+            bounces: builtin.bounces,
+            file: None,
+        })
+    }
+
+    /// The options for its picture as it is meant to be seen.
+    pub fn options(&self) -> RenderOptions {
+        let (width, height) = self.size;
+        RenderOptions::new(rayline::Settings {
+            bounces: self.bounces,
+            ..rayline::Settings::new(width, height)
+        })
+    }
+
+    /// Where in the scene's file an object is described.
+    pub fn line_of_object(&self, index: usize) -> Option<usize> {
+        self.file.as_ref().and_then(|(_, import)| import.line_of(rayline::Part::Object(index)))
+    }
+
+    /// What is wrong with this scene, in one line: with the file and the line that describe the part.
+    pub fn explain(&self, error: &SceneError) -> String {
+        match &self.file {
+            None => format!("{}: {error}", self.name),
+            Some((path, import)) => match import.line_of(error.part) {
+                Some(line) => format!("{}:{line}: {}", path.display(), error.fault),
+                None => format!("{}: {error}", path.display()),
+            },
+        }
+    }
+}
+
+impl fmt::Display for LoadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unknown { name } => {
+                write!(f, "there is no scene `{name}`")?;
+                if let Some(nearest) = nearest(name) {
+                    write!(f, ", did you mean `{nearest}`?")?;
+                }
+                let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
+                write!(f, "; there are {}, and files that end in .nff", names.join(", "))
+            }
+            Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
+            Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
+        }
+    }
+}
+
+impl core::error::Error for LoadError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Unknown { .. } => None,
+            Self::Read { error, .. } => Some(error),
+            Self::Nff { error, .. } => Some(error),
+        }
+    }
+}
+
+/// The built-in scene whose name is most like this one, if any is like it at all.
+fn nearest(name: &str) -> Option<&'static str> {
+    builtin::ALL
+        .iter()
+        .map(|builtin| (strsim::jaro_winkler(name, builtin.name), builtin.name))
+        .filter(|(likeness, _)| *likeness > 0.7)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, name)| name)
+}

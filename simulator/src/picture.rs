@@ -1,0 +1,187 @@
+//! Pictures of scenes: the core's lines, rendered by several threads.
+//!
+//! A line is a pure function of scene and settings, so threads share nothing but the prepared scene, and the
+//! bytes are the same for any number of them.
+
+use core::fmt;
+use core::mem::MaybeUninit;
+use core::ops::Range;
+
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
+use rayline::{
+    DisplayColor, LineError, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, SettingsError,
+};
+use rayon::prelude::*;
+
+use crate::display::ForColor;
+use crate::{Number, RenderOptions};
+
+/// A picture as a display shows it, and what it took.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels in a line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Red, green and blue of each pixel, from the upper left, line by line.
+    pub rgb: Vec<u8>,
+    /// The rays that were traced, and what was cut short.
+    pub rays: RayCounts,
+    /// Bytes of memory that the prepared scene was lent.
+    pub prepared_bytes: usize,
+}
+
+/// Why there is no picture.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// The scene was refused. Mend the part that it names.
+    Scene(SceneError),
+    /// A setting is out of range. Change it.
+    Settings(SettingsError),
+    /// There are no such lines. Name lines that the picture has.
+    Line(LineError),
+    /// The picture is too large for this machine's memory. Render fewer lines at a time.
+    Memory {
+        /// Bytes that it takes.
+        needed: u64,
+    },
+    /// The system grants no such number of threads. Ask for fewer.
+    Threads(rayon::ThreadPoolBuildError),
+}
+
+/// Renders a picture of a scene.
+///
+/// ```
+/// use rayline::{Settings, builtin::CLASSIC};
+/// use rayline_simulator::{RenderOptions, render};
+/// let picture = render(&CLASSIC, &RenderOptions::new(Settings::new(64, 48)))?;
+/// assert_eq!(picture.rgb.len(), 64 * 48 * 3);
+/// # Ok::<(), rayline_simulator::RenderError>(())
+/// ```
+///
+/// # Errors
+/// What is wrong with the scene or the options, before the first ray is traced.
+pub fn render(scene: &Scene<'_>, options: &RenderOptions) -> Result<Picture, RenderError> {
+    render_watched(scene, options, &|| ())
+}
+
+/// As [`render`], and calls `line_done` after each line, in no particular order.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_watched(
+    scene: &Scene<'_>,
+    options: &RenderOptions,
+    line_done: &(dyn Fn() + Sync),
+) -> Result<Picture, RenderError> {
+    match options.number {
+        Number::F32 => render_in::<f32>(scene, options, line_done),
+        Number::F64 => render_in::<f64>(scene, options, line_done),
+    }
+}
+
+fn render_in<R: Real>(
+    scene: &Scene<'_>,
+    options: &RenderOptions,
+    line_done: &(dyn Fn() + Sync),
+) -> Result<Picture, RenderError> {
+    let mut memory = memory_for::<R>(scene);
+    let prepared_bytes = memory.len();
+    let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+    let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
+    let lines = options.lines.clone().unwrap_or(0..renderer.height());
+    if lines.end > renderer.height() {
+        let error = LineError::NoSuchLine { line: lines.end.saturating_sub(1), height: renderer.height() };
+        return Err(RenderError::Line(error));
+    }
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(options.threads).build().map_err(RenderError::Threads)?;
+    let (width, height) = (renderer.width(), lines.len() as u32);
+    let mut rgb = blank(width, height)?;
+    let job = Lines { renderer: &renderer, first: lines, rgb: &mut rgb, line_done };
+    let rays = pool.install(|| options.display.color(job)).map_err(RenderError::Line)?;
+    Ok(Picture { width, height, rgb, rays, prepared_bytes })
+}
+
+/// Memory to lend for a prepared scene.
+pub(crate) fn memory_for<R: Real>(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
+    vec![MaybeUninit::uninit(); scene.bytes::<R>()]
+}
+
+/// Room for a picture, or how much it would take.
+fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
+    let needed = u64::from(width) * u64::from(height) * 3;
+    let mut rgb: Vec<u8> = Vec::new();
+    match usize::try_from(needed) {
+        Ok(bytes) if rgb.try_reserve_exact(bytes).is_ok() => rgb.resize(bytes, 0),
+        _ => return Err(RenderError::Memory { needed }),
+    }
+    Ok(rgb)
+}
+
+/// Some lines that are to be rendered.
+struct Lines<'j, 'm, R: Real> {
+    renderer: &'j Renderer<'j, 'm, R>,
+    first: Range<u32>,
+    rgb: &'j mut [u8],
+    line_done: &'j (dyn Fn() + Sync),
+}
+
+impl<R: Real> ForColor for Lines<'_, '_, R> {
+    type Output = Result<RayCounts, LineError>;
+
+    fn with<C>(self) -> Self::Output
+    where
+        C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
+    {
+        let width = self.renderer.width() as usize;
+        let blank_line = || vec![C::from(BinaryColor::Off); width];
+        let line = |colors: &mut Vec<C>, (y, pixels): (u32, &mut [u8])| {
+            let mut rays = RayCounts::default();
+            self.renderer.line_watched(y, colors, &mut rays)?;
+            for (pixel, color) in pixels.chunks_exact_mut(3).zip(colors) {
+                let color: Rgb888 = (*color).into();
+                pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
+            }
+            (self.line_done)();
+            Ok(rays)
+        };
+        let sum = |mut a: RayCounts, b| {
+            a += b;
+            Ok(a)
+        };
+        // A picture without columns has no bytes to share out, whatever the length of a chunk.
+        self.first
+            .into_par_iter()
+            .zip(self.rgb.par_chunks_exact_mut((width * 3).max(1)))
+            .map_init(blank_line, line)
+            .try_reduce(RayCounts::default, sum)
+    }
+}
+
+impl fmt::Display for RenderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(error) => error.fmt(f),
+            Self::Settings(error) => error.fmt(f),
+            Self::Line(error) => error.fmt(f),
+            Self::Memory { needed } => {
+                write!(f, "a picture of {needed} bytes does not fit in memory; render fewer lines at a time")
+            }
+            Self::Threads(error) => write!(f, "cannot start the threads: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for RenderError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Scene(error) => Some(error),
+            Self::Settings(error) => Some(error),
+            Self::Line(error) => Some(error),
+            Self::Memory { .. } => None,
+            Self::Threads(error) => Some(error),
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! Scenes in the language of POV-Ray 3.7, the independent judge of pictures.
+//!
+//! POV-Ray computes what the core computes, where it is told so:
+//!
+//! - Coordinates are taken as they are. POV-Ray's are left-handed only where it derives one direction of the camera
+//!   from the others, so all three are written out; their lengths give the field of view.
+//! - The share of light that a pigment does not transmit is POV-Ray's factor of ambient and diffuse light, so both
+//!   are divided by it.
+//! - POV-Ray tells inside from outside by a list of the interiors that a ray is in. The faces of one material
+//!   therefore share one interior, which makes a closed solid of them. In a list, indices are absolute: a sphere
+//!   within a transparent one gets the product of both.
+//! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
+//! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
+//!   agree where these add up to 1, and where there is none: in a sphere that is lit and seen from outside.
+//!
+//! Render with `File_Gamma=1` and without anti-aliasing to get the bytes that
+//! [`Transfer::Linear`](rayline::Transfer::Linear) gives, but for rounding.
+
+use core::fmt;
+
+use rayline::shape::{Shape, Sphere};
+use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
+
+/// POV-Ray takes 1/1000 of a cell too much on each axis of a checker.
+const CHECKER_OFFSET: f64 = 0.001;
+
+/// A part of a scene that POV-Ray cannot be told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PovrayError {
+    /// The light at this position is of a kind that was added to the core since. Replace it.
+    Light(usize),
+    /// The material at this position has a texture that was added to the core since. Replace it.
+    Texture(usize),
+    /// The object at this position names a material that the scene does not have.
+    UnknownMaterial(usize),
+}
+
+impl fmt::Display for PovrayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Light(index) => write!(f, "light {index} cannot be written for POV-Ray; replace it"),
+            Self::Texture(index) => {
+                write!(f, "the texture of material {index} cannot be written for POV-Ray; replace it")
+            }
+            Self::UnknownMaterial(index) => {
+                write!(f, "object {index} names a material that the scene does not have")
+            }
+        }
+    }
+}
+
+impl core::error::Error for PovrayError {}
+
+/// Writes a scene for POV-Ray, with the bounces, the cutoff and the shape of the picture of these settings. Give
+/// POV-Ray the same width and height.
+///
+/// # Errors
+/// The part of the scene that cannot be written.
+pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
+    let mut text = format!(
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} }}\n",
+        u32::from(settings.bounces) + 1,
+        settings.cutoff
+    );
+    text += &format!("background {{ rgb {} }}\n", rgb(scene.background));
+    text += &camera(&scene.camera, settings);
+    let extent = extent(scene);
+    for (index, source) in scene.lights.iter().enumerate() {
+        text += &light(source, extent).ok_or(PovrayError::Light(index))?;
+    }
+    for (index, material) in scene.materials.iter().enumerate() {
+        text += &texture(index, material).ok_or(PovrayError::Texture(index))?;
+    }
+    text += &objects(scene)?;
+    Ok(text)
+}
+
+/// The directions of the picture plane at distance 1, in full.
+fn camera(camera: &Camera, settings: &Settings) -> String {
+    let unit = |vector: Vec3<f64>| vector * vector.length().recip();
+    let forward = unit((camera.target - camera.eye).to::<f64>());
+    let right = unit(forward.cross(camera.up.to::<f64>()));
+    let height = 2.0 * (f64::from(camera.vertical_fov) / 2.0).tan();
+    let width = height * f64::from(settings.width) / f64::from(settings.height);
+    format!(
+        "camera {{ perspective location {} direction {} right {} up {} }}\n",
+        xyz(camera.eye.to::<f64>()),
+        xyz(forward),
+        xyz(right * width),
+        xyz(right.cross(forward) * height)
+    )
+}
+
+/// The largest coordinate that the scene's parts name: how far away from the origin anything lies.
+fn extent(scene: &Scene<'_>) -> f64 {
+    let shapes = scene.objects.iter().flat_map(|object| match object.shape {
+        Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
+        Shape::Plane(plane) => vec![plane.point],
+        Shape::Triangle(triangle) => triangle.vertices.to_vec(),
+        Shape::Polygon(polygon) => polygon.vertices.to_vec(),
+        Shape::Cylinder(cylinder) => vec![cylinder.base, cylinder.top],
+        Shape::Cone(cone) => vec![cone.base, cone.top],
+    });
+    shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
+}
+
+/// A light; a directional one stands far outside of the scene.
+fn light(light: &Light, extent: f64) -> Option<String> {
+    Some(match *light {
+        Light::Point { position, color } => {
+            format!("light_source {{ {} rgb {} }}\n", xyz(position.to::<f64>()), rgb(color))
+        }
+        Light::Directional { direction, color } => {
+            let direction = direction.to::<f64>();
+            let away = direction * (-100.0 * extent * direction.length().recip());
+            format!("light_source {{ {} rgb {} parallel point_at 0 }}\n", xyz(away), rgb(color))
+        }
+        _ => return None,
+    })
+}
+
+/// A material's colors and finish, under a name that objects refer to.
+fn texture(index: usize, material: &Material) -> Option<String> {
+    // A surface that lets everything through has no color of its own in POV-Ray, but may have one here.
+    let transmit = f64::from(material.transmittance).min(0.999_999);
+    let opacity = 1.0 - transmit;
+    let pigment = match material.color {
+        Texture::Solid(color) => rgbt(color, transmit),
+        Texture::Checker(checker) => {
+            let cells = checker.cells_per_unit.to::<f64>();
+            let axes = [cells.x, cells.y, cells.z];
+            // An axis that does not count lies in the middle of one huge cell.
+            let offset = axes.map(|cells| if cells == 0.0 { 0.5 } else { CHECKER_OFFSET });
+            let size = axes.map(|cells| if cells == 0.0 { 1e12 } else { cells.recip() });
+            format!(
+                "checker {}, {} translate {} scale {}",
+                rgbt(checker.even, transmit),
+                rgbt(checker.odd, transmit),
+                list(&offset),
+                list(&size)
+            )
+        }
+        _ => return None,
+    };
+    Some(format!(
+        "#declare Material{index} = texture {{\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} phong {} \
+         phong_size {} reflection {} }}\n}}\n",
+        f64::from(material.ambient) / opacity,
+        f64::from(material.diffuse) / opacity,
+        material.specular,
+        material.shininess,
+        material.reflectance
+    ))
+}
+
+/// All objects with their materials; transparent faces of one material are one object.
+fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
+    let mut text = String::new();
+    let mut faces = vec![String::new(); scene.materials.len()];
+    for (index, object) in scene.objects.iter().enumerate() {
+        let number = usize::from(object.material.0);
+        let (Some(material), Some(faces)) = (scene.materials.get(number), faces.get_mut(number)) else {
+            return Err(PovrayError::UnknownMaterial(index));
+        };
+        let (kind, geometry) = shape(&object.shape);
+        if material.transmittance > 0.0 && matches!(object.shape, Shape::Triangle(_) | Shape::Polygon(_)) {
+            *faces += &format!("  {kind} {{ {geometry} }}\n");
+        } else {
+            let interior = interior(material, enclosing_ior(scene, object));
+            text += &format!("{kind} {{ {geometry} texture {{ Material{number} }}{interior} }}\n");
+        }
+    }
+    for (number, (faces, material)) in faces.iter().zip(scene.materials).enumerate() {
+        if !faces.is_empty() {
+            let interior = interior(material, 1.0);
+            text += &format!("union {{\n{faces}  texture {{ Material{number} }}{interior}\n}}\n");
+        }
+    }
+    Ok(text)
+}
+
+/// What lies behind a transparent surface, within a medium of the index `outside`.
+fn interior(material: &Material, outside: f64) -> String {
+    if material.transmittance == 0.0 {
+        return String::new();
+    }
+    let relative = if material.ior == 1.0 { 1.000_001 } else { f64::from(material.ior) };
+    format!(" interior {{ ior {} }}", relative * outside)
+}
+
+/// The index of what a sphere lies in: the product over all transparent spheres around it.
+fn enclosing_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
+    let Shape::Sphere(inner) = object.shape else { return 1.0 };
+    let encloses = |outer: &Sphere| (outer.center - inner.center).length() + inner.radius < outer.radius;
+    scene
+        .objects
+        .iter()
+        .filter(|object| matches!(&object.shape, Shape::Sphere(outer) if encloses(outer)))
+        .filter_map(|object| scene.materials.get(usize::from(object.material.0)))
+        .filter(|material| material.transmittance > 0.0)
+        .map(|material| f64::from(material.ior))
+        .product()
+}
+
+/// A shape's keyword and numbers.
+fn shape(shape: &Shape<'_>) -> (&'static str, String) {
+    let open = |capped: bool| if capped { "" } else { " open" };
+    match shape {
+        Shape::Sphere(sphere) => ("sphere", format!("{}, {}", point(sphere.center), sphere.radius)),
+        Shape::Plane(plane) => {
+            let normal = plane.normal.to::<f64>();
+            let normal = normal * normal.length().recip();
+            ("plane", format!("{}, {}", xyz(normal), normal.dot(plane.point.to())))
+        }
+        Shape::Triangle(triangle) => match triangle.normals {
+            None => ("triangle", points(&triangle.vertices)),
+            Some(normals) => {
+                let corners =
+                    triangle.vertices.iter().zip(&normals).flat_map(|(vertex, normal)| [*vertex, *normal]);
+                ("smooth_triangle", points(&corners.collect::<Vec<_>>()))
+            }
+        },
+        Shape::Polygon(polygon) => {
+            // POV-Ray wants the first point again at the end.
+            let closed: Vec<_> = polygon.vertices.iter().chain(polygon.vertices.first()).copied().collect();
+            ("polygon", format!("{}, {}", closed.len(), points(&closed)))
+        }
+        Shape::Cylinder(shape) => (
+            "cylinder",
+            format!("{}, {}{}", points(&[shape.base, shape.top]), shape.radius, open(shape.capped)),
+        ),
+        Shape::Cone(shape) => (
+            "cone",
+            format!(
+                "{}, {}, {}, {}{}",
+                point(shape.base),
+                shape.base_radius,
+                point(shape.top),
+                shape.top_radius,
+                open(shape.capped)
+            ),
+        ),
+    }
+}
+
+fn points(vertices: &[Vec3]) -> String {
+    vertices.iter().copied().map(point).collect::<Vec<_>>().join(", ")
+}
+
+fn point(point: Vec3) -> String {
+    list(&[point.x, point.y, point.z])
+}
+
+fn xyz(vector: Vec3<f64>) -> String {
+    // -0 + 0 is 0, which reads better.
+    list(&[vector.x, vector.y, vector.z].map(|number| number + 0.0))
+}
+
+fn rgb(color: LinearRgb) -> String {
+    list(&[color.r, color.g, color.b])
+}
+
+fn rgbt(color: LinearRgb, transmit: f64) -> String {
+    format!("rgbt <{}, {}, {}, {transmit}>", color.r, color.g, color.b)
+}
+
+fn list<T: fmt::Display>(numbers: &[T]) -> String {
+    format!("<{}>", numbers.iter().map(T::to_string).collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayline::shape::{Cylinder, Polygon, Triangle};
+
+    const GLASS: Material = Material {
+        transmittance: 0.75,
+        diffuse: 0.125,
+        reflectance: 0.25,
+        ior: 1.5,
+        ..Material::matte(LinearRgb::WHITE)
+    };
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    fn scene<'a>(
+        objects: &'a [Object<Shape<'a>>],
+        materials: &'a [Material],
+        lights: &'a [Light],
+    ) -> Scene<'a> {
+        let camera = Camera {
+            eye: Vec3::new(0.0, 0.0, 5.0),
+            target: Vec3::ZERO,
+            up: Vec3::new(0.0, 2.0, 1.0),
+            vertical_fov: core::f32::consts::FRAC_PI_2,
+        };
+        Scene { camera, background: LinearRgb::new(0.1, 0.2, 0.3), objects, materials, lights }
+    }
+
+    #[test]
+    fn a_small_scene_in_full() {
+        let corners = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), UP];
+        let objects = [
+            Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.5, -1.0), 0.1)), 0),
+            Object::new(Shape::Polygon(Polygon::new(&corners)), 1),
+            Object::new(Shape::Triangle(Triangle { vertices: corners, normals: Some([UP; 3]) }), 0),
+            Object::new(
+                Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: UP, radius: 0.5, capped: false }),
+                0,
+            ),
+        ];
+        let checkered = Material {
+            color: Texture::checker_xz(LinearRgb::WHITE, LinearRgb::gray(0.5), 2.0),
+            specular: 0.5,
+            shininess: 20.0,
+            ..Material::matte(LinearRgb::WHITE)
+        };
+        let lights = [Light::Directional { direction: Vec3::new(0.0, -2.0, 0.0), color: LinearRgb::WHITE }];
+        let materials = [checkered, GLASS];
+        let settings = Settings { bounces: 3, cutoff: 0.25, ..Settings::new(200, 100) };
+        let text = to_povray(&scene(&objects, &materials, &lights), &settings).unwrap();
+        assert_eq!(
+            text,
+            "\
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.25 }
+background { rgb <0.1, 0.2, 0.3> }
+camera { perspective location <0, 0, 5> direction <0, 0, -1> right <4.000000174845564, 0, 0> up <0, 2.000000087422782, 0> }
+light_source { <0, 500, 0> rgb <1, 1, 1> parallel point_at 0 }
+#declare Material0 = texture {
+  pigment { checker rgbt <1, 1, 1, 0>, rgbt <0.5, 0.5, 0.5, 0> translate <0.001, 0.5, 0.001> scale <2, 1000000000000, 2> }
+  finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection 0 }
+}
+#declare Material1 = texture {
+  pigment { rgbt <1, 1, 1, 0.75> }
+  finish { ambient 0 diffuse 0.5 phong 0 phong_size 0 reflection 0.25 }
+}
+sphere { <0, 0.5, -1>, 0.1 texture { Material0 } }
+smooth_triangle { <0, 0, 0>, <0, 1, 0>, <1, 0, 0>, <0, 1, 0>, <0, 1, 0>, <0, 1, 0> texture { Material0 } }
+cylinder { <0, 0, 0>, <0, 1, 0>, 0.5 open texture { Material0 } }
+union {
+  polygon { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0> }
+  texture { Material1 } interior { ior 1.5 }
+}
+"
+        );
+    }
+
+    #[test]
+    fn indices_of_nested_spheres_are_absolute() {
+        let objects = [0.5, 1.0].map(|radius| Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, radius)), 0));
+        let text = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap();
+        assert!(text.contains("0.5 texture { Material0 } interior { ior 2.25 }"), "{text}");
+        assert!(text.contains("1 texture { Material0 } interior { ior 1.5 }"), "{text}");
+    }
+
+    #[test]
+    fn unknown_materials_are_refused() {
+        let objects = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 1)];
+        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        assert_eq!(error, PovrayError::UnknownMaterial(0));
+    }
+}

@@ -1,0 +1,245 @@
+//! Everything that happened to one pixel, for people to read.
+
+use core::fmt::{self, Write};
+
+use rayline::math::Ray;
+use rayline::shape::Shape;
+use rayline::{Cut, Event, Hit, LinearRgb, PreparedScene, Probe, RayKind, Real, Renderer, Vec3};
+
+use crate::picture::memory_for;
+use crate::{LoadedScene, Number, RenderError, RenderOptions, render};
+
+/// Why there is no report.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The pixel is outside the picture. Choose one inside.
+    Outside {
+        /// Its place.
+        pixel: (u32, u32),
+        /// Width and height of the picture.
+        size: (u32, u32),
+    },
+    /// There is no picture.
+    Render(RenderError),
+}
+
+/// Tells everything that happened to pixel (x, y): each ray, what it hit, the lights there, and the color in the
+/// end. Rays that a hit sends out are indented below it.
+///
+/// # Errors
+/// The pixel is outside the picture, or there is no picture.
+pub fn report_pixel(
+    scene: &LoadedScene<'_>,
+    options: &RenderOptions,
+    (x, y): (u32, u32),
+) -> Result<String, ReportError> {
+    match options.number {
+        Number::F32 => report_in::<f32>(scene, options, (x, y)),
+        Number::F64 => report_in::<f64>(scene, options, (x, y)),
+    }
+}
+
+fn report_in<R: Real>(
+    loaded: &LoadedScene<'_>,
+    options: &RenderOptions,
+    pixel: (u32, u32),
+) -> Result<String, ReportError> {
+    let mut memory = memory_for::<R>(&loaded.scene);
+    let prepared = PreparedScene::<R, _>::new(&loaded.scene, &mut memory).map_err(RenderError::Scene)?;
+    let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
+    let size = (renderer.width(), renderer.height());
+    let outside = ReportError::Outside { pixel, size };
+    let (Ok(x), Ok(y)) = (u16::try_from(pixel.0), u16::try_from(pixel.1)) else { return Err(outside) };
+    if pixel.0 >= size.0 || pixel.1 >= size.1 {
+        return Err(outside);
+    }
+
+    let heading =
+        format!("pixel ({x}, {y}) of {}x{}, scene {}, in {}\n", size.0, size.1, loaded.name, options.number);
+    let mut tree = Tree { loaded, text: heading, depth: 0, samples: 0, direction: None };
+    let (light, rays) = renderer.pixel(x, y, &mut tree);
+    let mut text = tree.text;
+
+    // The display's color comes from the same path as in a picture.
+    let line = Some(pixel.1..pixel.1 + 1);
+    let line = render(&loaded.scene, &RenderOptions { lines: line, ..options.clone() })?;
+    let shown: String =
+        line.rgb.iter().skip(usize::from(x) * 3).take(3).map(|level| format!("{level:02x}")).collect();
+    let plural = if rays == 1 { "" } else { "s" };
+    // Writing into a string cannot fail.
+    let _ = writeln!(
+        text,
+        "light {} after {rays} ray{plural}, shown as #{shown} in {}",
+        color(light.to_f32()),
+        options.display
+    );
+    Ok(text)
+}
+
+/// Writes down what happens, each ray indented by its bounces.
+struct Tree<'s> {
+    loaded: &'s LoadedScene<'s>,
+    text: String,
+    depth: usize,
+    samples: u32,
+    /// Of the ray that was traced last.
+    direction: Option<Vec3>,
+}
+
+impl Tree<'_> {
+    fn line(&mut self, depth: usize, line: fmt::Arguments<'_>) {
+        // Writing into a string cannot fail.
+        let _ = writeln!(self.text, "{:1$}{line}", "", depth * 2);
+    }
+
+    fn ray<R: Real>(&mut self, kind: RayKind, ray: Ray<R>, bounces: u8, throughput: R) {
+        let name = match kind {
+            RayKind::Camera => "camera",
+            RayKind::Shadow => "shadow",
+            RayKind::Reflected => "reflected",
+            RayKind::Refracted => "refracted",
+        };
+        if kind == RayKind::Camera {
+            self.samples += 1;
+            if self.samples > 1 {
+                self.line(0, format_args!(""));
+            }
+        }
+        self.depth = usize::from(bounces);
+        let direction = ray.direction.to_f32();
+        self.direction = Some(direction);
+        let (origin, toward, share) =
+            (vector(ray.origin.to_f32()), vector(direction), number(throughput.to_f32()));
+        self.line(self.depth, format_args!("{name} ray from {origin} toward {toward}, share {share}"));
+    }
+
+    fn hit<R: Real>(&mut self, hit: &Hit<R>, surface_color: LinearRgb<R>) {
+        let (point, normal) = (hit.surface.point.to_f32(), hit.surface.normal.to_f32());
+        let behind = self.direction.is_some_and(|direction| direction.dot(normal) > 0.0);
+        let side = if behind { "back" } else { "front" };
+        let object = self.object(hit.object);
+        let (distance, point, normal) = (number(hit.t.to_f32()), vector(point), vector(normal));
+        let surface_color = color(surface_color.to_f32());
+        self.line(
+            self.depth + 1,
+            format_args!(
+                "hits the {side} of {object} at {point}, distance {distance}, normal {normal}, color {surface_color}"
+            ),
+        );
+    }
+
+    fn object(&self, index: usize) -> String {
+        let Some(object) = self.loaded.scene.objects.get(index) else { return format!("object {index}") };
+        let kind = match object.shape {
+            Shape::Sphere(_) => "sphere",
+            Shape::Plane(_) => "plane",
+            Shape::Triangle(_) => "triangle",
+            Shape::Polygon(_) => "polygon",
+            Shape::Cylinder(_) => "cylinder",
+            Shape::Cone(_) => "cone",
+        };
+        let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
+        format!("object {index} ({kind}, material {}{line})", object.material.0)
+    }
+
+    fn cut(&mut self, cut: Cut) {
+        let reason = match cut {
+            Cut::Bounces => "a ray is left out: the bound on bounces is reached",
+            Cut::Throughput => "a ray is left out: its share would be below the cut-off",
+            Cut::Rays => "all else is left out: the pixel has spent its rays",
+            Cut::ShadowLayers => "a light is left out: too many transparent surfaces before it",
+        };
+        self.line(self.depth + 1, format_args!("{reason}"));
+    }
+}
+
+impl<R: Real> Probe<R> for Tree<'_> {
+    fn record(&mut self, event: Event<R>) {
+        match event {
+            Event::Ray { kind, ray, bounces, throughput } => self.ray(kind, ray, bounces, throughput),
+            Event::Hit { hit, color, .. } => self.hit(&hit, color),
+            Event::Miss => {
+                let background = color(self.loaded.scene.background);
+                self.line(self.depth + 1, format_args!("hits nothing, sees the background {background}"));
+            }
+            Event::Light { light, toward, through, shown } => {
+                let (toward, through, shown) =
+                    (vector(toward.to_f32()), number(through.to_f32() * 100.0), color(shown.to_f32()));
+                self.line(
+                    self.depth + 1,
+                    format_args!("light {light} toward {toward}: {through} % comes through, adds {shown}"),
+                );
+            }
+            Event::Cut(cut) => self.cut(cut),
+        }
+    }
+}
+
+fn vector(Vec3 { x, y, z }: Vec3) -> String {
+    format!("({}, {}, {})", number(x), number(y), number(z))
+}
+
+fn color(LinearRgb { r, g, b }: LinearRgb) -> String {
+    format!("({}, {}, {})", number(r), number(g), number(b))
+}
+
+/// A number with four digits that count, and no zeros after them.
+fn number(value: f32) -> String {
+    let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    let decimals = (3.0 - magnitude).clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if !text.contains('.') {
+        return text;
+    }
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+impl From<RenderError> for ReportError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(error)
+    }
+}
+
+impl fmt::Display for ReportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outside { pixel: (x, y), size: (width, height) } => {
+                write!(f, "there is no pixel {x},{y}: the picture is {width}x{height}, counted from 0,0")
+            }
+            Self::Render(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for ReportError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Outside { .. } => None,
+            Self::Render(error) => Some(error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (-0.25, "-0.25"),
+            (0.123456, "0.1235"),
+            (0.000123456, "0.0001235"),
+            (123.456, "123.5"),
+            (123456.0, "123456"),
+            (20.0, "20"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}
