@@ -1,0 +1,403 @@
+//! From the renderer to displays: any order, any step, any failure, the same bytes.
+
+use std::mem::MaybeUninit;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb888, RgbColor};
+use embedded_graphics::primitives::{PointsIter, Rectangle};
+use rayline::builtin::CLASSIC;
+use rayline::shape::{Polygon, Shape, Sphere};
+use rayline::{
+    Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer, Scene,
+    Settings, SettingsError, Transfer, Vec3,
+};
+
+/// Hands a renderer of the scene to `use_it`.
+fn with_renderer<T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<f32>) -> T) -> T {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
+    use_it(&Renderer::new(&prepared, settings).expect("legal settings"))
+}
+
+const SMALL: Settings = Settings { bounces: 3, ..Settings::new(37, 23) };
+
+/// The whole picture, line after line.
+fn picture(renderer: &Renderer<f32>) -> Vec<Rgb888> {
+    let mut pixels = vec![Rgb888::BLACK; (renderer.width() * renderer.height()) as usize];
+    for (y, line) in (0..).zip(pixels.chunks_mut(renderer.width().max(1) as usize)) {
+        renderer.line(y, line).expect("a line");
+    }
+    pixels
+}
+
+/// A display that keeps every pixel, counts calls, and can fail before any of them.
+struct Screen {
+    size: Size,
+    pixels: Vec<Option<Rgb888>>,
+    windows: Vec<Rectangle>,
+    pixels_until_failure: Option<usize>,
+}
+
+impl Screen {
+    fn new(renderer: &Renderer<f32>) -> Self {
+        let size = Size::new(renderer.width(), renderer.height());
+        let count = (size.width * size.height) as usize;
+        Self { size, pixels: vec![None; count], windows: Vec::new(), pixels_until_failure: None }
+    }
+
+    fn picture(&self) -> Vec<Rgb888> {
+        self.pixels.iter().map(|pixel| pixel.expect("every pixel is drawn")).collect()
+    }
+}
+
+#[derive(Debug, PartialEq)]
+struct Unplugged;
+
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb888;
+    type Error = Unplugged;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
+        for Pixel(Point { x, y }, color) in pixels {
+            if let Some(left) = &mut self.pixels_until_failure {
+                *left = left.checked_sub(1).ok_or(Unplugged)?;
+            }
+            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Unplugged> {
+        self.windows.push(*area);
+        let width = area.size.width;
+        let points = (0..).map(|i| area.top_left + Point::new((i % width) as i32, (i / width) as i32));
+        self.draw_iter(points.zip(colors).map(|(point, color)| Pixel(point, color)))
+    }
+}
+
+#[test]
+fn lines_in_any_order_are_the_same_bytes() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let expected = picture(renderer);
+        let mut shuffled = vec![Rgb888::BLACK; expected.len()];
+        let height = renderer.height();
+        for i in 0..height {
+            // 7 and 23 have no common factor.
+            let y = (i * 7 + 5) % height;
+            let start = (y * 37) as usize;
+            renderer.line(y, &mut shuffled[start..start + 37]).expect("a line");
+        }
+        assert!(shuffled == expected);
+    });
+}
+
+#[test]
+fn drawing_sends_each_line_in_one_window() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let mut screen = Screen::new(renderer);
+        renderer.draw(&mut screen, &mut [Rgb888::BLACK; 37]).expect("drawn");
+        assert!(screen.picture() == picture(renderer));
+        let lines: Vec<_> = (0..23).map(|y| Rectangle::new(Point::new(0, y), Size::new(37, 1))).collect();
+        assert_eq!(screen.windows, lines);
+    });
+}
+
+#[test]
+fn a_larger_buffer_sends_several_lines_in_one_window() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let mut screen = Screen::new(renderer);
+        renderer.draw(&mut screen, &mut [Rgb888::BLACK; 37 * 8]).expect("drawn");
+        assert!(screen.picture() == picture(renderer));
+        let band = |y, height| Rectangle::new(Point::new(0, y), Size::new(37, height));
+        assert_eq!(screen.windows, [band(0, 8), band(8, 8), band(16, 7)]);
+    });
+}
+
+#[test]
+fn a_buffer_larger_than_the_picture_is_enough() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let mut screen = Screen::new(renderer);
+        renderer.draw(&mut screen, &mut [Rgb888::BLACK; 37 * 99]).expect("drawn");
+        assert!(screen.picture() == picture(renderer));
+    });
+}
+
+#[test]
+fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let expected = picture(renderer);
+        for (budget, lines) in [(0, 1), (1, 1), (7, 1), (50, 3), (10_000, 1)] {
+            let mut screen = Screen::new(renderer);
+            let mut buffer = vec![Rgb888::BLACK; 37 * lines];
+            let mut frame = renderer.frame(0..23, &mut buffer).expect("a frame");
+            let mut steps = 0;
+            loop {
+                let progress = frame.step(&mut screen, budget).expect("a step");
+                steps += 1;
+                assert!(progress.rays >= 1);
+                assert!(progress.rays < budget.max(1) + SMALL.rays_per_pixel);
+                assert_eq!(progress.lines_total, 23);
+                let drawn = screen.windows.iter().map(|window| window.size.height).sum::<u32>();
+                assert_eq!(progress.lines_done, drawn);
+                if progress.is_done() {
+                    break;
+                }
+            }
+            assert!(screen.picture() == expected);
+            assert!(budget > 1 || steps == 37 * 23, "one pixel a step");
+            let after = frame.step(&mut screen, budget).expect("nothing to do");
+            assert!(after.is_done() && after.rays == 0);
+        }
+    });
+}
+
+#[test]
+fn some_lines_are_drawn_where_they_belong() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let expected = picture(renderer);
+        let mut screen = Screen::new(renderer);
+        renderer.draw_lines(5..9, &mut screen, &mut [Rgb888::BLACK; 37]).expect("drawn");
+        for (i, pixel) in screen.pixels.iter().enumerate() {
+            let inside = (5 * 37..9 * 37).contains(&i);
+            assert_eq!(*pixel, inside.then(|| expected[i]));
+        }
+    });
+}
+
+#[test]
+fn a_display_that_fails_at_any_pixel_can_be_drawn_again_from_there() {
+    let settings = Settings { bounces: 3, ..Settings::new(11, 7) };
+    with_renderer(&CLASSIC, settings, |renderer| {
+        let expected = picture(renderer);
+        for failing in 0..11 * 7 {
+            let mut screen = Screen { pixels_until_failure: Some(failing), ..Screen::new(renderer) };
+            let mut buffer = [Rgb888::BLACK; 11];
+            let error = renderer.draw(&mut screen, &mut buffer).expect_err("the display fails");
+            let line = failing as u32 / 11;
+            assert_eq!(error, DrawError::Display { line, error: Unplugged });
+            assert!(screen.pixels[failing].is_none());
+            screen.pixels_until_failure = None;
+            renderer.draw_lines(line..7, &mut screen, &mut buffer).expect("drawn");
+            assert!(screen.picture() == expected);
+        }
+    });
+}
+
+#[test]
+fn a_frame_goes_on_after_the_display_failed() {
+    let settings = Settings { bounces: 3, ..Settings::new(11, 7) };
+    with_renderer(&CLASSIC, settings, |renderer| {
+        let expected = picture(renderer);
+        for failing in 0..11 * 7 {
+            let mut screen = Screen { pixels_until_failure: Some(failing), ..Screen::new(renderer) };
+            let mut buffer = [Rgb888::BLACK; 22];
+            let mut frame = renderer.frame(0..7, &mut buffer).expect("a frame");
+            let error = loop {
+                if let Err(error) = frame.step(&mut screen, 5) {
+                    break error;
+                }
+            };
+            assert!(matches!(error, DrawError::Display { line, .. } if line == failing as u32 / 22 * 2));
+            screen.pixels_until_failure = None;
+            while !frame.step(&mut screen, 5).expect("a step").is_done() {}
+            assert!(screen.picture() == expected);
+        }
+    });
+}
+
+#[test]
+fn wrong_buffers_and_lines_are_refused_before_the_first_pixel() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        for given in [0, 1, 36, 38, 73, 75] {
+            let mut buffer = vec![Rgb888::BLACK; given];
+            let wrong = LineError::BufferLength { given, width: 37 };
+            assert_eq!(renderer.line(0, &mut buffer), Err(wrong));
+            let mut screen = Screen::new(renderer);
+            assert_eq!(renderer.draw(&mut screen, &mut buffer), Err(DrawError::Line(wrong)));
+            assert!(screen.windows.is_empty());
+        }
+        let mut buffer = [Rgb888::BLACK; 37];
+        for line in [23, 65_535, 65_536, u32::MAX] {
+            assert_eq!(renderer.line(line, &mut buffer), Err(LineError::NoSuchLine { line, height: 23 }));
+        }
+        assert_eq!(
+            renderer.frame(20..24, &mut buffer).err(),
+            Some(LineError::NoSuchLine { line: 23, height: 23 })
+        );
+    });
+}
+
+#[test]
+fn pictures_of_every_size_are_defined() {
+    for (width, height) in [(0, 0), (0, 9), (9, 0), (1, 1), (1, 65_535), (65_535, 1), (65_535, 65_535)] {
+        with_renderer(&CLASSIC, Settings::new(width, height), |renderer| {
+            let mut line = vec![Rgb888::BLACK; width as usize];
+            for y in [0, height / 2, height.saturating_sub(1)] {
+                assert_eq!(renderer.line(y, &mut line).is_ok(), height > 0);
+            }
+            if width == 0 || height == 0 {
+                let mut screen = Screen::new(renderer);
+                renderer.draw(&mut screen, &mut line).unwrap_or_else(|error| {
+                    // A picture without lines still wants a buffer that could hold one.
+                    panic!("{width}x{height}: {error}")
+                });
+                assert!(screen.windows.is_empty());
+            }
+        });
+    }
+    for (width, height) in [(65_536, 1), (1, 65_536), (u32::MAX, u32::MAX)] {
+        let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
+        let prepared = PreparedScene::<f32, _>::new(&CLASSIC, &mut memory).expect("a legal scene");
+        let refused = Renderer::new(&prepared, Settings::new(width, height)).err();
+        assert!(matches!(refused, Some(SettingsError::Size { most: 65_535, .. })));
+    }
+}
+
+#[test]
+fn bad_settings_are_refused() {
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
+    let prepared = PreparedScene::<f32, _>::new(&CLASSIC, &mut memory).expect("a legal scene");
+    let refused = |settings: Settings| Renderer::new(&prepared, settings).err();
+    assert_eq!(refused(SMALL), None);
+    let bounces = SettingsError::Bounces { given: 17, most: 16 };
+    assert_eq!(refused(Settings { bounces: 17, ..SMALL }), Some(bounces));
+    assert_eq!(refused(Settings { rays_per_pixel: 0, ..SMALL }), Some(SettingsError::RaysPerPixel));
+    assert_eq!(refused(Settings { samples_per_pixel: 0, ..SMALL }), Some(SettingsError::SamplesPerPixel));
+    for cutoff in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
+        assert_eq!(refused(Settings { cutoff, ..SMALL }), Some(SettingsError::Cutoff));
+    }
+}
+
+#[test]
+fn several_samples_smooth_and_depend_on_the_seed_alone() {
+    let picture_with = |samples_per_pixel, seed| {
+        with_renderer(&CLASSIC, Settings { samples_per_pixel, seed, ..SMALL }, picture)
+    };
+    assert!(picture_with(1, 0) == picture_with(1, 9), "one sample is the center");
+    assert!(picture_with(4, 0) == picture_with(4, 0));
+    assert!(picture_with(4, 0) != picture_with(4, 9));
+    // The more samples, the closer two seeds come to each other.
+    let apart = |samples| {
+        let (a, b) = (picture_with(samples, 1), picture_with(samples, 2));
+        a.iter().zip(&b).map(|(a, b)| u64::from(a.g().abs_diff(b.g())).pow(2)).sum::<u64>()
+    };
+    assert!(apart(64) * 4 < apart(4), "{} against {}", apart(64), apart(4));
+}
+
+/// A white square on the left, and a ball on the right that is lit from the upper left.
+fn ascii_scene<T>(use_it: impl FnOnce(&Scene) -> T) -> T {
+    let corners = [(-3.0, -1.0), (-1.0, -1.0), (-1.0, 1.0), (-3.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+    let scene = Scene {
+        camera: Camera {
+            eye: Vec3::new(0.0, 0.0, 20.0),
+            target: Vec3::ZERO,
+            up: Vec3::new(0.0, 1.0, 0.0),
+            vertical_fov: 0.2,
+        },
+        background: LinearRgb::gray(0.0),
+        objects: &[
+            Object::new(Shape::Polygon(Polygon::new(&corners)), 0),
+            Object::new(Shape::Sphere(Sphere::new(Vec3::new(1.5, 0.0, 0.0), 1.5)), 1),
+        ],
+        materials: &[
+            Material { ambient: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) },
+            Material::matte(LinearRgb::WHITE),
+        ],
+        lights: &[Light::Directional { direction: Vec3::new(1.0, -1.0, -1.0), color: LinearRgb::WHITE }],
+    };
+    use_it(&scene)
+}
+
+#[test]
+fn a_small_picture_in_black_and_white() {
+    let settings = Settings { transfer: Transfer::Linear, ..Settings::new(24, 16) };
+    ascii_scene(|scene| {
+        with_renderer(scene, settings, |renderer| {
+            // MockDisplay panics on overdraw and outside its area.
+            let mut display = MockDisplay::<BinaryColor>::new();
+            renderer.draw(&mut display, &mut [BinaryColor::Off; 24]).expect("drawn");
+            display.assert_pattern(&[
+                "........................",
+                "........................",
+                "................####....",
+                "..............#######...",
+                "########.....########...",
+                "########.....########...",
+                "########....########....",
+                "########....########....",
+                "########....#######.....",
+                "########....######......",
+                "########.....##.........",
+                "########................",
+                "........................",
+                "........................",
+                "........................",
+                "........................",
+            ]);
+        });
+    });
+}
+
+#[test]
+fn a_small_picture_in_gray() {
+    let settings = Settings { transfer: Transfer::Linear, ..Settings::new(24, 16) };
+    ascii_scene(|scene| {
+        with_renderer(scene, settings, |renderer| {
+            let mut display = MockDisplay::<Gray4>::new();
+            renderer.draw(&mut display, &mut [Gray4::new(0); 24]).expect("drawn");
+            display.assert_pattern(&[
+                "000000000000000000000000",
+                "000000000000000000000000",
+                "0000000000000000DDB90000",
+                "00000000000000EFEDCA8500",
+                "FFFFFFFF00000EFFEDCA8630",
+                "FFFFFFFF00000EFEDCBA8630",
+                "FFFFFFFF0000DEEDDCA97520",
+                "FFFFFFFF0000CDDCCA986410",
+                "FFFFFFFF0000BBBBA9865300",
+                "FFFFFFFF00009AA998653100",
+                "FFFFFFFF0000088776531000",
+                "FFFFFFFF0000045554210000",
+                "000000000000002221000000",
+                "000000000000000000000000",
+                "000000000000000000000000",
+                "000000000000000000000000",
+            ]);
+        });
+    });
+}
+
+#[test]
+fn a_display_may_be_smaller_than_the_picture_or_moved() {
+    with_renderer(&CLASSIC, Settings::new(16, 16), |renderer| {
+        let mut whole = MockDisplay::<Gray8>::new();
+        renderer.draw(&mut whole, &mut [Gray8::new(0); 16]).expect("drawn");
+        let mut part = MockDisplay::<Gray8>::new();
+        renderer
+            .draw(
+                &mut part.clipped(&Rectangle::new(Point::zero(), Size::new(5, 9))),
+                &mut [Gray8::new(0); 16],
+            )
+            .expect("drawn");
+        assert_eq!(part.affected_area(), Rectangle::new(Point::zero(), Size::new(5, 9)));
+        let mut moved = MockDisplay::<Gray8>::new();
+        renderer.draw(&mut moved.translated(Point::new(3, 7)), &mut [Gray8::new(0); 16]).expect("drawn");
+        for point in part.affected_area().points() {
+            assert_eq!(part.get_pixel(point), whole.get_pixel(point));
+            assert_eq!(moved.get_pixel(point + Point::new(3, 7)), whole.get_pixel(point));
+        }
+    });
+}
