@@ -131,7 +131,7 @@ fn texture(index: usize, material: &Material) -> Option<String> {
             let cells = checker.cells_per_unit.to::<f64>();
             let axes = [cells.x, cells.y, cells.z];
             // An axis that does not count lies in the middle of one huge cell.
-            let offset = axes.map(|cells| if cells == 0.0 { 0.5 } else { CHECKER_OFFSET });
+            let offset = axes.map(|cells| if cells == 0.0 { -0.5 } else { CHECKER_OFFSET });
             let size = axes.map(|cells| if cells == 0.0 { 1e12 } else { cells.recip() });
             format!(
                 "checker {}, {} translate {} scale {}",
@@ -328,7 +328,7 @@ background { rgb <0.1, 0.2, 0.3> }
 camera { perspective location <0, 0, 5> direction <0, 0, -1> right <4.000000174845564, 0, 0> up <0, 2.000000087422782, 0> }
 light_source { <0, 500, 0> rgb <1, 1, 1> parallel point_at 0 }
 #declare Material0 = texture {
-  pigment { checker rgbt <1, 1, 1, 0>, rgbt <0.5, 0.5, 0.5, 0> translate <0.001, 0.5, 0.001> scale <2, 1000000000000, 2> }
+  pigment { checker rgbt <1, 1, 1, 0>, rgbt <0.5, 0.5, 0.5, 0> translate <0.001, -0.5, 0.001> scale <2, 1000000000000, 2> }
   finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection 0 }
 }
 #declare Material1 = texture {
