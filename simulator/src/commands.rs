@@ -86,11 +86,22 @@ fn pixel(arguments: &Pixel) -> Outcome {
 
 #[cfg(feature = "window")]
 fn window(arguments: &Window) -> Outcome {
+    use rayline_simulator::{WindowError, show_window};
+
     let arena = Bump::new();
     let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let options = arguments.look.options(&scene);
     let file = PictureFile::new(&PathBuf::from(format!("{}.png", scene.name)))?;
-    rayline_simulator::show_window(&scene, &arguments.look.options(&scene), &file)?;
-    Ok(())
+    let mut save = |seen: &rayline::Scene<'_>| -> Outcome {
+        let start = Instant::now();
+        let picture = rayline_simulator::render(seen, &options)?;
+        file.write(&picture)?;
+        say(&file, &picture, start.elapsed())
+    };
+    show_window(&scene, &options, &mut save).map_err(|error| match error {
+        WindowError::Scene(error) => scene.explain(&error).into(),
+        error => error.into(),
+    })
 }
 
 #[cfg(not(feature = "window"))]

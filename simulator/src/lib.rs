@@ -18,6 +18,8 @@ mod picture;
 pub mod povray;
 mod report;
 mod stats;
+#[cfg(feature = "window")]
+mod window;
 
 pub use display::Display;
 pub use file::{FileError, PictureFile, check_writable, write_file};
@@ -27,3 +29,5 @@ pub use orbit::Orbit;
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
+#[cfg(feature = "window")]
+pub use window::{Save, WindowError, show_window};
