@@ -1,0 +1,349 @@
+//! Bad input: every bad number is refused with its place, and whatever is accepted renders finite pixels.
+
+use std::mem::MaybeUninit;
+
+use proptest::prelude::*;
+use rayline::builtin::{CLASSIC, PRISM};
+use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::{
+    Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
+    SceneBuf, SceneError, Settings, Texture, Vec3,
+};
+
+fn prepare(scene: &Scene) -> Result<(), SceneError> {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    PreparedScene::<f32, _>::new(scene, &mut memory).map(|_| ())
+}
+
+/// The classic scene with one object, material or light replaced is refused for that part.
+#[track_caller]
+fn assert_refused(change: impl FnOnce(&mut Parts), part: Part, fault: Fault) {
+    let mut parts = Parts {
+        camera: CLASSIC.camera,
+        background: CLASSIC.background,
+        objects: CLASSIC.objects.to_vec(),
+        materials: CLASSIC.materials.to_vec(),
+        lights: CLASSIC.lights.to_vec(),
+    };
+    assert_eq!(prepare(&parts.scene()), Ok(()));
+    change(&mut parts);
+    let error = prepare(&parts.scene()).expect_err("refused");
+    assert_eq!(error, SceneError { part, fault });
+    let message = error.to_string();
+    assert!(message.contains(": ") && message.contains(';'), "no cause and remedy: {message}");
+}
+
+struct Parts {
+    camera: Camera,
+    background: LinearRgb,
+    objects: Vec<Object<Shape<'static>>>,
+    materials: Vec<Material>,
+    lights: Vec<Light>,
+}
+
+impl Parts {
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            camera: self.camera,
+            background: self.background,
+            objects: &self.objects,
+            materials: &self.materials,
+            lights: &self.lights,
+        }
+    }
+}
+
+const BAD: [(f32, Fault); 5] = [
+    (f32::NAN, Fault::NotFinite),
+    (f32::INFINITY, Fault::NotFinite),
+    (f32::NEG_INFINITY, Fault::NotFinite),
+    (1.0001e6, Fault::TooFar),
+    (-3e38, Fault::TooFar),
+];
+
+#[test]
+fn numbers_out_of_range_are_refused_with_kind_and_index() {
+    for (bad, fault) in BAD {
+        let point = Vec3::new(1.0, bad, 2.0);
+        let color = LinearRgb::new(0.1, 0.2, bad);
+        assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
+        assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
+        assert_refused(|parts| parts.camera.up = point, Part::Camera, fault);
+        assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, fault);
+        assert_refused(|parts| parts.background = color, Part::Background, fault);
+        for (i, object) in [
+            Shape::Sphere(Sphere::new(point, 1.0)),
+            Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
+            Shape::Plane(Plane::new(Vec3::ZERO, point)),
+            Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
+            Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
+            Shape::Cone(Cone {
+                base: point,
+                base_radius: 1.0,
+                top: Vec3::ZERO,
+                top_radius: 0.0,
+                capped: false,
+            }),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            let index = i % 5;
+            assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
+        }
+        for (index, light) in [
+            Light::Point { position: point, color: LinearRgb::WHITE },
+            Light::Directional { direction: point, color: LinearRgb::WHITE },
+            Light::Point { position: Vec3::ZERO, color },
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
+        }
+        let fields: [fn(&mut Material) -> &mut f32; 7] = [
+            |material| &mut material.ambient,
+            |material| &mut material.diffuse,
+            |material| &mut material.specular,
+            |material| &mut material.shininess,
+            |material| &mut material.reflectance,
+            |material| &mut material.transmittance,
+            |material| &mut material.ior,
+        ];
+        for field in fields {
+            assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
+        }
+        assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), fault);
+        let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
+        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), fault);
+    }
+    let squares = Texture::checker_xz(LinearRgb::WHITE, LinearRgb::WHITE, 0.0);
+    assert_refused(|parts| parts.materials[4].color = squares, Part::Material(4), Fault::NotFinite);
+}
+
+#[test]
+fn degenerate_shapes_are_refused() {
+    let refused = |shape: Shape<'static>, fault| {
+        assert_refused(|parts| parts.objects[2].shape = shape, Part::Object(2), fault);
+    };
+    for radius in [0.0, -1.0] {
+        refused(Shape::Sphere(Sphere::new(Vec3::ZERO, radius)), Fault::RadiusNotPositive);
+        let top = Vec3::new(0.0, 1.0, 0.0);
+        let cylinder = Cylinder { base: Vec3::ZERO, top, radius, capped: false };
+        refused(Shape::Cylinder(cylinder), Fault::RadiusNotPositive);
+    }
+    let line = [0.0, 1.0, 2.0].map(|x| Vec3::new(x, x, x));
+    let [a, b, c] = line;
+    refused(Shape::Triangle(Triangle::flat(a, b, c)), Fault::Collinear);
+    static LINE: [Vec3; 3] = [Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0), Vec3::new(2.0, 2.0, 2.0)];
+    refused(Shape::Polygon(Polygon::new(&LINE)), Fault::NoArea);
+    refused(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::ZERO)), Fault::ZeroLength);
+}
+
+#[test]
+fn impossible_materials_are_refused() {
+    let refused = |change: fn(&mut Material), fault| {
+        assert_refused(|parts| change(&mut parts.materials[1]), Part::Material(1), fault);
+    };
+    refused(|glass| glass.reflectance = 0.3, Fault::EnergyAboveOne);
+    refused(|glass| glass.diffuse = 1.1, Fault::OutsideUnit);
+    refused(|glass| glass.specular = -0.1, Fault::OutsideUnit);
+    refused(|glass| glass.ior = 0.0, Fault::IorNotPositive);
+    refused(|glass| glass.ior = -1.5, Fault::IorNotPositive);
+    refused(|glass| glass.shininess = -1.0, Fault::NegativeShininess);
+    refused(|glass| glass.color = LinearRgb::gray(-0.1).into(), Fault::NegativeColor);
+    refused(|glass| glass.color = LinearRgb::gray(1.1).into(), Fault::OutsideUnit);
+    let black_hole = Light::Point { position: Vec3::ZERO, color: LinearRgb::gray(-1.0) };
+    assert_refused(|parts| parts.lights[2] = black_hole, Part::Light(2), Fault::NegativeColor);
+    assert_refused(|parts| parts.background.g = -0.5, Part::Background, Fault::NegativeColor);
+}
+
+#[test]
+fn an_unknown_material_is_refused() {
+    let unknown = Fault::UnknownMaterial { named: 5, materials: 5 };
+    assert_refused(|parts| parts.objects[3].material.0 = 5, Part::Object(3), unknown);
+    assert_refused(
+        |parts| parts.materials.clear(),
+        Part::Object(0),
+        Fault::UnknownMaterial { named: 0, materials: 0 },
+    );
+}
+
+#[test]
+fn too_many_are_refused() {
+    let given = 65_536;
+    assert_refused(
+        |parts| parts.lights.resize(given, CLASSIC.lights[0]),
+        Part::Light(65_535),
+        Fault::TooMany { given },
+    );
+}
+
+#[test]
+fn too_little_memory_is_refused_and_just_enough_is_enough() {
+    for scene in [&CLASSIC, &PRISM] {
+        let needed = scene.bytes::<f32>();
+        for lent in [0, 1, needed / 2, needed - 1] {
+            let mut memory = vec![MaybeUninit::uninit(); lent];
+            let error = PreparedScene::<f32, _>::new(scene, &mut memory).expect_err("refused");
+            assert_eq!(error, SceneError { part: Part::Memory, fault: Fault::Memory { needed, lent } });
+        }
+        // At any alignment.
+        for offset in 0..16 {
+            let mut memory = vec![MaybeUninit::uninit(); needed + offset];
+            assert!(PreparedScene::<f32, _>::new(scene, &mut memory[offset..]).is_ok());
+        }
+    }
+}
+
+#[test]
+fn a_refused_camera_leaves_the_old_one() {
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
+    let mut prepared = PreparedScene::<f32, _>::new(&CLASSIC, &mut memory).expect("a legal scene");
+    let before = Renderer::new(&prepared, Settings::new(9, 9)).expect("legal").pixel(4, 4, &mut ()).0;
+    let blind = Camera { target: CLASSIC.camera.eye, ..CLASSIC.camera };
+    let error = prepared.set_camera(&blind).expect_err("refused");
+    assert_eq!(error, SceneError { part: Part::Camera, fault: Fault::EyeAtTarget });
+    let after = Renderer::new(&prepared, Settings::new(9, 9)).expect("legal").pixel(4, 4, &mut ()).0;
+    assert_eq!(before, after);
+}
+
+#[test]
+fn a_full_scene_hands_back_what_does_not_fit() {
+    let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(CLASSIC.camera, CLASSIC.background);
+    let matte = scene.add_material(CLASSIC.materials[0]).expect("room");
+    assert_eq!(scene.add_material(CLASSIC.materials[1]), Err(CLASSIC.materials[1]));
+    let ball = |x| Sphere::new(Vec3::new(x, 0.0, -9.0), 1.0);
+    assert_eq!(scene.add_object(ball(0.0), matte), Ok(()));
+    assert_eq!(scene.add_object(ball(1.0), matte), Ok(()));
+    assert_eq!(scene.add_object(ball(2.0), matte), Err(Object { shape: ball(2.0), material: matte }));
+    assert_eq!(scene.add_light(CLASSIC.lights[0]), Ok(()));
+    assert_eq!(scene.add_light(CLASSIC.lights[1]), Err(CLASSIC.lights[1]));
+    let Scene { objects, materials, lights, .. } = scene.as_scene();
+    assert_eq!(objects.iter().map(|object| object.shape).collect::<Vec<_>>(), [ball(0.0), ball(1.0)]);
+    assert_eq!((materials, lights), (&CLASSIC.materials[..1], &CLASSIC.lights[..1]));
+    scene.clear();
+    assert!(scene.as_scene().objects.is_empty());
+}
+
+/// Any float at all, and often one that is legal.
+fn number() -> BoxedStrategy<f32> {
+    prop_oneof![
+        1 => any::<f32>(),
+        20 => -10.0f32..10.0,
+        2 => prop_oneof![Just(0.0f32), Just(1.0), Just(-1.0), Just(1e6), Just(-1e6), Just(1e-20), Just(1e-6)],
+    ]
+    .boxed()
+}
+
+fn vector() -> BoxedStrategy<Vec3> {
+    [number(), number(), number()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
+}
+
+fn share() -> BoxedStrategy<f32> {
+    prop_oneof![1 => any::<f32>(), 40 => 0.0f32..0.5, 5 => Just(0.0), 5 => Just(1.0)].boxed()
+}
+
+fn light_color() -> BoxedStrategy<LinearRgb> {
+    [share(), share(), share()].prop_map(|[r, g, b]| LinearRgb::new(r, g, b)).boxed()
+}
+
+fn shape() -> BoxedStrategy<Shape<'static>> {
+    prop_oneof![
+        (vector(), number()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
+        (vector(), vector()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
+        ([vector(), vector(), vector()], proptest::option::of([vector(), vector(), vector()]))
+            .prop_map(|(vertices, normals)| Shape::Triangle(Triangle { vertices, normals })),
+        (vector(), vector(), number(), number(), any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| {
+                Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
+            }
+        ),
+        (vector(), vector(), number(), any::<bool>())
+            .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
+    ]
+    .boxed()
+}
+
+fn material() -> BoxedStrategy<Material> {
+    let shares = (share(), share(), share(), share(), share());
+    (light_color(), shares, number(), number(), proptest::option::of((light_color(), vector())))
+        .prop_map(
+            |(color, (ambient, diffuse, specular, reflectance, transmittance), shininess, ior, checker)| {
+                Material {
+                    color: match checker {
+                        None => color.into(),
+                        Some((odd, cells_per_unit)) => {
+                            Texture::Checker(rayline::Checker { even: color, odd, cells_per_unit })
+                        }
+                    },
+                    ambient,
+                    diffuse,
+                    specular,
+                    shininess,
+                    reflectance,
+                    transmittance,
+                    ior,
+                }
+            },
+        )
+        .boxed()
+}
+
+fn light() -> BoxedStrategy<Light> {
+    prop_oneof![
+        (vector(), light_color()).prop_map(|(position, color)| Light::Point { position, color }),
+        (vector(), light_color()).prop_map(|(direction, color)| Light::Directional { direction, color }),
+    ]
+    .boxed()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_scene_is_refused_or_renders_finite_pixels(
+        camera in (vector(), vector(), vector(), 0.01f32..3.0),
+        background in light_color(),
+        shapes in proptest::collection::vec((shape(), 0..3u16), 0..5),
+        materials in proptest::collection::vec(material(), 3),
+        lights in proptest::collection::vec(light(), 0..3),
+    ) {
+        let (eye, target, up, vertical_fov) = camera;
+        // Parts that are refused are left out, so that most cases render something.
+        let camera = Camera { eye, target, up, vertical_fov };
+        let accepted = |scene: &Scene| prepare(scene).is_ok();
+        let empty = Scene { objects: &[], materials: &[], lights: &[], ..CLASSIC };
+        let camera = if accepted(&Scene { camera, ..empty }) { camera } else { CLASSIC.camera };
+        let background =
+            if accepted(&Scene { background, ..empty }) { background } else { LinearRgb::gray(0.5) };
+        let materials: Vec<_> = materials
+            .into_iter()
+            .map(|material| {
+                if accepted(&Scene { materials: &[material], ..empty }) { material } else { CLASSIC.materials[1] }
+            })
+            .collect();
+        let objects: Vec<_> = shapes
+            .into_iter()
+            .map(|(shape, material)| Object::new(shape, material))
+            .filter(|object| accepted(&Scene { objects: &[*object], materials: &materials, ..empty }))
+            .collect();
+        let lights: Vec<_> =
+            lights.into_iter().filter(|light| accepted(&Scene { lights: &[*light], ..empty })).collect();
+        let scene = Scene { camera, background, objects: &objects, materials: &materials, lights: &lights };
+
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+        let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).expect("every part was accepted");
+        let settings = Settings { bounces: 8, rays_per_pixel: 300, ..Settings::new(5, 5) };
+        let renderer = Renderer::new(&prepared, settings).expect("legal settings");
+        let mut counts = RayCounts::default();
+        for (x, y) in (0..5).flat_map(|y| (0..5).map(move |x| (x, y))) {
+            let (light, rays) = renderer.pixel(x, y, &mut counts);
+            prop_assert!(rays <= 300);
+            for value in [light.r, light.g, light.b] {
+                prop_assert!(value.is_finite() && value >= 0.0, "{light:?} at {x}, {y}");
+            }
+        }
+        prop_assert_eq!(counts.camera, 25);
+    }
+}
