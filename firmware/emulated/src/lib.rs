@@ -1,0 +1,28 @@
+//! The program that every emulated board runs: it renders a built-in scene, line by line, and reports the digest
+//! of its pixels, the instructions that its lines took, and the stack that was used.
+//!
+//! A board is a folder in `src/bin` with its memory layout and a `main` that says how to count instructions and
+//! where the picture goes. Scene and size are chosen when the program is built, see `build.rs`.
+//!
+//! Everything that the program says goes through [`report`]; it holds no panic, and a linker that finds one
+//! refuses it, see `panic`.
+
+#![no_std]
+
+pub mod file;
+mod fpu;
+mod instructions;
+mod panic;
+pub mod picture;
+pub mod program;
+pub mod report;
+mod stack;
+#[cfg(target_arch = "arm")]
+mod systick;
+
+pub use instructions::InstructionCounter;
+#[cfg(target_arch = "riscv32")]
+pub use instructions::Minstret;
+pub use program::Fault;
+#[cfg(target_arch = "arm")]
+pub use systick::SysTick;

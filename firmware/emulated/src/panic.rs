@@ -1,0 +1,37 @@
+//! There is no panic: its handler calls a function that does not exist, so that a program in which any panic can
+//! be reached does not link.
+
+use core::panic::PanicInfo;
+
+#[cfg(not(feature = "twin-linked"))]
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    #[allow(unsafe_code)]
+    unsafe extern "C" {
+        safe fn rayline_panic_is_reachable() -> !;
+    }
+    rayline_panic_is_reachable()
+}
+
+/// The twin that links, so that the search for symbols has something to find.
+#[cfg(feature = "twin-linked")]
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    loop {}
+}
+
+/// A panic that the compiler cannot rule out.
+#[cfg(feature = "twin")]
+pub(crate) fn reachable_panic() -> u32 {
+    let numbers = [1, 2, 3];
+    #[allow(clippy::indexing_slicing)]
+    numbers[core::hint::black_box(2)]
+}
+
+/// A processor that cannot go on says so, instead of standing still.
+#[cfg(target_arch = "arm")]
+#[allow(unsafe_code)]
+#[cortex_m_rt::exception]
+unsafe fn HardFault(_: &cortex_m_rt::ExceptionFrame) -> ! {
+    crate::report::fail(crate::Fault::Processor)
+}
