@@ -7,10 +7,12 @@
 mod comparison;
 mod core_picture;
 mod picture;
+mod povray;
 mod scenes;
 pub mod textbook;
 
 pub use comparison::{Comparison, assert_alike};
 pub use core_picture::{core_picture, ray_counts};
 pub use picture::Picture;
+pub use povray::PovrayPicture;
 pub use scenes::{scene_names, settings, with_scene};
