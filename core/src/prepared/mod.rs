@@ -1,10 +1,12 @@
 //! A scene that was checked and converted, and the two questions that rays ask of it.
 
 mod error;
+mod memory;
 
 use core::mem::MaybeUninit;
 
 pub use error::{Part, SceneError};
+pub use memory::prepared_bytes;
 
 use crate::arena::Arena;
 use crate::camera::{Camera, PreparedCamera};
@@ -46,20 +48,6 @@ pub struct Hit<R> {
     pub object: usize,
     /// The surface there.
     pub surface: Surface<R>,
-}
-
-/// How many bytes to lend to [`PreparedScene::new`], for the number system `R` and the shapes `S`: for so many
-/// objects, materials and lights, and for `vectors`, the sum of [`Geometry::vectors`] over all objects.
-pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
-    objects: usize,
-    materials: usize,
-    lights: usize,
-    vectors: usize,
-) -> usize {
-    Arena::bytes::<PreparedObject<S::Prepared<'m, R>>>(objects)
-        .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
-        .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
-        .saturating_add(Arena::bytes::<crate::Vec3<R>>(vectors))
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {

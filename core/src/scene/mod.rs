@@ -8,8 +8,6 @@ use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
 use crate::material::Material;
-use crate::math::Real;
-use crate::prepared;
 use crate::shape::Shape;
 
 /// Everything that is in a picture.
@@ -47,31 +45,5 @@ impl<S> Object<S> {
     /// The object of this shape and the material at this position in [`Scene::materials`].
     pub const fn new(shape: S, material: u16) -> Self {
         Self { shape, material: MaterialId(material) }
-    }
-}
-
-impl Scene<'_> {
-    /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R`
-    /// and the built-in shapes. For a set of your own see [`prepared_bytes`](crate::prepared_bytes).
-    ///
-    /// ```
-    /// use rayline::{PreparedScene, Workspace, builtin::CLASSIC};
-    /// let mut memory = Workspace::<{ CLASSIC.bytes::<f32>() }>::new();
-    /// let prepared = PreparedScene::<f32, _>::new(&CLASSIC, memory.lend());
-    /// assert!(prepared.is_ok());
-    /// ```
-    pub const fn bytes<R: Real>(&self) -> usize {
-        let mut vectors: usize = 0;
-        let mut objects = self.objects;
-        while let [object, rest @ ..] = objects {
-            vectors = vectors.saturating_add(object.shape.const_vectors());
-            objects = rest;
-        }
-        prepared::prepared_bytes::<R, Shape<'_>>(
-            self.objects.len(),
-            self.materials.len(),
-            self.lights.len(),
-            vectors,
-        )
     }
 }

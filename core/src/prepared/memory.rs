@@ -1,0 +1,44 @@
+//! How much memory a prepared scene takes.
+
+use super::PreparedObject;
+use crate::arena::Arena;
+use crate::light::PreparedLight;
+use crate::material::PreparedMaterial;
+use crate::math::{Real, Vec3};
+use crate::scene::Scene;
+use crate::shape::{Geometry, Shape};
+
+impl Scene<'_> {
+    /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R`
+    /// and the built-in shapes. For a set of your own see [`prepared_bytes`](crate::prepared_bytes).
+    ///
+    /// ```
+    /// use rayline::{PreparedScene, Workspace, builtin::CLASSIC};
+    /// let mut memory = Workspace::<{ CLASSIC.bytes::<f32>() }>::new();
+    /// let prepared = PreparedScene::<f32, _>::new(&CLASSIC, memory.lend());
+    /// assert!(prepared.is_ok());
+    /// ```
+    pub const fn bytes<R: Real>(&self) -> usize {
+        let mut vectors: usize = 0;
+        let mut objects = self.objects;
+        while let [object, rest @ ..] = objects {
+            vectors = vectors.saturating_add(object.shape.const_vectors());
+            objects = rest;
+        }
+        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), vectors)
+    }
+}
+
+/// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
+/// objects, materials and lights, and for `vectors`, the sum of [`Geometry::vectors`] over all objects.
+pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
+    objects: usize,
+    materials: usize,
+    lights: usize,
+    vectors: usize,
+) -> usize {
+    Arena::bytes::<PreparedObject<S::Prepared<'m, R>>>(objects)
+        .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
+        .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
+        .saturating_add(Arena::bytes::<Vec3<R>>(vectors))
+}
