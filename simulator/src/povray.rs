@@ -11,8 +11,7 @@
 //!   within a transparent one gets the product of both.
 //! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
 //! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
-//!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside. Nothing
-//!   that can be written for POV-Ray changes that.
+//!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside.
 //! - Where a smooth triangle's normal would mirror a ray into the surface, POV-Ray turns the ray out of it again; the
 //!   core follows it.
 //!
