@@ -3,6 +3,8 @@
 //! On failure the picture and a difference are written, and the command that blesses is printed. Bless only what
 //! you have looked at.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
 use std::mem::MaybeUninit;
 use std::path::{Path, PathBuf};
 

@@ -128,7 +128,8 @@ pub static PRISM: Scene<'static> = Scene {
             diffuse: 0.02,
             specular: 0.5,
             shininess: 150.0,
-            reflectance: 0.1,
+            // Together 1: under total internal reflection nothing is lost.
+            reflectance: 0.15,
             transmittance: 0.85,
             ior: 1.5,
             ..Material::matte(LinearRgb::WHITE)

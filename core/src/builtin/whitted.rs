@@ -14,14 +14,15 @@ const GLASS: Material = Material {
     diffuse: 0.0,
     specular: 0.6,
     shininess: 200.0,
-    reflectance: 0.06,
+    // Together 1: under total internal reflection nothing is lost.
+    reflectance: 0.07,
     transmittance: 0.93,
     ior: 1.5,
     ..Material::matte(LinearRgb::WHITE)
 };
 /// The inside of the hollow ball: behind this surface is air, so the index is the inverse of glass.
 const AIR: Material =
-    Material { specular: 0.0, reflectance: 0.02, transmittance: 0.96, ior: 1.0 / 1.5, ..GLASS };
+    Material { specular: 0.0, reflectance: 0.04, transmittance: 0.96, ior: 1.0 / 1.5, ..GLASS };
 const MIRROR: Material = Material {
     diffuse: 0.15,
     specular: 0.7,
