@@ -5,7 +5,7 @@
 use super::{Geometry, Intersect};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, unit};
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// A cone, or the frustum of one, between two points.
@@ -158,6 +158,17 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         }
         let range = Interval { max: side.unwrap_or(range.max), ..range };
         self.intersect_caps(start, advance, ray.direction, range).or(side)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        // A disc across the axis reaches r √(1 - a²) along a coordinate axis.
+        let across = |a: R| (R::ONE - a * a).larger(R::ZERO).sqrt();
+        let reach = Vec3::new(across(self.axis.x), across(self.axis.y), across(self.axis.z));
+        let disc = |height: R| {
+            let radius = (self.base_radius + self.slope * height).larger(R::ZERO);
+            Aabb::around(self.base + self.axis * height, reach * radius)
+        };
+        Some(disc(R::ZERO).union(disc(self.length)).padded(self.magnitude * R::RAY_OFFSET))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -27,7 +27,7 @@ pub use triangle::{PreparedTriangle, Triangle};
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// The description of a shape: plain `f32` data, `Copy` and small.
@@ -55,6 +55,9 @@ pub trait Geometry: Copy + Debug {
 pub trait Intersect<R: Real> {
     /// The distance to the nearest hit inside `range`. Merely touching a curved outline is a miss.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
+
+    /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
+    fn bounds(&self) -> Option<Aabb<R>>;
 
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
@@ -89,6 +92,12 @@ impl Shape<'_> {
             Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) => 0,
         }
     }
+}
+
+/// The box around points of a flat shape, with room for the rounding of a hit.
+fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> {
+    let bounds = points.map(Aabb::point).reduce(Aabb::union)?;
+    Some(bounds.padded(bounds.magnitude() * R::RAY_OFFSET))
 }
 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.

@@ -3,7 +3,7 @@
 use super::{Geometry, Intersect, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// An infinite plane.
@@ -54,6 +54,10 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         }
         let t = height / slope;
         range.contains(t).then_some(t)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        None
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -1,10 +1,10 @@
 //! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
 //! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Geometry, Intersect, PreparedPlane};
+use super::{Geometry, Intersect, PreparedPlane, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// A planar polygon; its front is the side from which the vertices run counterclockwise.
@@ -99,6 +99,19 @@ impl Axis {
             Self::Z => (point.x, point.y),
         }
     }
+
+    /// The point of the plane that was flattened to (u, v).
+    fn unflatten<R: Real>(self, u: R, v: R, plane: &PreparedPlane<R>) -> Vec3<R> {
+        let PreparedPlane { normal: n, distance } = *plane;
+        // The plane's equation gives the coordinate that was dropped; its share of the normal is the largest.
+        let (nu, nv) = self.flatten(n);
+        let rest = distance - nu * u - nv * v;
+        match self {
+            Self::X => Vec3::new(rest / n.x, u, v),
+            Self::Y => Vec3::new(v, rest / n.y, u),
+            Self::Z => Vec3::new(u, v, rest / n.z),
+        }
+    }
 }
 
 /// A [`Polygon`], prepared.
@@ -131,6 +144,10 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.plane.intersect(ray, range)?;
         self.encloses(ray.at(t)).then_some(t)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        bounds_of(self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane)))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

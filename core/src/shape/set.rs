@@ -79,6 +79,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn bounds(&self) -> Option<$crate::math::Aabb<R>> {
+                match self {
+                    $(Self::$Variant(shape) => shape.bounds()),+
+                }
+            }
+
             fn surface(&self, ray: &$crate::math::Ray<R>, t: R) -> $crate::Surface<R> {
                 match self {
                     $(Self::$Variant(shape) => shape.surface(ray, t)),+

@@ -4,7 +4,7 @@
 use super::{Geometry, Intersect};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius};
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// A sphere.
@@ -60,6 +60,12 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         } else {
             None
         }
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        let reach = Vec3::new(self.radius, self.radius, self.radius);
+        let bounds = Aabb::around(self.center, reach);
+        Some(bounds.padded(bounds.magnitude() * R::RAY_OFFSET))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

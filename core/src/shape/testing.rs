@@ -115,6 +115,13 @@ pub(super) fn assert_no_self_hits<G: Geometry>(shape: G, middle: Vec3, extent: f
         let Some(t) = prepared.intersect(&ray, Interval::AHEAD) else { continue };
         hits += 1;
         let surface = prepared.surface(&ray, t);
+        if let Some(bounds) = prepared.bounds() {
+            assert!(
+                bounds.contains(surface.point) && bounds.contains(ray.at(t)),
+                "{surface:?} outside {bounds:?}"
+            );
+            assert!(bounds.magnitude() < 4.0 * extent + middle.magnitude(), "{bounds:?} is loose");
+        }
         let away = random.direction();
         // Rays within half a degree of the surface may rightly meet a curved one again close by.
         if away.dot(surface.normal).abs() < 0.01 {

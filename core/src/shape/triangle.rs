@@ -2,10 +2,10 @@
 //! Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9: one plane holds the triangle, and the
 //! other two measure its barycentric coordinates.
 
-use super::{Geometry, Intersect, project_onto_plane};
+use super::{Geometry, Intersect, bounds_of, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::surface::Surface;
 
 /// A triangle; its front is the side from which the vertices run counterclockwise.
@@ -87,6 +87,17 @@ pub struct PreparedTriangle<'m, R> {
 }
 
 impl<R: Real> PreparedTriangle<'_, R> {
+    /// The corners, from the gradients of the barycentric coordinates: each coordinate grows by 1 on the way
+    /// from the opposite edge to its own corner.
+    fn corners(&self) -> [Vec3<R>; 3] {
+        let (u, v, n) = (self.gradient_b, self.gradient_c, self.normal);
+        // Edge vectors are the dual basis of the gradients.
+        let volume = u.cross(v).dot(n).recip();
+        let (ab, ac) = (v.cross(n) * volume, n.cross(u) * volume);
+        let a = n * self.distance - ab * self.offset_b - ac * self.offset_c;
+        [a, a + ab, a + ac]
+    }
+
     /// The weights of the second and third corner at a point of the plane.
     fn barycentric(&self, point: Vec3<R>) -> (R, R) {
         (self.gradient_b.dot(point) + self.offset_b, self.gradient_c.dot(point) + self.offset_c)
@@ -107,6 +118,10 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         }
         let (b, c) = self.barycentric(ray.at(t));
         (b >= R::ZERO && c >= R::ZERO && b + c <= R::ONE).then_some(t)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        bounds_of(self.corners().into_iter())
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -1,0 +1,60 @@
+//! A box along the axes.
+
+use super::{Real, Vec3};
+
+/// A box along the axes that holds a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb<R> {
+    /// The corner with the smallest coordinates.
+    pub min: Vec3<R>,
+    /// The corner with the largest.
+    pub max: Vec3<R>,
+}
+
+impl<R: Real> Aabb<R> {
+    /// The box that holds nothing but this point.
+    pub fn point(point: Vec3<R>) -> Self {
+        Self { min: point, max: point }
+    }
+
+    /// The box around `center` that reaches `reach` along each axis.
+    pub fn around(center: Vec3<R>, reach: Vec3<R>) -> Self {
+        Self { min: center - reach, max: center + reach }
+    }
+
+    /// The smallest box that holds both.
+    pub fn union(self, other: Self) -> Self {
+        let smaller = |a: R, b: R| if b < a { b } else { a };
+        let (a, b) = (self, other);
+        Self {
+            min: Vec3::new(smaller(a.min.x, b.min.x), smaller(a.min.y, b.min.y), smaller(a.min.z, b.min.z)),
+            max: Vec3::new(a.max.x.larger(b.max.x), a.max.y.larger(b.max.y), a.max.z.larger(b.max.z)),
+        }
+    }
+
+    /// The box, larger by `margin` on every side.
+    pub fn padded(self, margin: R) -> Self {
+        let margin = Vec3::new(margin, margin, margin);
+        Self { min: self.min - margin, max: self.max + margin }
+    }
+
+    /// The largest absolute value among all coordinates.
+    pub fn magnitude(self) -> R {
+        self.min.magnitude().larger(self.max.magnitude())
+    }
+
+    /// The middle.
+    pub fn center(self) -> Vec3<R> {
+        (self.min + self.max) * R::from_f32(0.5)
+    }
+
+    /// Whether the box holds a point.
+    pub fn contains(self, point: Vec3<R>) -> bool {
+        point.x >= self.min.x
+            && point.y >= self.min.y
+            && point.z >= self.min.z
+            && point.x <= self.max.x
+            && point.y <= self.max.y
+            && point.z <= self.max.z
+    }
+}
