@@ -1,0 +1,153 @@
+//! Running a program in a board's emulator.
+
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail, ensure};
+use tempfile::TempDir;
+
+use crate::board::{Board, Output};
+use crate::picture::Size;
+use crate::qmp::Qmp;
+use crate::screen::Screen;
+
+/// What a program reported.
+#[derive(Debug, Default)]
+pub(crate) struct Report {
+    pub(crate) digest: u64,
+    pub(crate) instructions: u64,
+    pub(crate) stack_bytes: u64,
+}
+
+/// A running emulator; it ends with this value.
+struct Emulator {
+    process: Child,
+    /// What the program tells, line by line.
+    lines: Receiver<String>,
+    /// Its files: the program's picture, the control socket, its own messages.
+    folder: TempDir,
+    deadline: Instant,
+    timeout: Duration,
+}
+
+/// Runs a program, and gives what it reported and the bytes of its picture.
+pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) -> Result<(Report, Vec<u8>)> {
+    let mut emulator = Emulator::start(board, program, timeout)?;
+    let report = emulator.report()?;
+    let picture = match board.output {
+        Output::File => emulator.file()?,
+        Output::Panel(panel) => emulator.screen(panel)?.part(size)?,
+    };
+    Ok((report, picture))
+}
+
+impl Emulator {
+    fn start(board: &Board, program: &Path, timeout: Duration) -> Result<Self> {
+        let folder = tempfile::tempdir()?;
+        let mut process = Command::new(board.emulator.command)
+            .args(board.machine)
+            // One instruction is a nanosecond of the emulator's time.
+            .args(["-icount", "shift=0"])
+            .args(["-display", "none", "-serial", "null", "-monitor", "none"])
+            .args(["-chardev", "stdio,id=report"])
+            .args(["-semihosting-config", "enable=on,target=native,chardev=report"])
+            .args(["-qmp", "unix:qmp,server=on,wait=off"])
+            .arg("-kernel")
+            .arg(program)
+            .current_dir(&folder)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(File::create(folder.path().join("messages"))?)
+            .spawn()
+            .context(board.emulator.command)?;
+        let output = process.stdout.take();
+        let (sender, lines) = mpsc::channel();
+        // Owns the process from here on, so that every error ends it.
+        let emulator = Self { process, lines, folder, deadline: Instant::now() + timeout, timeout };
+        let output = BufReader::new(output.context("the emulator has no output")?);
+        thread::spawn(move || {
+            for line in output.lines().map_while(Result::ok) {
+                if sender.send(line).is_err() {
+                    break;
+                }
+            }
+        });
+        Ok(emulator)
+    }
+
+    /// Waits until the program has told everything.
+    fn report(&mut self) -> Result<Report> {
+        let mut report = Report::default();
+        loop {
+            let line = match self.lines.recv_timeout(self.time_left()) {
+                Ok(line) => line,
+                Err(RecvTimeoutError::Timeout) => bail!("{}", self.too_slow()),
+                Err(RecvTimeoutError::Disconnected) => {
+                    let status = self.process.wait()?;
+                    bail!("the emulator ended early ({status}){}", self.messages());
+                }
+            };
+            let number = |digits| u64::from_str_radix(digits, 16).with_context(|| format!("{line:?}"));
+            match line.split_once(' ') {
+                Some(("digest", digits)) => report.digest = number(digits)?,
+                Some(("instructions", digits)) => report.instructions = number(digits)?,
+                Some(("stack_bytes", digits)) => report.stack_bytes = number(digits)?,
+                Some(("fault", fault)) => bail!("the program stopped: {fault}"),
+                None if line == "done" => return Ok(report),
+                _ => bail!("the program says {line:?}"),
+            }
+        }
+    }
+
+    /// Waits for the end of a program, and gives the picture that it wrote.
+    fn file(&mut self) -> Result<Vec<u8>> {
+        let status = loop {
+            match self.process.try_wait()? {
+                Some(status) => break status,
+                None if self.time_left().is_zero() => bail!("{}", self.too_slow()),
+                None => thread::sleep(Duration::from_millis(5)),
+            }
+        };
+        ensure!(status.success(), "the emulator ended badly ({status}){}", self.messages());
+        fs::read(self.folder.path().join("picture")).context("the program's picture")
+    }
+
+    /// Reads what the panel shows.
+    fn screen(&mut self, panel: Size) -> Result<Screen> {
+        let mut control = Qmp::connect(&self.folder.path().join("qmp"), self.time_left())?;
+        let dump = self.folder.path().join("screen.ppm");
+        control.screendump(&dump)?;
+        Screen::parse(&fs::read(dump)?, panel)
+    }
+
+    fn time_left(&self) -> Duration {
+        self.deadline.saturating_duration_since(Instant::now())
+    }
+
+    fn too_slow(&self) -> String {
+        format!(
+            "the emulator was stopped after {} s: the program hangs, or needs a longer --timeout or a smaller --size{}",
+            self.timeout.as_secs(),
+            self.messages()
+        )
+    }
+
+    /// What the emulator itself has to say.
+    fn messages(&self) -> String {
+        let messages = fs::read_to_string(self.folder.path().join("messages")).unwrap_or_default();
+        if messages.trim().is_empty() { String::new() } else { format!(": {}", messages.trim()) }
+    }
+}
+
+impl Drop for Emulator {
+    fn drop(&mut self) {
+        // It has often ended by itself.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}

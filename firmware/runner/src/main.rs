@@ -1,0 +1,123 @@
+//! `cargo boards`: builds the program for each board, runs it in the board's emulator, and checks it against this
+//! computer.
+
+mod board;
+mod emulator;
+mod host;
+mod picture;
+mod png;
+mod program;
+mod proof;
+mod qmp;
+mod record;
+mod screen;
+mod session;
+mod toolchain;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use clap::Parser;
+use clap::builder::PossibleValuesParser;
+use rayline::builtin;
+
+use crate::board::{BOARDS, Board};
+use crate::picture::{Request, Size};
+
+/// Renders a scene on emulated boards, and checks picture, panics and sizes against this computer.
+///
+/// Without a name, all boards are run for which there is a compiler and an emulator.
+#[derive(Debug, Parser)]
+#[command(name = "cargo boards", bin_name = "cargo boards")]
+struct Arguments {
+    /// Boards to run.
+    #[arg(value_name = "NAME", value_parser = PossibleValuesParser::new(BOARDS.iter().map(|board| board.name)))]
+    boards: Vec<String>,
+
+    /// The built-in scene to render.
+    #[arg(long, default_value = "classic", value_parser = PossibleValuesParser::new(builtin::ALL.iter().map(|b| b.name)))]
+    scene: String,
+
+    /// Size of the picture, such as 320x240; by default as large as the board can render in a second or so.
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+
+    /// How often light may be mirrored or refracted; by default as often as the scene is meant to be seen.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(rayline::limits::MAX_BOUNCES)))]
+    bounces: Option<u8>,
+
+    /// Writes the board's picture; with several boards, the name of each is added to the file's.
+    #[arg(long, value_name = "FILE.png")]
+    picture: Option<PathBuf>,
+
+    /// Writes what was measured.
+    #[arg(long, value_name = "FILE.json")]
+    json: Option<PathBuf>,
+
+    /// Fails if a board cannot be run here.
+    #[arg(long)]
+    all_required: bool,
+
+    /// How long an emulator may take.
+    #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = clap::value_parser!(u64).range(1..))]
+    timeout: u64,
+
+    /// Shows instead that the check for panics can fail: that a program with a panic does not link, and that its
+    /// panic is found if it does.
+    #[arg(long, conflicts_with_all = ["picture", "json"])]
+    prove_no_panic: bool,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(&arguments) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("cargo boards: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs all boards; tells whether none failed.
+fn run(arguments: &Arguments) -> Result<bool> {
+    let boards = chosen(&arguments.boards);
+    let request = Request::new(&arguments.scene, arguments.size, arguments.bounces)?;
+    if arguments.prove_no_panic {
+        return proof::prove(&boards, &request, arguments.all_required);
+    }
+    if arguments.boards.is_empty() {
+        for board in BOARDS {
+            eprintln!("{:<12}  {:<10}  {}", board.name, board.core, board.description);
+        }
+        eprintln!();
+    }
+    let mut records = Vec::new();
+    for board in &boards {
+        let session = session::Session {
+            board,
+            picture: request.on(board),
+            picture_file: arguments.picture.as_ref().map(|file| png::file_for(file, board, boards.len())),
+            timeout: Duration::from_secs(arguments.timeout),
+        };
+        records.push(session.run());
+    }
+    println!("{}", record::table(&records));
+    if let Some(file) = &arguments.json {
+        let json = serde_json::to_string_pretty(&records)? + "\n";
+        fs::write(file, json).with_context(|| file.display().to_string())?;
+    }
+    Ok(records.iter().all(|record| record.is_accepted(arguments.all_required)))
+}
+
+/// The boards of these names, in the order of the names; all if there is none.
+fn chosen(names: &[String]) -> Vec<&'static Board> {
+    if names.is_empty() {
+        return BOARDS.iter().collect();
+    }
+    names.iter().filter_map(|name| BOARDS.iter().find(|board| board.name == name)).collect()
+}

@@ -1,0 +1,83 @@
+//! What is rendered: scene, size and bounces.
+
+use std::fmt;
+use std::str::FromStr;
+
+use anyhow::{Context, Error, Result};
+use rayline::Settings;
+use rayline::builtin::{self, Builtin};
+
+use crate::board::Board;
+
+/// Width and height in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size {
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+}
+
+impl Size {
+    pub(crate) fn pixels(self) -> usize {
+        usize::from(self.width) * usize::from(self.height)
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+impl FromStr for Size {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let (width, height) = text.split_once('x').context("not such as 320x240")?;
+        let side = |text: &str| match text.parse() {
+            Ok(0) | Err(_) => Err(Error::msg("a side is a number from 1 to 65535")),
+            Ok(side) => Ok(side),
+        };
+        Ok(Self { width: side(width)?, height: side(height)? })
+    }
+}
+
+/// What the user wants to see, on any board.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Request {
+    scene: &'static Builtin,
+    size: Option<Size>,
+    bounces: Option<u8>,
+}
+
+impl Request {
+    pub(crate) fn new(scene: &str, size: Option<Size>, bounces: Option<u8>) -> Result<Self> {
+        let scene =
+            builtin::ALL.iter().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
+        Ok(Self { scene, size, bounces })
+    }
+
+    /// The picture that this board renders.
+    pub(crate) fn on(&self, board: &Board) -> Picture {
+        Picture {
+            scene: self.scene,
+            size: self.size.unwrap_or(board.size),
+            bounces: self.bounces.unwrap_or(self.scene.bounces),
+        }
+    }
+}
+
+/// A picture: what the program for a board is built to render.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Picture {
+    pub(crate) scene: &'static Builtin,
+    pub(crate) size: Size,
+    pub(crate) bounces: u8,
+}
+
+impl Picture {
+    /// The settings that the program uses as well.
+    pub(crate) fn settings(&self) -> Settings {
+        let Size { width, height } = self.size;
+        Settings { bounces: self.bounces, ..Settings::new(width.into(), height.into()) }
+    }
+}

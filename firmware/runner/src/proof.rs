@@ -1,0 +1,48 @@
+//! Shows that the check for panics can fail, with twins of the program that hold one.
+
+use anyhow::{Result, ensure};
+
+use crate::board::Board;
+use crate::picture::Request;
+use crate::program::Program;
+use crate::toolchain::{Built, PANIC, Toolchain};
+
+/// Builds the program of each board and its twins; tells whether no board that was required was skipped.
+pub(crate) fn prove(boards: &[&Board], request: &Request, all_required: bool) -> Result<bool> {
+    let mut complete = true;
+    for board in boards {
+        match Toolchain::find(board.target) {
+            Ok(toolchain) => prove_on(board, request, &toolchain)?,
+            Err(reason) => {
+                println!("{}: skipped: {reason}", board.name);
+                complete = false;
+            }
+        }
+    }
+    Ok(complete || !all_required)
+}
+
+fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<()> {
+    let name = board.name;
+    let picture = request.on(board);
+
+    let program = Program::read(&toolchain.program(board, &picture)?)?;
+    ensure!(program.panics.is_empty(), "{name}: the program holds {}", program.panics.join(", "));
+    println!("{name}: the program links, and no symbol in it is a panic's");
+
+    match toolchain.build(board, &picture, &["twin"])? {
+        Built::Linked(_) => anyhow::bail!("{name}: a program with a panic links"),
+        Built::Refused(reason) => {
+            ensure!(reason.contains(PANIC), "{name}: the twin was refused for another reason:\n{reason}");
+        }
+    }
+    println!("{name}: with a panic it does not link, for want of `{PANIC}`");
+
+    let Built::Linked(file) = toolchain.build(board, &picture, &["twin-linked"])? else {
+        anyhow::bail!("{name}: the twin with a common panic handler was not built");
+    };
+    let panics = Program::read(&file)?.panics;
+    ensure!(!panics.is_empty(), "{name}: the panic of the twin was not found among its symbols");
+    println!("{name}: with a panic handler that links, its symbols are found: {}", panics.join(", "));
+    Ok(())
+}

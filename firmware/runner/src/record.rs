@@ -1,0 +1,249 @@
+//! What was measured, as JSON and as a table.
+
+use serde::Serialize;
+
+use crate::board::Board;
+use crate::picture::Picture;
+
+/// How it went with a board.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    /// It ran; the picture may still be wrong.
+    Ran(Figures),
+    /// It does not run here, for want of something.
+    Skipped(String),
+    /// It should have run.
+    Failed(String),
+}
+
+/// What a run measured.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Figures {
+    pub(crate) instructions: u64,
+    pub(crate) digest: u64,
+    pub(crate) host_digest: u64,
+    pub(crate) pixels_differ: usize,
+    pub(crate) text_bytes: u64,
+    pub(crate) static_ram_bytes: u64,
+    pub(crate) stack_bytes: u64,
+}
+
+/// One board's line of the results.
+#[derive(Debug, Serialize)]
+pub(crate) struct Record {
+    board: &'static str,
+    core: &'static str,
+    scene: &'static str,
+    width: u16,
+    height: u16,
+    instructions: Option<u64>,
+    instructions_per_pixel: Option<f64>,
+    digest: Option<String>,
+    host_digest: Option<String>,
+    text_bytes: Option<u64>,
+    static_ram_bytes: Option<u64>,
+    stack_bytes: Option<u64>,
+    status: String,
+    #[serde(skip)]
+    verdict: Verdict,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Right,
+    Skipped,
+    Failed,
+}
+
+impl Record {
+    pub(crate) fn new(board: &Board, picture: &Picture, outcome: Outcome) -> Self {
+        let (verdict, status, figures) = match outcome {
+            Outcome::Ran(figures) if figures.pixels_differ > 0 => (
+                Verdict::Failed,
+                format!("failed: {} pixels differ from the host's", figures.pixels_differ),
+                Some(figures),
+            ),
+            Outcome::Ran(figures) if figures.digest != figures.host_digest => {
+                (Verdict::Failed, "failed: the digest differs from the host's".into(), Some(figures))
+            }
+            Outcome::Ran(figures) => (Verdict::Right, "ok".into(), Some(figures)),
+            Outcome::Skipped(reason) => (Verdict::Skipped, format!("skipped: {reason}"), None),
+            Outcome::Failed(reason) => (Verdict::Failed, format!("failed: {reason}"), None),
+        };
+        let pixels = picture.size.pixels() as f64;
+        let hexadecimal = |digest: u64| format!("{digest:016x}");
+        Self {
+            board: board.name,
+            core: board.core,
+            scene: picture.scene.name,
+            width: picture.size.width,
+            height: picture.size.height,
+            instructions: figures.map(|figures| figures.instructions),
+            // To a tenth.
+            instructions_per_pixel: figures
+                .map(|figures| (figures.instructions as f64 / pixels * 10.0).round() / 10.0),
+            digest: figures.map(|figures| hexadecimal(figures.digest)),
+            host_digest: figures.map(|figures| hexadecimal(figures.host_digest)),
+            text_bytes: figures.map(|figures| figures.text_bytes),
+            static_ram_bytes: figures.map(|figures| figures.static_ram_bytes),
+            stack_bytes: figures.map(|figures| figures.stack_bytes),
+            status,
+            verdict,
+        }
+    }
+
+    /// How it went, in a line.
+    pub(crate) fn status(&self) -> &str {
+        &self.status
+    }
+
+    /// Whether this is no failure. A board that was skipped is one if all are required.
+    pub(crate) fn is_accepted(&self, all_required: bool) -> bool {
+        match self.verdict {
+            Verdict::Right => true,
+            Verdict::Skipped => !all_required,
+            Verdict::Failed => false,
+        }
+    }
+
+    fn cells(&self) -> [String; COLUMNS] {
+        let count = |count: Option<u64>| count.map_or("-".into(), with_commas);
+        let bytes = |bytes: Option<u64>| bytes.map_or("-".into(), |bytes| with_commas(bytes) + " B");
+        let verdict = match self.verdict {
+            Verdict::Right => "yes",
+            Verdict::Skipped => "skipped",
+            Verdict::Failed => "no",
+        };
+        [
+            self.board.into(),
+            self.core.into(),
+            self.scene.into(),
+            format!("{}x{}", self.width, self.height),
+            count(self.instructions_per_pixel.map(|count| count.round() as u64)),
+            bytes(self.text_bytes),
+            bytes(self.static_ram_bytes),
+            bytes(self.stack_bytes),
+            verdict.into(),
+        ]
+    }
+}
+
+const COLUMNS: usize = 9;
+
+const HEADINGS: [(&str, Align); COLUMNS] = [
+    ("board", Align::Left),
+    ("core", Align::Left),
+    ("scene", Align::Left),
+    ("size", Align::Right),
+    ("instr/pixel", Align::Right),
+    ("flash", Align::Right),
+    ("RAM", Align::Right),
+    ("stack", Align::Right),
+    ("digest ok", Align::Left),
+];
+
+#[derive(Clone, Copy)]
+enum Align {
+    Left,
+    Right,
+}
+
+/// All results as a table in Markdown, aligned for the eye.
+pub(crate) fn table(records: &[Record]) -> String {
+    let rows: Vec<[String; COLUMNS]> = records.iter().map(Record::cells).collect();
+    let mut widths = HEADINGS.map(|(heading, _)| heading.len());
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.len().max(*width);
+        }
+    }
+    let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+    let aligned = |cells: &mut dyn Iterator<Item = &str>| {
+        let cells = cells.zip(widths).zip(HEADINGS).map(|((cell, width), (_, align))| match align {
+            Align::Left => format!("{cell:<width$}"),
+            Align::Right => format!("{cell:>width$}"),
+        });
+        line(cells.collect())
+    };
+    let rule = widths.iter().zip(HEADINGS).map(|(width, (_, align))| match align {
+        Align::Left => "-".repeat(*width),
+        Align::Right => "-".repeat(width - 1) + ":",
+    });
+    let mut lines = vec![aligned(&mut HEADINGS.iter().map(|(heading, _)| *heading)), line(rule.collect())];
+    lines.extend(rows.iter().map(|row| aligned(&mut row.iter().map(String::as_str))));
+    lines.join("\n")
+}
+
+/// 1234567 as 1,234,567.
+fn with_commas(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::board::BOARDS;
+    use crate::picture::Request;
+
+    fn record(outcome: Outcome) -> Record {
+        let board = &BOARDS[0];
+        Record::new(board, &Request::new("classic", None, None).unwrap().on(board), outcome)
+    }
+
+    const FIGURES: Figures = Figures {
+        instructions: 8_192_000,
+        digest: 0xAB,
+        host_digest: 0xAB,
+        pixels_differ: 0,
+        text_bytes: 20_000,
+        static_ram_bytes: 999,
+        stack_bytes: 1_000,
+    };
+
+    #[test]
+    fn the_json_has_every_figure() {
+        let json = serde_json::to_value(record(Outcome::Ran(FIGURES))).unwrap();
+        let expected = serde_json::json!({
+            "board": "lm3s6965evb", "core": "Cortex-M3", "scene": "classic", "width": 128, "height": 64,
+            "instructions": 8_192_000, "instructions_per_pixel": 1000.0,
+            "digest": "00000000000000ab", "host_digest": "00000000000000ab",
+            "text_bytes": 20_000, "static_ram_bytes": 999, "stack_bytes": 1_000, "status": "ok",
+        });
+        assert_eq!(json, expected);
+    }
+
+    #[test]
+    fn what_differs_fails() {
+        assert!(record(Outcome::Ran(FIGURES)).is_accepted(true));
+        assert!(!record(Outcome::Ran(Figures { digest: 1, ..FIGURES })).is_accepted(false));
+        assert!(!record(Outcome::Ran(Figures { pixels_differ: 1, ..FIGURES })).is_accepted(false));
+        assert!(!record(Outcome::Failed("no reason".into())).is_accepted(false));
+    }
+
+    #[test]
+    fn what_is_skipped_fails_only_if_all_are_required() {
+        let skipped = record(Outcome::Skipped("no emulator".into()));
+        assert!(skipped.is_accepted(false));
+        assert!(!skipped.is_accepted(true));
+        assert_eq!(skipped.status(), "skipped: no emulator");
+    }
+
+    #[test]
+    fn the_table_is_aligned() {
+        let text = table(&[record(Outcome::Ran(FIGURES)), record(Outcome::Skipped(String::new()))]);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(
+            lines[2],
+            "| lm3s6965evb | Cortex-M3 | classic | 128x64 |       1,000 | 20,000 B | 999 B | 1,000 B | yes       |"
+        );
+        assert!(lines.iter().all(|line| line.len() == lines[0].len()));
+    }
+}

@@ -1,0 +1,148 @@
+//! The compiler for a board: that of rustup where the board's target is installed, else that of Debian, which builds
+//! the core library from its source.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+
+use crate::board::Board;
+use crate::picture::Picture;
+
+/// The workspace of the firmware.
+const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
+
+/// A compiler that can build for a board.
+#[derive(Debug)]
+pub(crate) enum Toolchain {
+    /// The one in use has the target's core library.
+    Installed,
+    /// Debian's has its source.
+    Debian { rustc: PathBuf, cargo: PathBuf },
+}
+
+/// What a build came to.
+#[derive(Debug)]
+pub(crate) enum Built {
+    /// The program was linked to this file.
+    Linked(PathBuf),
+    /// It was not, and the compiler said why.
+    Refused(String),
+}
+
+impl Toolchain {
+    /// Finds a compiler for a target, or tells in one line what to install.
+    pub(crate) fn find(target: &str) -> Result<Self, String> {
+        if has_target(target) {
+            return Ok(Self::Installed);
+        }
+        let rustc = debian_file("rustc-web", "bin/rustc");
+        let cargo = debian_file("cargo-web", "bin/cargo");
+        let source = debian_file("rust-web-src", "lib/rustlib/src");
+        let missing: Vec<&str> = [
+            (rustc.is_none(), "rustc-web"),
+            (cargo.is_none(), "cargo-web"),
+            (source.is_none(), "rust-web-src"),
+            (!is_on_path("ld.lld"), "lld"),
+        ]
+        .into_iter()
+        .filter_map(|(is_missing, package)| is_missing.then_some(package))
+        .collect();
+        match (rustc, cargo) {
+            (Some(rustc), Some(cargo)) if missing.is_empty() => Ok(Self::Debian { rustc, cargo }),
+            _ => Err(format!(
+                "no compiler for {target}: run `rustup target add {target}`, or on Debian `apt install {}`",
+                missing.join(" ")
+            )),
+        }
+    }
+
+    /// Builds the program of a board.
+    pub(crate) fn build(&self, board: &Board, picture: &Picture, features: &[&str]) -> Result<Built> {
+        let mut command = self.cargo(board.target);
+        command
+            .args(["build", "--release", "--package", "rayline-emulated", "--bin", board.name])
+            .args(["--target", board.target, "--manifest-path", WORKSPACE])
+            .args(["--message-format", "json-render-diagnostics"])
+            .env("RAYLINE_SCENE", picture.scene.name)
+            .env("RAYLINE_SIZE", picture.size.to_string())
+            .env("RAYLINE_BOUNCES", picture.bounces.to_string())
+            // Those are meant for this computer.
+            .env_remove("RUSTFLAGS")
+            .env_remove("CARGO_ENCODED_RUSTFLAGS");
+        if let Self::Debian { .. } = self {
+            command.arg("-Zbuild-std=core");
+        }
+        if !features.is_empty() {
+            command.args(["--features", &features.join(",")]);
+        }
+        let output = command.output().with_context(|| format!("{command:?}"))?;
+        if !output.status.success() {
+            return Ok(Built::Refused(String::from_utf8_lossy(&output.stderr).into_owned()));
+        }
+        let messages = String::from_utf8(output.stdout)?;
+        let executable = messages
+            .lines()
+            .filter_map(|line| serde_json::from_str::<Value>(line).ok())
+            .find_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?)));
+        Ok(Built::Linked(executable.context("cargo built no program")?))
+    }
+
+    /// Builds the program of a board, which must succeed.
+    pub(crate) fn program(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
+        match self.build(board, picture, &[])? {
+            Built::Linked(file) => Ok(file),
+            Built::Refused(reason) if reason.contains(PANIC) => {
+                bail!("a panic can be reached: the linker misses `{PANIC}`")
+            }
+            Built::Refused(reason) => bail!("the program was not built:\n{}", reason.trim_end()),
+        }
+    }
+
+    fn cargo(&self, target: &str) -> Command {
+        match self {
+            Self::Installed => Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into())),
+            Self::Debian { rustc, cargo } => {
+                let mut command = Command::new(cargo);
+                let variable = target.to_uppercase().replace(['-', '.'], "_");
+                command
+                    .env("RUSTC", rustc)
+                    .env(format!("CARGO_TARGET_{variable}_LINKER"), "ld.lld")
+                    // Building the core library is not stable.
+                    .env("RUSTC_BOOTSTRAP", "1");
+                command
+            }
+        }
+    }
+}
+
+/// What the panic handler calls, and no program defines.
+pub(crate) const PANIC: &str = "rayline_panic_is_reachable";
+
+/// Whether a command can be run.
+pub(crate) fn is_on_path(command: &str) -> bool {
+    env::var_os("PATH")
+        .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(command).is_file()))
+}
+
+/// Whether the compiler in use has the target's core library.
+fn has_target(target: &str) -> bool {
+    let libraries = || -> Result<String> {
+        let output = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
+            .args(["--print", "target-libdir", "--target", target])
+            .output()?;
+        ensure!(output.status.success());
+        Ok(String::from_utf8(output.stdout)?)
+    };
+    libraries().is_ok_and(|folder| Path::new(folder.trim_end()).is_dir())
+}
+
+/// The file or folder of an installed package of Debian whose path ends so.
+fn debian_file(package: &str, end: &str) -> Option<PathBuf> {
+    let output =
+        Command::new("dpkg").args(["-L", package]).output().ok().filter(|output| output.status.success())?;
+    let list = String::from_utf8(output.stdout).ok()?;
+    list.lines().map(PathBuf::from).find(|path| path.ends_with(end))
+}
