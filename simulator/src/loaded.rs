@@ -125,11 +125,12 @@ impl fmt::Display for LoadError {
         match self {
             Self::Unknown { name } => {
                 write!(f, "there is no scene `{name}`")?;
-                if let Some(nearest) = nearest(name) {
-                    write!(f, ", did you mean `{nearest}`?")?;
+                match nearest(name) {
+                    Some(nearest) => write!(f, "; did you mean `{nearest}`? ")?,
+                    None => f.write_str(". ")?,
                 }
                 let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
-                write!(f, "; there are {}, and files that end in .nff", names.join(", "))
+                write!(f, "There are {}, and files that end in .nff", names.join(", "))
             }
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),

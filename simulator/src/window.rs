@@ -76,11 +76,20 @@ pub fn show_window(
     if options.settings.width > most || options.settings.height > most {
         return Err(WindowError::TooLarge { most });
     }
-    // The simulator's window panics where there is no display, so look first.
-    sdl2::init().and_then(|context| context.video()).map_err(WindowError::NoDisplay)?;
+    check_display()?;
     match options.number {
         Number::F32 => options.display.color(View::<f32>::new(scene, options, save)?),
         Number::F64 => options.display.color(View::<f64>::new(scene, options, save)?),
+    }
+}
+
+/// Looks for a display that people can see: without one, the simulator's window would panic, or be shown to nobody
+/// forever.
+fn check_display() -> Result<(), WindowError> {
+    let video = sdl2::init().and_then(|context| context.video()).map_err(WindowError::NoDisplay)?;
+    match video.current_video_driver() {
+        "dummy" | "offscreen" | "evdev" => Err(WindowError::NoDisplay("there is no display".to_owned())),
+        _ => Ok(()),
     }
 }
 

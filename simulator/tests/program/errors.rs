@@ -1,0 +1,109 @@
+//! How `rayline` fails: in one line, with status 1, and without leaving anything behind.
+
+use crate::bench::{BALL, Bench};
+
+#[test]
+fn unknown_scenes_are_answered_with_the_known_ones() {
+    let bench = Bench::new();
+    let error = bench.error(&["render", "clasic"]);
+    assert!(
+        error.starts_with("there is no scene `clasic`; did you mean `classic`? There are classic"),
+        "{error}"
+    );
+    let error = bench.error(&["pixel", "zzz", "0,0"]);
+    assert!(error.starts_with("there is no scene `zzz`. There are classic"), "{error}");
+    assert_eq!(bench.files(), [""; 0]);
+}
+
+#[test]
+fn bad_files_are_answered_with_the_line() {
+    let bench = Bench::new();
+    for (content, expected) in [
+        (format!("{BALL}s 1 2 3 x").into_bytes(), "bad.nff:6: expected the radius of the sphere, found `x`"),
+        (
+            format!("{BALL}s 1 2 3 -1").into_bytes(),
+            "bad.nff:6: the radius is not positive; a cone needs one of its two to be",
+        ),
+        (
+            format!("{BALL}s 1 2 3").into_bytes(),
+            "bad.nff:6: the file ends where the radius of the sphere must follow",
+        ),
+        (
+            BALL.replace("angle 40", "angle 190").into_bytes(),
+            "bad.nff:1: the vertical field of view is not between 0 and 180 degrees",
+        ),
+        (b"# \xff".to_vec(), "bad.nff:1: not a text file; convert it to UTF-8"),
+        (Vec::new(), "bad.nff:1: the file has no `v`; say where the camera is"),
+    ] {
+        bench.write("bad.nff", content);
+        assert_eq!(bench.error(&["render", "bad.nff"]), expected);
+        assert_eq!(bench.error(&["pixel", "bad.nff", "0,0"]), expected);
+    }
+    assert_eq!(bench.files(), ["bad.nff"]);
+    assert!(bench.error(&["render", "missing.nff"]).starts_with("cannot read missing.nff: "));
+    assert!(bench.error(&["render", "two\nlines.nff"]).starts_with("cannot read two\u{fffd}lines.nff: "));
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_before_rendering() {
+    let bench = Bench::new();
+    // A picture of this size would take minutes.
+    let huge = ["render", "classic", "--size", "65535x20000"];
+    let error = |arguments: &[&str]| bench.error(&[&huge, arguments].concat());
+    assert_eq!(error(&["-o", "picture.jpg"]), "cannot write picture.jpg: pictures are .png or .ppm files");
+    assert_eq!(error(&["-o", "picture"]), "cannot write picture: pictures are .png or .ppm files");
+    assert!(error(&["-o", "nowhere/picture.png"]).starts_with("cannot write nowhere/picture.png: "));
+    assert!(
+        error(&["-o", "picture.png", "--stats", "nowhere/stats.json"]).starts_with("cannot write nowhere/")
+    );
+    std::fs::create_dir(bench.path("directory.png")).unwrap();
+    assert!(error(&["-o", "directory.png"]).starts_with("cannot write directory.png: "));
+    assert_eq!(bench.files(), ["directory.png"]);
+}
+
+#[test]
+fn places_outside_the_picture() {
+    let bench = Bench::new();
+    assert_eq!(
+        bench.error(&["render", "classic", "--lines", "470..481"]),
+        "there is no line 480: the picture has 480, counted from 0"
+    );
+    assert_eq!(
+        bench.error(&["pixel", "classic", "640,0"]),
+        "there is no pixel 640,0: the picture is 640x480, counted from 0,0"
+    );
+    assert!(bench.error(&["pixel", "classic", "70000,0"]).starts_with("there is no pixel 70000,0"));
+}
+
+#[test]
+fn arguments_that_make_no_sense_are_usage_errors() {
+    let bench = Bench::new();
+    for (arguments, expected) in [
+        (&["--size", "0x5"][..], "expected a width and a height from 1 to 65535, such as 320x240"),
+        (&["--size", "65536x5"], "expected a width and a height from 1 to 65535, such as 320x240"),
+        (&["--bounces", "17"], "17 is not in 0..=16"),
+        (&["--number", "f16"], "possible values: f32, f64"),
+        (&["--color", "cmyk"], "possible values: rgb888, rgb565, gray8, gray4, mono"),
+        (&["--dither", "noise"], "possible values: none, ordered"),
+        (&["--transfer", "gamma"], "possible values: srgb, linear"),
+        (&["--samples", "0"], "zero"),
+        (&["--threads", "0"], "0 is not in 1..=1024"),
+        (&["--lines", "9..3"], "expected the first line and the one after the last, such as 0..120"),
+        (&["--cutoff", "2"], "expected a number from 0 to 1"),
+        (&["--rays-per-pixel", "0"], "zero"),
+        (&["--seed", "x"], "invalid digit"),
+    ] {
+        let output = bench.run(&[&["render", "classic"], arguments].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(said.contains(expected), "{arguments:?}: {said}");
+    }
+    assert_eq!(bench.files(), [""; 0]);
+}
+
+#[cfg(not(feature = "window"))]
+#[test]
+fn without_the_feature_the_window_says_how_to_get_it() {
+    let error = Bench::new().error(&["window", "classic"]);
+    assert!(error.contains("cargo run --release --features window -- window classic"), "{error}");
+}

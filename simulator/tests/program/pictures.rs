@@ -1,0 +1,155 @@
+//! What `rayline` and `rayline render` write.
+
+use crate::bench::{BALL, Bench, pixels};
+
+const SMALL: [&str; 3] = ["classic", "--size", "80x60"];
+
+fn small(bench: &Bench, arguments: &[&str]) -> Vec<u8> {
+    let (width, height, bytes) = bench.picture(&[&SMALL, arguments].concat());
+    assert_eq!((width, height), (80, 60));
+    bytes
+}
+
+#[test]
+fn without_arguments_the_showcase() {
+    let bench = Bench::new();
+    let said = bench.output(&[]);
+    assert!(said.starts_with("rayline.png: 640x480, "), "{said}");
+    assert_eq!(said.lines().count(), 1);
+    let (width, height, bytes) = pixels(&bench.path("rayline.png"));
+    assert_eq!((width, height), (640, 480));
+    // Pixel (0, 0) sees the background (0.2, 0.7, 0.8), in sRGB.
+    assert_eq!(bytes[..3], [124, 218, 231]);
+    assert_eq!(bench.picture(&["classic"]), (width, height, bytes));
+}
+
+#[test]
+fn files_say_their_size_and_give_their_name() {
+    let bench = Bench::new();
+    bench.write("ball.nff", BALL);
+    assert!(bench.output(&["render", "ball.nff"]).starts_with("ball.png: 40x30, "));
+    assert_eq!(bench.files(), ["ball.nff", "ball.png"]);
+    let (width, height, bytes) = pixels(&bench.path("ball.png"));
+    assert_eq!((width, height), (40, 30));
+    let middle = (15 * 40 + 20) * 3;
+    assert!(bytes[middle] > 100 && bytes[middle + 1] < 100, "{:?}", &bytes[middle..middle + 3]);
+    assert_eq!(bench.output(&["render", "ball.nff", "--quiet"]), "");
+}
+
+#[test]
+fn ppm_and_png_hold_the_same_pixels() {
+    let bench = Bench::new();
+    for name in ["picture.PNG", "picture.ppm"] {
+        bench.output(&[&["render", "-o", name][..], &SMALL].concat());
+    }
+    assert!(std::fs::read(bench.path("picture.PNG")).unwrap().starts_with(b"\x89PNG"));
+    let ppm = std::fs::read(bench.path("picture.ppm")).unwrap();
+    assert!(ppm.starts_with(b"P6"));
+    let (_, _, bytes) = pixels(&bench.path("picture.PNG"));
+    assert!(ppm.ends_with(&bytes) && ppm.len() < bytes.len() + 30);
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    let bench = Bench::new();
+    for extra in [&["--samples", "2"][..], &["--color", "mono", "--dither", "ordered"]] {
+        let with = |threads| small(&bench, &[&["--threads", threads], extra].concat());
+        let one = with("1");
+        assert!(one == with("2") && one == with("5") && one == small(&bench, extra));
+    }
+}
+
+#[test]
+fn lines_are_those_of_the_whole_picture() {
+    let bench = Bench::new();
+    let whole = small(&bench, &["--dither", "ordered", "--color", "rgb565"]);
+    let arguments = [&SMALL[..], &["--dither", "ordered", "--color", "rgb565", "--lines", "13..37"]].concat();
+    let (width, height, part) = bench.picture(&arguments);
+    assert_eq!((width, height), (80, 24));
+    assert!(part == whole[13 * 80 * 3..37 * 80 * 3]);
+}
+
+#[test]
+fn displays_have_the_colors_that_they_have() {
+    let bench = Bench::new();
+    let levels = |arguments: &[&str]| {
+        let bytes = small(&bench, arguments);
+        let gray = bytes.chunks(3).all(|pixel| pixel[0] == pixel[1] && pixel[1] == pixel[2]);
+        let mut levels: Vec<u8> = bytes.iter().skip(1).step_by(3).copied().collect();
+        levels.sort_unstable();
+        levels.dedup();
+        (levels, gray)
+    };
+    let (all, gray) = levels(&[]);
+    assert!(all.len() > 64 && !gray);
+    assert!(matches!(levels(&["--color", "rgb565"]), (greens, false) if greens.len() <= 64));
+    assert!(matches!(levels(&["--color", "gray8"]), (grays, true) if grays.len() > 64));
+    let (grays, gray) = levels(&["--color", "gray4"]);
+    assert!(gray && grays.len() > 8 && grays.iter().all(|level| level % 17 == 0), "{grays:?}");
+    assert_eq!(levels(&["--color", "mono"]), (vec![0, 255], true));
+}
+
+#[test]
+fn each_option_changes_the_picture() {
+    let bench = Bench::new();
+    let plain = small(&bench, &[]);
+    for arguments in [
+        &["--bounces", "0"][..],
+        &["--bounces", "2"],
+        &["--color", "rgb565"],
+        &["--transfer", "linear"],
+        &["--samples", "4"],
+        &["--rays-per-pixel", "3"],
+        &["--cutoff", "0.5"],
+        &["--dither", "ordered"],
+    ] {
+        assert!(small(&bench, arguments) != plain, "{arguments:?}");
+    }
+    for arguments in [&["--bounces", "3"][..], &["--number", "f32"], &["--color", "rgb888"], &["--seed", "7"]]
+    {
+        assert!(small(&bench, arguments) == plain, "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_seed_moves_samples() {
+    let bench = Bench::new();
+    let with = |seed| small(&bench, &["--samples", "3", "--seed", seed]);
+    assert!(with("1") == with("1") && with("1") != with("2"));
+}
+
+#[test]
+fn double_precision_is_another_computation_of_the_same_picture() {
+    let bench = Bench::new();
+    // Enough pixels that rounding shows in one of them.
+    let arguments = ["classic", "--size", "320x240"];
+    let (_, _, single) = bench.picture(&arguments);
+    let (_, _, double) = bench.picture(&[&arguments[..], &["--number", "f64"]].concat());
+    let far = single.iter().zip(&double).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+    assert!(single != double && far < single.len() / 200, "{far}");
+}
+
+#[test]
+fn statistics_have_every_figure() {
+    let bench = Bench::new();
+    bench.output(&[&["render", "--stats", "stats.json", "--cutoff", "0.05"][..], &SMALL].concat());
+    let stats: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(bench.path("stats.json")).unwrap()).unwrap();
+    let figure = |pointer: &str| stats.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap();
+    assert_eq!(figure("/rays/camera"), 80 * 60);
+    for pointer in [
+        "/rays/shadow",
+        "/rays/reflected",
+        "/rays/refracted",
+        "/hits/camera",
+        "/cuts/bounces",
+        "/cuts/throughput",
+        "/scene_bytes",
+        "/prepared_bytes",
+    ] {
+        assert!(figure(pointer) > 0, "{pointer}");
+    }
+    assert!(figure("/hits/camera") < 80 * 60);
+    assert_eq!((figure("/cuts/rays"), figure("/cuts/shadow_layers")), (0, 0));
+    assert!(stats["seconds"].as_f64().unwrap() > 0.0);
+}

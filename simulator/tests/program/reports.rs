@@ -1,0 +1,66 @@
+//! What `rayline pixel`, `rayline scenes` and the help say.
+
+use crate::bench::{BALL, Bench};
+
+#[test]
+fn a_pixel_of_glass_sends_rays_both_ways() {
+    let bench = Bench::new();
+    let report = bench.output(&["pixel", "classic", "280,300"]);
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines[0], "pixel (280, 300) of 640x480, scene classic, in f32");
+    assert!(lines[1].starts_with("camera ray from (0, 0, 0) toward (-0.0936"));
+    assert!(lines[2].starts_with("  hits the front of object 1 (sphere, material 1) at "));
+    assert!(lines.iter().any(|line| line.starts_with("  light 0 toward ")));
+    assert!(lines.iter().any(|line| line.starts_with("  refracted ray ") && line.ends_with("share 0.8")));
+    assert!(lines.iter().any(|line| line.starts_with("  reflected ray ") && line.ends_with("share 0.1")));
+    assert!(lines.iter().any(|line| line.starts_with("    hits the back of object 1 (")));
+
+    // The last line shows what is in the picture.
+    let (_, _, bytes) = bench.picture(&["classic"]);
+    let shown: String =
+        bytes[(300 * 640 + 280) * 3..][..3].iter().map(|level| format!("{level:02x}")).collect();
+    assert!(lines[lines.len() - 1].ends_with(&format!("shown as #{shown} in rgb888")), "{report}");
+}
+
+#[test]
+fn the_options_of_pictures_hold_for_pixels() {
+    let bench = Bench::new();
+    let report = |arguments: &[&str]| bench.output(&[&["pixel", "classic", "280,300"], arguments].concat());
+    assert!(!report(&["--bounces", "0"]).contains("refracted ray"));
+    assert!(report(&["--bounces", "0"]).contains("the bound on bounces is reached"));
+    assert!(report(&["--cutoff", "0.5"]).contains("its share would be below the cut-off"));
+    assert!(report(&["--rays-per-pixel", "2"]).contains("the pixel has spent its rays"));
+    assert_eq!(report(&["--samples", "3"]).matches("camera ray").count(), 3);
+    assert!(report(&["--color", "mono"]).contains("in mono\n"));
+    assert!(report(&["--number", "f64"]).contains(", in f64\n"));
+}
+
+#[test]
+fn objects_of_files_are_named_with_their_line() {
+    let bench = Bench::new();
+    bench.write("ball.nff", BALL);
+    let report = bench.output(&["pixel", "ball.nff", "20,15"]);
+    assert!(report.contains("object 0 (sphere, material 0, line 5)"), "{report}");
+    let report = bench.output(&["pixel", "ball.nff", "0,0"]);
+    assert!(report.contains("hits nothing, sees the background (0.1, 0.2, 0.3)"), "{report}");
+}
+
+#[test]
+fn scenes_are_listed_a_line_each_and_can_be_rendered() {
+    let bench = Bench::new();
+    let list = bench.output(&["scenes"]);
+    let names: Vec<&str> = list.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert_eq!(names.len(), rayline::builtin::ALL.len());
+    assert!(names.contains(&"classic"));
+    for name in names {
+        assert_eq!(bench.picture(&[name, "--size", "8x6"]).0, 8);
+    }
+}
+
+#[test]
+fn help_says_when_the_seed_matters_and_what_lines_do() {
+    let help = Bench::new().output(&["render", "--help"]);
+    let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("changes nothing unless --samples is above 1"), "{help}");
+    assert!(words.contains("into a picture of B-A lines"), "{help}");
+}
