@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayline::builtin;
 use rayline_simulator::{
     LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, Stats, check_writable,
-    render_watched, report_pixel, write_file,
+    half_blocks, render_watched, report_pixel, write_file,
 };
 
 use crate::cli::{Cli, Command, Pixel, Render, Window};
@@ -150,10 +150,8 @@ fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
 
 /// Shows a picture in the terminal, as large as fits.
 fn show(picture: &Picture) -> Outcome {
-    let image = image::RgbImage::from_raw(picture.width, picture.height, picture.rgb.clone());
-    if let Some(image) = image {
-        let config = viuer::Config { absolute_offset: false, ..viuer::Config::default() };
-        viuer::print(&image.into(), &config)?;
-    }
-    Ok(())
+    let (rows, columns) = console::Term::stdout().size();
+    // Leave room for what is said below the picture, and for the prompt.
+    let text = half_blocks(picture, u32::from(columns), u32::from(rows.saturating_sub(2)));
+    Ok(io::stdout().write_all(text.as_bytes())?)
 }

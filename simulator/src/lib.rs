@@ -18,6 +18,7 @@ mod picture;
 pub mod povray;
 mod report;
 mod stats;
+mod terminal;
 #[cfg(feature = "window")]
 mod window;
 
@@ -29,5 +30,6 @@ pub use orbit::Orbit;
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
+pub use terminal::half_blocks;
 #[cfg(feature = "window")]
 pub use window::{Save, WindowError, show_window};
