@@ -14,9 +14,11 @@ use crate::{Fault, InstructionCounter, program, report};
 pub fn main(counter: impl InstructionCounter) -> ! {
     static mut MEMORY: Memory = Memory::new();
     static mut LINE: [Rgb565; WIDTH] = [Rgb565::BLACK; WIDTH];
-    // SAFETY: `main` of a board calls this function once, and nothing else can name the two.
+    let (memory, line) = (&raw mut MEMORY, &raw mut LINE);
+    // SAFETY: nothing else can name the two, and a function that does not return is not called again; no interrupt
+    // calls it.
     #[allow(unsafe_code)]
-    let (memory, line) = unsafe { (&mut *(&raw mut MEMORY), &mut *(&raw mut LINE)) };
+    let (memory, line) = unsafe { (&mut *memory, &mut *line) };
     match render(memory, line, &counter) {
         Ok(()) => process::exit(0),
         Err(fault) => report::fail(fault),

@@ -40,7 +40,9 @@ impl SysTick {
             let left = SYST::get_current();
             // Read again if the timer ran out in between.
             if ROUNDS.load(Ordering::SeqCst) == rounds {
-                return u64::from(rounds) * u64::from(PERIOD) + u64::from(PERIOD - 1 - left);
+                // A round begins with 0, and with the interrupt; then the timer starts over from the top.
+                let elapsed = PERIOD.wrapping_sub(left) & (PERIOD - 1);
+                return u64::from(rounds) * u64::from(PERIOD) + u64::from(elapsed);
             }
         }
     }

@@ -41,7 +41,7 @@ impl Session<'_> {
     fn toolchain(&self) -> Result<Toolchain, String> {
         let size = self.picture.size;
         if let Output::Panel(panel) = self.board.output
-            && (size.width > panel.width || size.height > panel.height || size.width % 2 != 0)
+            && (size.width > panel.width || size.height > panel.height || !size.width.is_multiple_of(2))
         {
             return Err(format!("its panel shows at most {panel}, and only even widths"));
         }
