@@ -4,6 +4,7 @@
 //! - [`nff`] reads scene files, and [`LoadedScene`] finds a scene by name or file;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`report_pixel`] tells all that happened to one pixel;
+//! - [`half_blocks`] shows a picture in a terminal;
 //! - [`Orbit`] moves a camera around what it looks at.
 //!
 //! The program `rayline` is a thin shell around these.

@@ -30,11 +30,11 @@ mod tests;
 mod tokens;
 
 use bumpalo::Bump;
+use rayline::limits::{MAX_COUNT, MAX_SIDE};
 use rayline::shape::{Cone, Cylinder, Polygon, Shape, Sphere, Triangle};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Part, Scene, Texture, Vec3};
 
 pub use error::{NffError, NffFault};
-use rayline::limits::{MAX_COUNT, MAX_SIDE};
 use tokens::Tokens;
 
 /// A scene that was read from a file.
