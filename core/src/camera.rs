@@ -52,16 +52,18 @@ impl Camera {
     }
 }
 
-/// A camera and the size of a picture: knows the ray through each place of the picture.
+/// A camera and the size of a picture: knows the ray through each place of the picture, and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Viewport<R> {
-    eye: Vec3<R>,
+    camera: PreparedCamera<R>,
     /// From the eye to the picture's upper left corner.
     corner: Vec3<R>,
     /// One pixel to the right.
     right: Vec3<R>,
     /// One pixel down.
     down: Vec3<R>,
+    /// Half the width and half the height in pixels.
+    middle: (R, R),
 }
 
 impl<R: Real> Viewport<R> {
@@ -74,14 +76,39 @@ impl<R: Real> Viewport<R> {
         let half = pixel * R::from_f32(0.5);
         let corner = camera.forward - camera.right * (half * R::from_u16(width))
             + camera.up * (half * R::from_u16(height));
-        Self { eye: camera.eye, corner, right: camera.right * pixel, down: -(camera.up * pixel) }
+        let middle = (R::from_u16(width) * R::from_f32(0.5), R::from_u16(height) * R::from_f32(0.5));
+        Self { camera: *camera, corner, right: camera.right * pixel, down: -(camera.up * pixel), middle }
+    }
+
+    /// Where all rays begin.
+    pub(crate) fn eye(&self) -> Vec3<R> {
+        self.camera.eye
+    }
+
+    /// The direction, of length 1 or more, to the beginning of line `y`, and the way from there to its end.
+    pub(crate) fn line(&self, y: R) -> (Vec3<R>, Vec3<R>) {
+        let (half_width, _) = self.middle;
+        (self.corner + self.down * y, self.right * (half_width + half_width))
     }
 
     /// The ray through a place of the picture in pixels: pixel (0, 0) has its center at (0.5, 0.5).
     pub(crate) fn ray(&self, x: R, y: R) -> Ray<R> {
         let direction = self.corner + self.right * x + self.down * y;
         // The length is at least 1, the distance of the picture.
-        Ray { origin: self.eye, direction: direction * direction.length().recip() }
+        Ray { origin: self.camera.eye, direction: direction * direction.length().recip() }
+    }
+
+    /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.
+    pub(crate) fn project(&self, point: Vec3<R>) -> Option<(R, R)> {
+        let camera = &self.camera;
+        let toward = point - camera.eye;
+        let depth = toward.dot(camera.forward);
+        if !(depth > toward.magnitude() * R::from_f32(1e-2)) {
+            return None;
+        }
+        let (half_width, half_height) = self.middle;
+        let pixels = half_height / camera.half_height / depth;
+        Some((half_width + toward.dot(camera.right) * pixels, half_height - toward.dot(camera.up) * pixels))
     }
 }
 
@@ -106,6 +133,17 @@ mod tests {
         // Twice as wide as high: 63.4° to the right.
         let right = viewport.ray(200.0, 50.0).direction;
         assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
+    }
+
+    #[test]
+    fn points_are_seen_where_their_rays_go() {
+        let viewport = Viewport::new(&CAMERA.prepare::<f64>().unwrap(), 200, 100);
+        for (x, y) in [(0.0, 0.0), (31.5, 77.25), (100.0, 50.0), (199.0, 3.0)] {
+            let seen = viewport.project(viewport.ray(x, y).at(7.0)).unwrap();
+            assert!((seen.0 - x).abs() < 1e-4 && (seen.1 - y).abs() < 1e-4, "{seen:?}");
+        }
+        assert_eq!(viewport.project(viewport.eye()), None);
+        assert_eq!(viewport.project(viewport.ray(5.0, 5.0).at(-7.0)), None);
     }
 
     #[test]

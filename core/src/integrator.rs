@@ -9,7 +9,8 @@ use heapless::Vec;
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
 use crate::material::PreparedMaterial;
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Ray, Real, Vec3};
+use crate::prepared::candidates::{Departure, ObjectSet};
 use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -48,26 +49,36 @@ struct PendingRay<R> {
     throughput: R,
     bounces: u8,
     kind: RayKind,
+    /// The surface that it leaves.
+    from: Option<Departure>,
 }
 
-/// The light that comes to the origin of `ray` from where it points.
+/// The light that comes to the origin of `ray` from where it points, if it can meet none but the objects
+/// `among`.
 pub(crate) fn radiance<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
     ray: Ray<R>,
+    among: Option<ObjectSet>,
     bounds: &Bounds<R>,
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
     let mut light = LinearRgb::BLACK;
     let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
-    let mut next = Some(PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera });
-    while let Some(PendingRay { ray, throughput, bounces, kind }) = next.take().or_else(|| waiting.pop()) {
+    let mut next =
+        Some(PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: None });
+    while let Some(PendingRay { ray, throughput, bounces, kind, from }) =
+        next.take().or_else(|| waiting.pop())
+    {
         if !rays.spend() {
             probe.record(Event::Cut(Cut::Rays));
             break;
         }
         probe.record(Event::Ray { kind, ray, bounces, throughput });
-        let hit = scene.closest_hit(&ray, Interval::AHEAD);
+        let hit = match from {
+            Some(from) => scene.closest_hit_leaving(&ray, from),
+            None => scene.closest_hit_among(&ray, among),
+        };
         let Some((hit, material)) = hit.and_then(|hit| Some((hit, scene.material(hit.object)?))) else {
             probe.record(Event::Miss);
             light = light + scene.background * throughput;
@@ -89,7 +100,8 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
                 probe.record(Event::Cut(Cut::Throughput));
                 return None;
             }
-            Some(PendingRay { ray: vertex.spawn(direction), throughput, bounces: bounces + 1, kind })
+            let (ray, from) = vertex.spawn(direction);
+            Some(PendingRay { ray, throughput, bounces: bounces + 1, kind, from: Some(from) })
         };
         let (mut reflectance, mut refracted) = (material.reflectance, None);
         if material.transmittance > R::ZERO {
@@ -145,9 +157,12 @@ impl<'s, R: Real> Vertex<'s, R> {
         Self { hit, material, color, incoming, normal, cosine, mirrored }
     }
 
-    fn spawn(&self, direction: Vec3<R>) -> Ray<R> {
+    /// A ray that leaves the surface, and to which side of it.
+    fn spawn(&self, direction: Vec3<R>) -> (Ray<R>, Departure) {
         let surface = &self.hit.surface;
-        Ray::spawn(surface.point, surface.normal, direction, surface.magnitude)
+        let outward = !(surface.normal.dot(direction) < R::ZERO);
+        let ray = Ray::spawn(surface.point, surface.normal, direction, surface.magnitude);
+        (ray, Departure { object: self.hit.object, outward })
     }
 
     /// Ambient, diffuse and specular light that leaves along the incoming ray.
@@ -172,7 +187,8 @@ impl<'s, R: Real> Vertex<'s, R> {
                 probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let (through, cut) = scene.light_through(&self.spawn(toward), distance);
+            let (ray, from) = self.spawn(toward);
+            let (through, cut) = scene.light_through_leaving(&ray, distance, from, index);
             if cut {
                 probe.record(Event::Cut(Cut::ShadowLayers));
             }

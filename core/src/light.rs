@@ -53,12 +53,12 @@ pub(crate) fn check_emission(color: LinearRgb) -> Result<(), Fault> {
 /// A light that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedLight<R> {
-    source: Source<R>,
+    pub(crate) source: Source<R>,
     pub(crate) color: LinearRgb<R>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Source<R> {
+pub(crate) enum Source<R> {
     At(Vec3<R>),
     /// Unit vector toward the light.
     Toward(Vec3<R>),

@@ -74,12 +74,21 @@ pub enum Event<R> {
 pub trait Probe<R> {
     /// Something happened.
     fn record(&mut self, event: Event<R>);
+
+    /// Whether it wants to be told. What does not may be skipped where nothing is to be seen.
+    fn is_watching(&self) -> bool {
+        true
+    }
 }
 
 /// Watches nothing.
 impl<R> Probe<R> for () {
     #[inline(always)]
     fn record(&mut self, _: Event<R>) {}
+
+    fn is_watching(&self) -> bool {
+        false
+    }
 }
 
 /// Counts rays by kind, and what was cut short.

@@ -48,6 +48,19 @@ impl<R: Real> Aabb<R> {
         (self.min + self.max) * R::from_f32(0.5)
     }
 
+    /// The eight corners.
+    pub fn corners(self) -> impl Iterator<Item = Vec3<R>> {
+        let Self { min, max } = self;
+        let pick = move |upper: bool, min: R, max: R| if upper { max } else { min };
+        (0..8u8).map(move |i| {
+            Vec3::new(
+                pick(i & 1 != 0, min.x, max.x),
+                pick(i & 2 != 0, min.y, max.y),
+                pick(i & 4 != 0, min.z, max.z),
+            )
+        })
+    }
+
     /// Whether the box holds a point.
     pub fn contains(self, point: Vec3<R>) -> bool {
         point.x >= self.min.x

@@ -1,13 +1,16 @@
 //! A scene that was checked and converted, and the two questions that rays ask of it.
 
+pub(crate) mod candidates;
 mod error;
 mod memory;
-mod queries;
+pub(crate) mod queries;
 
 use core::mem::MaybeUninit;
 
 pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
+
+use candidates::Candidates;
 
 use crate::arena::Arena;
 use crate::camera::{Camera, PreparedCamera};
@@ -32,6 +35,8 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     objects: &'m [PreparedObject<S::Prepared<'m, R>>],
     materials: &'m [PreparedMaterial<R>],
     pub(crate) lights: &'m [PreparedLight<R>],
+    /// `None`: too many objects for sets, or not wanted.
+    candidates: Option<Candidates<'m>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -87,13 +92,21 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             }
             Ok(PreparedObject { shape: object.shape.prepare(arena)?, material: object.material.0 })
         })?;
+        let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         Ok(Self {
             camera,
             background: background.to(),
             objects: prepared_objects,
             materials: prepared_materials,
             lights: prepared_lights,
+            candidates: candidates.map_err(Part::Memory.error())?,
         })
+    }
+
+    /// The same scene without anything that makes rendering faster: the same bytes, later. For measuring what it
+    /// gains, and for showing that it changes nothing.
+    pub fn without_acceleration(self) -> Self {
+        Self { candidates: None, ..self }
     }
 
     /// Looks at the same scene from elsewhere.

@@ -1,32 +1,86 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
+use super::candidates::{Departure, ObjectSet};
 use super::{Hit, PreparedScene};
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedMaterial;
-use crate::math::{Interval, Ray, Real};
-use crate::shape::{Geometry, Intersect};
+use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::shape::{Form, Geometry, Intersect};
+
+/// The space that an object is inside of.
+pub(crate) enum Enclosure<R> {
+    Ball { center: Vec3<R>, radius: R },
+    Box(Aabb<R>),
+    Everywhere,
+}
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
+    #[inline(always)]
     pub(crate) fn material(&self, object: usize) -> Option<&PreparedMaterial<R>> {
         self.objects.get(object).and_then(|object| self.materials.get(usize::from(object.material)))
     }
 
+    /// What each object is inside of, if the scene has sets of candidates.
+    pub(crate) fn enclosures(&self) -> Option<impl Iterator<Item = Enclosure<R>>> {
+        self.candidates?;
+        Some(self.objects.iter().map(|object| match (object.shape.form(), object.shape.bounds()) {
+            (Form::Ball { center, radius }, _) => Enclosure::Ball { center, radius },
+            (_, Some(bounds)) => Enclosure::Box(bounds),
+            (_, None) => Enclosure::Everywhere,
+        }))
+    }
+
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in
-    /// [`Scene::objects`].
+    /// [`Scene::objects`](crate::Scene::objects).
     pub fn closest_hit(&self, ray: &Ray<R>, range: Interval<R>) -> Option<Hit<R>> {
-        let (t, index) = self.closest_object(ray, range)?;
+        self.hit(ray, self.closest_object(ray, range, None))
+    }
+
+    /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that can meet none but these objects.
+    pub(crate) fn closest_hit_among(&self, ray: &Ray<R>, among: Option<ObjectSet>) -> Option<Hit<R>> {
+        self.hit(ray, self.closest_object(ray, Interval::AHEAD, among))
+    }
+
+    /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that leaves a surface.
+    pub(crate) fn closest_hit_leaving(&self, ray: &Ray<R>, from: Departure) -> Option<Hit<R>> {
+        let among = self.candidates.map(|candidates| candidates.leaving(from));
+        let closest = self.closest_object(ray, Interval::AHEAD, among);
+        // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
+        let closest = closest.or_else(|| match self.candidates {
+            Some(candidates) if !from.outward => {
+                self.closest_object(ray, Interval::AHEAD, Some(candidates.all()))
+            }
+            _ => None,
+        });
+        self.hit(ray, closest)
+    }
+
+    #[inline(always)]
+    fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<Hit<R>> {
+        let (t, index) = closest?;
         let object = self.objects.get(index)?;
         Some(Hit { t, object: index, surface: object.shape.surface(ray, t) })
     }
 
-    /// Distance and position of the first object that a ray meets.
-    fn closest_object(&self, ray: &Ray<R>, mut range: Interval<R>) -> Option<(R, usize)> {
+    /// Distance and position of the first object that a ray meets, of all or of some.
+    fn closest_object(
+        &self,
+        ray: &Ray<R>,
+        mut range: Interval<R>,
+        among: Option<ObjectSet>,
+    ) -> Option<(R, usize)> {
         let mut closest = None;
-        for (index, object) in self.objects.iter().enumerate() {
-            if let Some(t) = object.shape.intersect(ray, range) {
+        let mut test = |index: usize| {
+            if let Some(object) = self.objects.get(index)
+                && let Some(t) = object.shape.intersect(ray, range)
+            {
                 range.max = t;
                 closest = Some((t, index));
             }
+        };
+        match among {
+            Some(some) => some.for_each(&mut test),
+            None => (0..self.objects.len()).for_each(&mut test),
         }
         closest
     }
@@ -36,16 +90,38 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ///
     /// Each surface in between scales the light by its transmittance; what lies behind the light does not.
     pub fn light_through(&self, ray: &Ray<R>, distance: R) -> (R, bool) {
+        self.light_through_among(ray, distance, None)
+    }
+
+    /// As [`light_through`](Self::light_through), for a ray that leaves a surface toward a light of the scene.
+    pub(crate) fn light_through_leaving(
+        &self,
+        ray: &Ray<R>,
+        distance: R,
+        from: Departure,
+        light: usize,
+    ) -> (R, bool) {
+        let among = self.candidates.map(|candidates| candidates.between(from, light));
+        self.light_through_among(ray, distance, among)
+    }
+
+    fn light_through_among(&self, ray: &Ray<R>, distance: R, among: Option<ObjectSet>) -> (R, bool) {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
+        let in_the_way = |index: &usize| {
+            self.objects.get(*index).is_some_and(|object| object.shape.intersect(ray, range).is_some())
+        };
         let mut clear = true;
-        for (index, object) in self.objects.iter().enumerate() {
-            if object.shape.intersect(ray, range).is_some() {
-                if !(self.transmittance(index) > R::ZERO) {
-                    return (R::ZERO, false);
-                }
-                clear = false;
-            }
+        let mut blocks = |index: usize| {
+            clear = false;
+            !(self.transmittance(index) > R::ZERO)
+        };
+        let blocked = match among {
+            Some(some) => some.filter(in_the_way).any(&mut blocks),
+            None => (0..self.objects.len()).filter(in_the_way).any(&mut blocks),
+        };
+        if blocked {
+            return (R::ZERO, false);
         }
         if clear {
             return (R::ONE, false);
@@ -54,11 +130,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         // with an inside is met twice.
         let mut through = R::ONE;
         for _ in 0..MAX_SHADOW_LAYERS {
-            let Some((t, index)) = self.closest_object(ray, range) else { return (through, false) };
+            let Some((t, index)) = self.closest_object(ray, range, among) else { return (through, false) };
             through = through * self.transmittance(index);
             range.min = t;
         }
-        match self.closest_object(ray, range) {
+        match self.closest_object(ray, range, among) {
             None => (through, false),
             Some(_) => (R::ZERO, true),
         }

@@ -6,6 +6,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
+use super::painter::LinePainter;
 use super::{DisplayColor, DrawError, LineError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;
@@ -103,19 +104,21 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
     fn trace(&mut self, budget_rays: u32) -> u32 {
         let band = self.band_pixels();
         let width = usize::from(self.renderer.width);
+        let first = self.traced.checked_div(width).unwrap_or(0);
+        let mut y = self.lines.start.saturating_add(first as u32) as u16;
         let mut x = self.traced.checked_rem(width).unwrap_or(0) as u16;
-        let mut y =
-            self.lines.start.saturating_add(self.traced.checked_div(width).unwrap_or(0) as u32) as u16;
+        let mut painter = LinePainter::new(&self.renderer, y);
         let mut spent: u32 = 0;
         for pixel in self.buffer.iter_mut().take(band).skip(self.traced) {
-            let (color, rays) = self.renderer.display_pixel(x, y, &mut ());
-            *pixel = color;
-            self.traced = self.traced.saturating_add(1);
-            x = x.wrapping_add(1);
             if x == self.renderer.width {
                 x = 0;
                 y = y.wrapping_add(1);
+                painter = LinePainter::new(&self.renderer, y);
             }
+            let (color, rays) = painter.pixel(x, &mut ());
+            *pixel = color;
+            self.traced = self.traced.saturating_add(1);
+            x = x.wrapping_add(1);
             spent = spent.saturating_add(rays);
             if spent >= budget_rays {
                 break;

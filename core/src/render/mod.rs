@@ -4,6 +4,8 @@ mod digest;
 mod display_color;
 mod error;
 mod frame;
+mod line_candidates;
+mod painter;
 mod quantize;
 mod settings;
 
@@ -16,6 +18,8 @@ pub use settings::Settings;
 
 use core::ops::Range;
 
+use painter::LinePainter;
+
 use embedded_graphics::draw_target::DrawTarget;
 
 use crate::camera::Viewport;
@@ -23,6 +27,7 @@ use crate::color::LinearRgb;
 use crate::integrator::{Bounds, RayBudget, radiance};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
+use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::sampler::sample_position;
 use crate::shape::{Geometry, Shape};
@@ -38,7 +43,6 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     width: u16,
     height: u16,
     bounds: Bounds<R>,
-    samples_per_pixel: u16,
     sample_weight: R,
     settings: Settings,
 }
@@ -56,7 +60,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             width,
             height,
             bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
-            samples_per_pixel: settings.samples_per_pixel,
             sample_weight: R::from_u16(settings.samples_per_pixel).recip(),
             settings,
         })
@@ -75,22 +78,31 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// The light that pixel (x, y) receives, and the rays that it took: at most
     /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
+        self.light_at(x, y, None, probe)
+    }
+
+    /// As [`pixel`](Self::pixel), if the pixel can show none but the objects `among`.
+    fn light_at(
+        &self,
+        x: u16,
+        y: u16,
+        among: Option<ObjectSet>,
+        probe: &mut impl Probe<R>,
+    ) -> (LinearRgb<R>, u32) {
         let mut rays = RayBudget(self.settings.rays_per_pixel);
         let mut light = LinearRgb::BLACK;
-        for sample in 0..self.samples_per_pixel {
-            let (right, down) = sample_position(x, y, sample, self.samples_per_pixel, self.settings.seed);
+        for sample in 0..self.settings.samples_per_pixel {
+            let (right, down) =
+                sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
             let ray = self
                 .viewport
                 .ray(R::from_u16(x) + R::from_fraction(right), R::from_u16(y) + R::from_fraction(down));
-            light = light + radiance(self.scene, ray, &self.bounds, &mut rays, probe);
+            light = light + radiance(self.scene, ray, among, &self.bounds, &mut rays, probe);
         }
-        (light * self.sample_weight, self.settings.rays_per_pixel.saturating_sub(rays.0))
-    }
-
-    /// Pixel (x, y) in the display's color, and the rays that it took.
-    fn display_pixel<C: DisplayColor>(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let (light, rays) = self.pixel(x, y, probe);
-        (C::from_light(Light16::new(light), &Quantizer::new(&self.settings, x, y)), rays)
+        if self.settings.samples_per_pixel > 1 {
+            light = light * self.sample_weight;
+        }
+        (light, self.settings.rays_per_pixel.saturating_sub(rays.0))
     }
 
     /// Renders line `y` into a slice of the picture's width.
@@ -117,8 +129,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         if line.len() != usize::from(self.width) {
             return Err(LineError::BufferLength { given: line.len(), width: self.width() });
         }
+        let mut painter = LinePainter::new(self, y);
         for (x, pixel) in (0..self.width).zip(line) {
-            *pixel = self.display_pixel(x, y, probe).0;
+            *pixel = painter.pixel(x, probe).0;
         }
         Ok(())
     }

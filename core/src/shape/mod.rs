@@ -56,11 +56,38 @@ pub trait Intersect<R: Real> {
     /// The distance to the nearest hit inside `range`. Merely touching a curved outline is a miss.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
 
+    /// What is known of the shape beforehand, so that rays need not be tested against it in vain.
+    fn form(&self) -> Form<R> {
+        Form::Any
+    }
+
     /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
     fn bounds(&self) -> Option<Aabb<R>>;
 
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
+}
+
+/// What is known of a shape beforehand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form<R> {
+    /// Nothing.
+    Any,
+    /// It is the surface of a ball and its normals point outward: a ray that leaves it outward never meets it
+    /// again, and a ray that starts inside meets it before anything that lies outside.
+    Ball {
+        /// The middle.
+        center: Vec3<R>,
+        /// From there to the surface.
+        radius: R,
+    },
+    /// It lies in the plane of all p with `normal · p = distance`: a ray that leaves it never meets it again.
+    Flat {
+        /// Unit normal.
+        normal: Vec3<R>,
+        /// Distance of the plane from the origin, along the normal.
+        distance: R,
+    },
 }
 
 crate::shape_set! {

@@ -1,6 +1,6 @@
 //! An infinite plane.
 
-use super::{Geometry, Intersect, project_onto_plane};
+use super::{Form, Geometry, Intersect, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
@@ -54,6 +54,10 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         }
         let t = height / slope;
         range.contains(t).then_some(t)
+    }
+
+    fn form(&self) -> Form<R> {
+        Form::Flat { normal: self.normal, distance: self.distance }
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {

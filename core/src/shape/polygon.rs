@@ -1,7 +1,7 @@
 //! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
 //! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Geometry, Intersect, PreparedPlane, bounds_of};
+use super::{Form, Geometry, Intersect, PreparedPlane, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
@@ -144,6 +144,10 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.plane.intersect(ray, range)?;
         self.encloses(ray.at(t)).then_some(t)
+    }
+
+    fn form(&self) -> Form<R> {
+        self.plane.form()
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {

@@ -68,7 +68,7 @@ macro_rules! shape_set {
         impl<$($life: 'm,)? 'm, R: $crate::math::Real> $crate::shape::Intersect<R>
             for $Prepared<$($life,)? 'm, R>
         {
-            #[inline]
+            #[inline(always)]
             fn intersect(
                 &self,
                 ray: &$crate::math::Ray<R>,
@@ -76,6 +76,12 @@ macro_rules! shape_set {
             ) -> Option<R> {
                 match self {
                     $(Self::$Variant(shape) => shape.intersect(ray, range)),+
+                }
+            }
+
+            fn form(&self) -> $crate::shape::Form<R> {
+                match self {
+                    $(Self::$Variant(shape) => shape.form()),+
                 }
             }
 

@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Geometry, Intersect};
+use super::{Form, Geometry, Intersect};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
@@ -60,6 +60,10 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         } else {
             None
         }
+    }
+
+    fn form(&self) -> Form<R> {
+        Form::Ball { center: self.center, radius: self.radius }
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {

@@ -2,7 +2,7 @@
 //! Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9: one plane holds the triangle, and the
 //! other two measure its barycentric coordinates.
 
-use super::{Geometry, Intersect, bounds_of, project_onto_plane};
+use super::{Form, Geometry, Intersect, bounds_of, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
@@ -118,6 +118,10 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         }
         let (b, c) = self.barycentric(ray.at(t));
         (b >= R::ZERO && c >= R::ZERO && b + c <= R::ONE).then_some(t)
+    }
+
+    fn form(&self) -> Form<R> {
+        Form::Flat { normal: self.normal, distance: self.distance }
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
