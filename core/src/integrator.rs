@@ -178,9 +178,11 @@ impl<'s, R: Real> Vertex<'s, R> {
             return light;
         }
         for (index, source) in scene.lights.iter().enumerate() {
-            let Some((toward, distance)) = source.seen_from(self.hit.surface.point) else { continue };
-            let cosine = self.normal.dot(toward);
-            if !(cosine > R::ZERO) {
+            let seen = source.seen_from(self.hit.surface.point, self.normal);
+            let Some((toward, distance, cosine)) = seen else { continue };
+            let highlight = material.specular * material.shininess.power_of(self.mirrored.dot(toward));
+            let diffuse = material.diffuse * cosine;
+            if !(diffuse > R::ZERO || highlight > R::ZERO) {
                 continue;
             }
             if !rays.spend() {
@@ -194,8 +196,7 @@ impl<'s, R: Real> Vertex<'s, R> {
             }
             let mut shown = LinearRgb::BLACK;
             if through > R::ZERO {
-                let diffuse = self.color * (material.diffuse * cosine);
-                let highlight = material.specular * self.highlight(toward);
+                let diffuse = self.color * diffuse;
                 let share =
                     LinearRgb::new(diffuse.r + highlight, diffuse.g + highlight, diffuse.b + highlight);
                 shown = source.color * share * through;
@@ -204,21 +205,6 @@ impl<'s, R: Real> Vertex<'s, R> {
             light = light + shown;
         }
         light
-    }
-
-    /// Phong's highlight: `max(0, R · L)^shininess`, with R the mirrored ray.
-    fn highlight(&self, toward: Vec3<R>) -> R {
-        if !(self.material.specular > R::ZERO) {
-            return R::ZERO;
-        }
-        let aligned = self.mirrored.dot(toward);
-        if aligned >= R::ONE {
-            R::ONE
-        } else if aligned > R::ZERO {
-            aligned.powf(self.material.shininess)
-        } else {
-            R::ZERO
-        }
     }
 
     /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",

@@ -65,16 +65,29 @@ pub(crate) enum Source<R> {
 }
 
 impl<R: Real> PreparedLight<R> {
-    /// The unit direction from a point toward the light, and how far the light is along it; `None` where
-    /// the point is the light's own.
-    pub(crate) fn seen_from(&self, point: Vec3<R>) -> Option<(Vec3<R>, R)> {
+    /// The unit direction from a point toward the light, how far the light is along it, and the cosine of its
+    /// angle with a unit normal; `None` where the light is behind the surface, or the point is the light's own.
+    #[inline]
+    pub(crate) fn seen_from(&self, point: Vec3<R>, normal: Vec3<R>) -> Option<(Vec3<R>, R, R)> {
         match self.source {
             Source::At(position) => {
                 let toward = position - point;
+                // Lights behind the surface are the most frequent: find them before the root and the division.
+                let height = toward.dot(normal);
+                if !(height > R::ZERO) {
+                    return None;
+                }
                 let distance = toward.length();
-                (distance > R::ZERO).then(|| (toward * distance.recip(), distance))
+                if !(distance > R::ZERO) {
+                    return None;
+                }
+                let scale = distance.recip();
+                Some((toward * scale, distance, height * scale))
             }
-            Source::Toward(direction) => Some((direction, R::FARTHEST)),
+            Source::Toward(direction) => {
+                let cosine = direction.dot(normal);
+                (cosine > R::ZERO).then_some((direction, R::FARTHEST, cosine))
+            }
         }
     }
 }

@@ -72,7 +72,7 @@ impl Material {
             ambient: R::from_f32(self.ambient),
             diffuse: R::from_f32(self.diffuse),
             specular: R::from_f32(self.specular),
-            shininess: R::from_f32(self.shininess),
+            shininess: Shininess::new(self.shininess),
             reflectance: R::from_f32(self.reflectance),
             transmittance: R::from_f32(self.transmittance),
             eta_entering: R::from_f32(self.ior).recip(),
@@ -88,11 +88,94 @@ pub(crate) struct PreparedMaterial<R> {
     pub(crate) ambient: R,
     pub(crate) diffuse: R,
     pub(crate) specular: R,
-    pub(crate) shininess: R,
+    pub(crate) shininess: Shininess<R>,
     pub(crate) reflectance: R,
     pub(crate) transmittance: R,
     /// Ratio of the indices of refraction for a ray that goes in at the front: outside over inside.
     pub(crate) eta_entering: R,
     /// The same for a ray that comes out.
     pub(crate) eta_leaving: R,
+}
+
+/// The exponent of a highlight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shininess<R> {
+    /// A cosine below this has a power below [`Self::INVISIBLE`].
+    least: R,
+    exponent: Exponent<R>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Exponent<R> {
+    /// Raised to by squaring: a tenth of the time of a power that may be any.
+    Whole(u32),
+    Any(R),
+}
+
+impl<R: Real> Shininess<R> {
+    /// 2⁻²⁴: a highlight so weak is far below the finest level of any display. It counts as none, so that no
+    /// shadow ray is spent on it.
+    const INVISIBLE: f32 = 1.0 / 16_777_216.0;
+
+    /// The exponent 0 or more.
+    fn new(shininess: f32) -> Self {
+        let whole = shininess as u32;
+        let exponent = if whole as f32 == shininess {
+            Exponent::Whole(whole)
+        } else {
+            Exponent::Any(R::from_f32(shininess))
+        };
+        // Of exponents below 1/5, not even this power leaves the range of f32.
+        let least = if shininess > 0.2 { libm::powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
+        Self { least: R::from_f32(least), exponent }
+    }
+
+    /// The power of a cosine; 0 where it is invisible.
+    #[inline]
+    pub(crate) fn power_of(&self, cosine: R) -> R {
+        if !(cosine > self.least) {
+            return R::ZERO;
+        }
+        if cosine >= R::ONE {
+            return R::ONE;
+        }
+        match self.exponent {
+            Exponent::Any(exponent) => cosine.powf(exponent),
+            Exponent::Whole(mut left) => {
+                let mut power = R::ONE;
+                let mut square = cosine;
+                while left > 1 {
+                    if left & 1 == 1 {
+                        power = power * square;
+                    }
+                    square = square * square;
+                    left >>= 1;
+                }
+                if left == 1 { power * square } else { power }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_exponents_are_powers_too() {
+        for shininess in [0.0f32, 1.0, 2.0, 3.0827, 10.0, 50.0, 125.0, 1425.0, 100_000.0] {
+            let power = Shininess::<f32>::new(shininess);
+            for step in 1..=1000u16 {
+                let cosine = f32::from(step) / 1000.0;
+                let exact = f64::from(cosine).powf(f64::from(shininess));
+                let error = (f64::from(power.power_of(cosine)) - exact).abs();
+                // Every squaring doubles the relative error, so that it grows with the exponent.
+                let bound = 1e-7 + exact * (1e-6 + 6e-8 * f64::from(shininess));
+                assert!(error < bound, "{cosine} to the power {shininess} is off by {error:e}");
+            }
+            for none in [0.0, -0.5, f32::NAN] {
+                assert_eq!(power.power_of(none), 0.0);
+            }
+        }
+    }
 }

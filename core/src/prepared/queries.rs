@@ -108,17 +108,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     fn light_through_among(&self, ray: &Ray<R>, distance: R, among: Option<ObjectSet>) -> (R, bool) {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
-        let in_the_way = |index: &usize| {
-            self.objects.get(*index).is_some_and(|object| object.shape.intersect(ray, range).is_some())
-        };
         let mut clear = true;
         let mut blocks = |index: usize| {
+            let Some(object) = self.objects.get(index) else { return false };
+            if object.shape.intersect(ray, range).is_none() {
+                return false;
+            }
             clear = false;
             !(self.transmittance(index) > R::ZERO)
         };
         let blocked = match among {
-            Some(some) => some.filter(in_the_way).any(&mut blocks),
-            None => (0..self.objects.len()).filter(in_the_way).any(&mut blocks),
+            Some(mut some) => some.any(&mut blocks),
+            None => (0..self.objects.len()).any(&mut blocks),
         };
         if blocked {
             return (R::ZERO, false);
