@@ -16,3 +16,8 @@ pub use core_picture::{core_picture, ray_counts};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
 pub use scenes::{scene_names, settings, with_scene};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
