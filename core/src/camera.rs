@@ -1,7 +1,7 @@
 //! Where the picture is taken from.
 
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, unit};
-use crate::math::{Ray, Real, Vec3};
+use crate::math::{Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,65 +19,87 @@ pub struct Camera {
 
 /// A camera's orthonormal frame, checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PreparedCamera<R> {
+pub(crate) struct PreparedCamera<R: Real> {
     eye: Vec3<R>,
-    forward: Vec3<R>,
-    right: Vec3<R>,
-    up: Vec3<R>,
+    forward: Vec3<R::Setup>,
+    right: Vec3<R::Setup>,
+    up: Vec3<R::Setup>,
     /// Half the height of the picture at distance 1.
-    half_height: R,
+    half_height: R::Setup,
 }
 
 impl Camera {
     /// Checks the camera and builds its frame.
-    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedCamera<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedCamera<R>, Fault> {
         check_point(self.eye)?;
         check_point(self.target)?;
         check_coordinate(self.vertical_fov)?;
         if !(self.vertical_fov > 0.0 && self.vertical_fov < core::f32::consts::PI) {
             return Err(Fault::FieldOfView);
         }
-        let half_height = (R::from_f32(self.vertical_fov) * R::from_f32(0.5)).tan();
+        let half_height = (R::Setup::from_f32(self.vertical_fov) * R::Setup::from_f32(0.5)).tan();
         // Close to 180° the tangent leaves every useful range.
-        if half_height > R::from_f32(1e4) || half_height < R::from_f32(1e-6) {
+        if half_height > R::Setup::from_f32(1e4) || half_height < R::Setup::from_f32(1e-6) {
             return Err(Fault::FieldOfView);
         }
-        let forward: Vec3<R> = unit(self.target - self.eye).map_err(|_| Fault::EyeAtTarget)?;
+        let forward: Vec3<R::Setup> = unit(self.target - self.eye).map_err(|_| Fault::EyeAtTarget)?;
         let right = forward.cross(check_direction(self.up)?);
-        if right.length() < R::from_f32(1e-4) {
+        if right.length() < R::Setup::from_f32(1e-4) {
             return Err(Fault::UpAlongView);
         }
         let right = right.normalized().ok_or(Fault::UpAlongView)?;
-        Ok(PreparedCamera { eye: self.eye.to(), forward, right, up: right.cross(forward), half_height })
+        if !scale.is_near::<R>(self.eye) {
+            return Err(Fault::BeyondReach);
+        }
+        let eye = scale.point(self.eye.to());
+        Ok(PreparedCamera { eye, forward, right, up: right.cross(forward), half_height })
     }
 }
 
 /// A camera and the size of a picture: knows the ray through each place of the picture, and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Viewport<R> {
+pub(crate) struct Viewport<R: Real> {
     camera: PreparedCamera<R>,
     /// From the eye to the picture's upper left corner.
     corner: Vec3<R>,
-    /// One pixel to the right.
+    /// `2^shift` pixels to the right.
     right: Vec3<R>,
-    /// One pixel down.
+    /// `2^shift` pixels down.
     down: Vec3<R>,
+    /// See [`Real::from_pixel`]: 0 for floating point.
+    shift: u32,
     /// Half the width and half the height in pixels.
-    middle: (R, R),
+    middle: (R::Setup, R::Setup),
 }
 
 impl<R: Real> Viewport<R> {
     pub(crate) fn new(camera: &PreparedCamera<R>, width: u16, height: u16) -> Self {
+        let number = R::Setup::from_u16;
         let pixel = if height == 0 {
-            R::ZERO
+            R::Setup::ZERO
         } else {
-            camera.half_height * R::from_f32(2.0) * R::from_u16(height).recip()
+            camera.half_height * R::Setup::from_f32(2.0) * number(height).recip()
         };
-        let half = pixel * R::from_f32(0.5);
-        let corner = camera.forward - camera.right * (half * R::from_u16(width))
-            + camera.up * (half * R::from_u16(height));
-        let middle = (R::from_u16(width) * R::from_f32(0.5), R::from_u16(height) * R::from_f32(0.5));
-        Self { camera: *camera, corner, right: camera.right * pixel, down: -(camera.up * pixel), middle }
+        let half = pixel * R::Setup::from_f32(0.5);
+        let corner =
+            camera.forward - camera.right * (half * number(width)) + camera.up * (half * number(height));
+        let (right, down) = (camera.right * pixel, -(camera.up * pixel));
+        // Only the direction of a ray counts. Where numbers have a fixed number of digits, all of them are used.
+        let (shift, unit) = if R::REACH.is_some() {
+            let shift = u16::BITS - width.max(height).leading_zeros();
+            (shift, Self::unit(R::Setup::ONE + half * (number(width) + number(height)), shift))
+        } else {
+            (0, (R::Setup::ONE, R::Setup::ONE))
+        };
+        let (unit, step) = unit;
+        Self {
+            camera: *camera,
+            corner: Vec3::from_setup(corner * unit),
+            right: Vec3::from_setup(right * step),
+            down: Vec3::from_setup(down * step),
+            shift,
+            middle: (number(width) * R::Setup::from_f32(0.5), number(height) * R::Setup::from_f32(0.5)),
+        }
     }
 
     /// Where all rays begin.
@@ -85,25 +107,39 @@ impl<R: Real> Viewport<R> {
         self.camera.eye
     }
 
-    /// The direction, of length 1 or more, to the beginning of line `y`, and the way from there to its end.
-    pub(crate) fn line(&self, y: R) -> (Vec3<R>, Vec3<R>) {
+    /// The direction, of any length, to the beginning of line `y`, and the way from there to its end.
+    pub(crate) fn line(&self, y: R::Setup) -> (Vec3<R::Setup>, Vec3<R::Setup>) {
         let (half_width, _) = self.middle;
-        (self.corner + self.down * y, self.right * (half_width + half_width))
+        let pixel = R::Setup::from_f32((1u32 << (self.shift & 31)) as f32).recip();
+        let (right, down) = (self.right.to_setup() * pixel, self.down.to_setup() * pixel);
+        (self.corner.to_setup() + down * y, right * (half_width + half_width))
     }
 
-    /// The ray through a place of the picture in pixels: pixel (0, 0) has its center at (0.5, 0.5).
-    pub(crate) fn ray(&self, x: R, y: R) -> Ray<R> {
+    /// The power of two that brings a direction of this length, or less, to 16 or less, and the same times
+    /// `2^shift`.
+    fn unit(length: R::Setup, shift: u32) -> (R::Setup, R::Setup) {
+        let (half, mut unit) = (R::Setup::from_f32(0.5), R::Setup::from_f32(16.0));
+        while length * unit > R::Setup::from_f32(16.0) && unit > R::Setup::ZERO {
+            unit = unit * half;
+        }
+        (unit, unit * R::Setup::from_f32((1u32 << (shift & 31)) as f32))
+    }
+
+    /// The ray through a place of the picture, in pixels and 65536ths: pixel (0, 0) has its center at (0.5, 0.5).
+    pub(crate) fn ray(&self, (x, right): (u16, u16), (y, down): (u16, u16)) -> Ray<R> {
+        let x = R::from_pixel(x, right, self.shift);
+        let y = R::from_pixel(y, down, self.shift);
         let direction = self.corner + self.right * x + self.down * y;
         // The length is at least 1, the distance of the picture.
-        Ray { origin: self.camera.eye, direction: direction * direction.length().recip() }
+        Ray { origin: self.camera.eye, direction: direction.polar().0 }
     }
 
     /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.
-    pub(crate) fn project(&self, point: Vec3<R>) -> Option<(R, R)> {
+    pub(crate) fn project(&self, point: Vec3<R::Setup>) -> Option<(R::Setup, R::Setup)> {
         let camera = &self.camera;
-        let toward = point - camera.eye;
+        let toward = point - camera.eye.to_setup();
         let depth = toward.dot(camera.forward);
-        if !(depth > toward.magnitude() * R::from_f32(1e-2)) {
+        if !(depth > toward.magnitude() * R::Setup::from_f32(1e-2)) {
             return None;
         }
         let (half_width, half_height) = self.middle;
@@ -125,30 +161,31 @@ mod tests {
 
     #[test]
     fn a_right_angle_sees_as_far_up_as_forward() {
-        let viewport = Viewport::new(&CAMERA.prepare::<f64>().unwrap(), 200, 100);
-        let top = viewport.ray(100.0, 0.0);
+        let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
+        let top = viewport.ray((100, 0), (0, 0));
         assert_eq!(top.origin, Vec3::new(1.0, 2.0, 3.0));
         let half = core::f64::consts::FRAC_1_SQRT_2;
         assert!((top.direction - Vec3::new(0.0, half, -half)).length() < 1e-7);
         // Twice as wide as high: 63.4° to the right.
-        let right = viewport.ray(200.0, 50.0).direction;
+        let right = viewport.ray((200, 0), (50, 0)).direction;
         assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
     }
 
     #[test]
     fn points_are_seen_where_their_rays_go() {
-        let viewport = Viewport::new(&CAMERA.prepare::<f64>().unwrap(), 200, 100);
-        for (x, y) in [(0.0, 0.0), (31.5, 77.25), (100.0, 50.0), (199.0, 3.0)] {
-            let seen = viewport.project(viewport.ray(x, y).at(7.0)).unwrap();
+        let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
+        for (x, y) in [(0, 0), (31, 77), (100, 50), (199, 3)] {
+            let seen = viewport.project(viewport.ray((x, 0x8000), (y, 0x8000)).at(7.0)).unwrap();
+            let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
             assert!((seen.0 - x).abs() < 1e-4 && (seen.1 - y).abs() < 1e-4, "{seen:?}");
         }
         assert_eq!(viewport.project(viewport.eye()), None);
-        assert_eq!(viewport.project(viewport.ray(5.0, 5.0).at(-7.0)), None);
+        assert_eq!(viewport.project(viewport.ray((5, 0), (5, 0)).at(-7.0)), None);
     }
 
     #[test]
     fn bad_cameras_are_refused() {
-        let refused = |camera: Camera| camera.prepare::<f32>().unwrap_err();
+        let refused = |camera: Camera| camera.prepare::<f32>(Scale::ONE).unwrap_err();
         assert_eq!(refused(Camera { target: CAMERA.eye, ..CAMERA }), Fault::EyeAtTarget);
         assert_eq!(refused(Camera { up: Vec3::new(0.0, 0.0, 3.0), ..CAMERA }), Fault::UpAlongView);
         assert_eq!(refused(Camera { up: Vec3::ZERO, ..CAMERA }), Fault::ZeroLength);
@@ -161,7 +198,7 @@ mod tests {
 
     #[test]
     fn pictures_without_pixels_are_defined() {
-        Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 7, 0);
-        Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 0, 7);
+        Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 7, 0);
+        Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 0, 7);
     }
 }

@@ -52,7 +52,11 @@ impl<R: Real> LinearRgb<R> {
 impl<R: Real> Add for LinearRgb<R> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::new(self.r + other.r, self.g + other.g, self.b + other.b)
+        Self::new(
+            self.r.add_saturating(other.r),
+            self.g.add_saturating(other.g),
+            self.b.add_saturating(other.b),
+        )
     }
 }
 

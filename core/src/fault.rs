@@ -33,6 +33,15 @@ pub enum Fault {
     NegativeShininess,
     /// The index of refraction is zero or negative. Air is 1, glass about 1.5.
     IorNotPositive,
+    /// The number system that the scene is prepared for has too few digits for something so much smaller than the
+    /// scene: less than 64 units of 2⁻²⁴, where the scene was scaled to 1/2. Enlarge it, leave it out, or prepare the scene for `f32`.
+    TooSmall,
+    /// The number system that the scene is prepared for ends before this number does: in fixed point, light ends at 59, indices of
+    /// refraction and the slopes of cones at 7.6, and so do their inverses. Keep inside, or prepare the scene for `f32`.
+    OutOfRange,
+    /// The camera was moved so far away that the number system does not reach there. Move it closer, or prepare the scene anew
+    /// with it.
+    BeyondReach,
     /// The camera's target is where its eye is. Move one of them.
     EyeAtTarget,
     /// The camera looks along its up vector. Turn the up vector away from the line of sight.
@@ -75,6 +84,13 @@ impl fmt::Display for Fault {
             Self::EnergyAboveOne => "reflectance and transmittance add up to more than 1; lower one of them",
             Self::NegativeShininess => "the shininess is negative; use 0 or more",
             Self::IorNotPositive => "the index of refraction is not positive; air is 1, glass about 1.5",
+            Self::TooSmall => {
+                "too small beside the rest for this number system; enlarge it or prepare for f32"
+            }
+            Self::OutOfRange => "a number is too large or too small for this number system; prepare for f32",
+            Self::BeyondReach => {
+                "the camera is too far away for this number system; prepare the scene with it"
+            }
             Self::EyeAtTarget => "the eye is at the target; move one of them",
             Self::UpAlongView => "the up vector lies along the line of sight; turn it away",
             Self::FieldOfView => "the vertical field of view is not between 0 and 180 degrees",
@@ -125,6 +141,16 @@ pub(crate) fn unit<R: Real>(vector: Vec3) -> Result<Vec3<R>, Fault> {
     } else {
         Err(Fault::ZeroLength)
     }
+}
+
+/// Refuses a number that is too large for the number system.
+pub(crate) fn check_held<R: Real>(value: R::Setup) -> Result<(), Fault> {
+    if R::holds(value) { Ok(()) } else { Err(Fault::OutOfRange) }
+}
+
+/// Refuses a radius that is not much larger than the rounding of a point.
+pub(crate) fn check_size<R: Real>(radius: R) -> Result<(), Fault> {
+    if radius < R::offset(R::ZERO) * R::from_f32(4.0) { Err(Fault::TooSmall) } else { Ok(()) }
 }
 
 /// Refuses a radius that is not positive.

@@ -125,7 +125,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
 }
 
 /// A hit, seen from the ray that met it.
-struct Vertex<'s, R> {
+struct Vertex<'s, R: Real> {
     hit: &'s Hit<R>,
     material: &'s PreparedMaterial<R>,
     /// The color of the texture.

@@ -1,8 +1,8 @@
 //! Where light comes from.
 
 use crate::color::LinearRgb;
-use crate::fault::{Fault, check_coordinate, check_direction, check_point};
-use crate::math::{Real, Vec3};
+use crate::fault::{Fault, check_coordinate, check_direction, check_held, check_point};
+use crate::math::{Real, Scale, Vec3};
 
 /// A light without size: shadows have sharp edges. Intensity does not fall off with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,26 +26,30 @@ pub enum Light {
 
 impl Light {
     /// Checks every number and converts it.
-    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedLight<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedLight<R>, Fault> {
         let (source, color) = match *self {
             Self::Point { position, color } => {
                 check_point(position)?;
-                (Source::At(position.to()), color)
+                (Source::point(position, scale), color)
             }
-            Self::Directional { direction, color } => (Source::Toward(-check_direction(direction)?), color),
+            Self::Directional { direction, color } => {
+                let direction: Vec3<R::Setup> = check_direction(direction)?;
+                (Source::Toward(Vec3::from_setup(-direction)), color)
+            }
         };
-        check_emission(color)?;
+        check_emission::<R>(color)?;
         Ok(PreparedLight { source, color: color.to() })
     }
 }
 
 /// Refuses emitted light that is negative or not finite; it may be above 1.
-pub(crate) fn check_emission(color: LinearRgb) -> Result<(), Fault> {
+pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
     for value in [color.r, color.g, color.b] {
         check_coordinate(value)?;
         if value < 0.0 {
             return Err(Fault::NegativeColor);
         }
+        check_held::<R>(R::Setup::from_f32(value))?;
     }
     Ok(())
 }
@@ -60,8 +64,21 @@ pub(crate) struct PreparedLight<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Source<R> {
     At(Vec3<R>),
+    /// Beyond what the number system reaches: the place of the light and the factor that brought it near, a power of
+    /// two. Never in floating point.
+    Far(Vec3<R>, R),
     /// Unit vector toward the light.
     Toward(Vec3<R>),
+}
+
+impl<R: Real> Source<R> {
+    fn point(position: Vec3, scale: Scale) -> Self {
+        if scale.is_near::<R>(position) {
+            return Self::At(scale.point(position.to()));
+        }
+        let shrink = scale.shrink(position);
+        Self::Far(scale.point((position * shrink).to()), R::from_f32(shrink))
+    }
 }
 
 impl<R: Real> PreparedLight<R> {
@@ -77,12 +94,15 @@ impl<R: Real> PreparedLight<R> {
                 if !(height > R::ZERO) {
                     return None;
                 }
-                let distance = toward.length();
-                if !(distance > R::ZERO) {
-                    return None;
-                }
-                let scale = distance.recip();
-                Some((toward * scale, distance, height * scale))
+                let (direction, distance, cosine) = R::polar_with([toward.x, toward.y, toward.z], height);
+                let [x, y, z] = direction;
+                (distance > R::ZERO).then_some((Vec3::new(x, y, z), distance, cosine))
+            }
+            Source::Far(position, shrink) => {
+                // The direction is the same in every scale.
+                let (direction, _) = (position - point * shrink).polar();
+                let cosine = direction.dot(normal);
+                (cosine > R::ZERO).then_some((direction, R::FARTHEST, cosine))
             }
             Source::Toward(direction) => {
                 let cosine = direction.dot(normal);

@@ -1,8 +1,8 @@
 //! What a surface does with light.
 
 use crate::color::LinearRgb;
-use crate::fault::{Fault, check_coordinate};
-use crate::math::Real;
+use crate::fault::{Fault, check_coordinate, check_held};
+use crate::math::{Real, Scale, float};
 use crate::texture::{PreparedTexture, Texture};
 
 /// What a surface does with light: the recursive model of the lectures.
@@ -47,7 +47,7 @@ impl Material {
     }
 
     /// Checks every number and converts it.
-    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedMaterial<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedMaterial<R>, Fault> {
         for share in [self.ambient, self.diffuse, self.specular, self.reflectance, self.transmittance] {
             check_coordinate(share)?;
             if !(0.0..=1.0).contains(&share) {
@@ -67,23 +67,27 @@ impl Material {
         if self.ior < 1e-3 {
             return Err(Fault::IorNotPositive);
         }
+        // Squared when a ray is refracted.
+        let ior = R::Setup::from_f32(self.ior);
+        check_held::<R>(ior * ior)?;
+        check_held::<R>((ior * ior).recip())?;
         Ok(PreparedMaterial {
-            color: self.color.prepare()?,
+            color: self.color.prepare(scale)?,
             ambient: R::from_f32(self.ambient),
             diffuse: R::from_f32(self.diffuse),
             specular: R::from_f32(self.specular),
             shininess: Shininess::new(self.shininess),
             reflectance: R::from_f32(self.reflectance),
             transmittance: R::from_f32(self.transmittance),
-            eta_entering: R::from_f32(self.ior).recip(),
-            eta_leaving: R::from_f32(self.ior),
+            eta_entering: R::from_setup(ior.recip()),
+            eta_leaving: R::from_setup(ior),
         })
     }
 }
 
 /// A material that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PreparedMaterial<R> {
+pub(crate) struct PreparedMaterial<R: Real> {
     pub(crate) color: PreparedTexture<R>,
     pub(crate) ambient: R,
     pub(crate) diffuse: R,
@@ -99,17 +103,18 @@ pub(crate) struct PreparedMaterial<R> {
 
 /// The exponent of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shininess<R> {
+pub(crate) struct Shininess<R: Real> {
     /// A cosine below this has a power below [`Self::INVISIBLE`].
     least: R,
     exponent: Exponent<R>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Exponent<R> {
-    /// Raised to by squaring: a tenth of the time of a power that may be any.
+enum Exponent<R: Real> {
+    /// Raised to by squaring: in floating point a tenth of the time of a power that may be any. Fixed point has a
+    /// quick power for all.
     Whole(u32),
-    Any(R),
+    Any(R::Factor),
 }
 
 impl<R: Real> Shininess<R> {
@@ -120,13 +125,13 @@ impl<R: Real> Shininess<R> {
     /// The exponent 0 or more.
     fn new(shininess: f32) -> Self {
         let whole = shininess as u32;
-        let exponent = if whole as f32 == shininess {
+        let exponent = if whole as f32 == shininess && R::REACH.is_none() {
             Exponent::Whole(whole)
         } else {
-            Exponent::Any(R::from_f32(shininess))
+            Exponent::Any(R::factor(shininess))
         };
         // Of exponents below 1/5, not even this power leaves the range of f32.
-        let least = if shininess > 0.2 { libm::powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
+        let least = if shininess > 0.2 { float::set_up_powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
         Self { least: R::from_f32(least), exponent }
     }
 

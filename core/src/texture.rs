@@ -2,7 +2,7 @@
 
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate, check_point};
-use crate::math::{Real, Vec3};
+use crate::math::{Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// The color of a material at each point of a surface.
@@ -37,15 +37,17 @@ impl Texture {
     }
 
     /// Checks the texture and converts it.
-    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedTexture<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedTexture<R>, Fault> {
         match self {
             Self::Solid(color) => Ok(PreparedTexture::Solid(check_reflectivity(*color)?)),
             Self::Checker(checker) => {
                 check_point(checker.cells_per_unit)?;
+                // A power of two: nothing is rounded.
+                let per_unit = checker.cells_per_unit * (1.0 / scale.to_f32());
                 Ok(PreparedTexture::Checker {
                     even: check_reflectivity(checker.even)?,
                     odd: check_reflectivity(checker.odd)?,
-                    cells_per_unit: checker.cells_per_unit.to(),
+                    cells_per_unit: [per_unit.x, per_unit.y, per_unit.z].map(R::factor),
                 })
             }
         }
@@ -73,9 +75,9 @@ fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> 
 
 /// A texture that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum PreparedTexture<R> {
+pub(crate) enum PreparedTexture<R: Real> {
     Solid(LinearRgb<R>),
-    Checker { even: LinearRgb<R>, odd: LinearRgb<R>, cells_per_unit: Vec3<R> },
+    Checker { even: LinearRgb<R>, odd: LinearRgb<R>, cells_per_unit: [R::Factor; 3] },
 }
 
 impl<R: Real> PreparedTexture<R> {
@@ -84,10 +86,8 @@ impl<R: Real> PreparedTexture<R> {
         match self {
             Self::Solid(color) => *color,
             Self::Checker { even, odd, cells_per_unit } => {
-                let cell = |coordinate: R, scale: R| (coordinate * scale).floor_to_i32();
-                let sum = cell(surface.point.x, cells_per_unit.x)
-                    ^ cell(surface.point.y, cells_per_unit.y)
-                    ^ cell(surface.point.z, cells_per_unit.z);
+                let ([x, y, z], point) = (cells_per_unit, surface.point);
+                let sum = point.x.cell(*x) ^ point.y.cell(*y) ^ point.z.cell(*z);
                 if sum & 1 == 0 { *even } else { *odd }
             }
         }
@@ -100,8 +100,9 @@ mod tests {
 
     #[test]
     fn checker_alternates_through_zero_and_ignores_height() {
-        let checker =
-            Texture::checker_xz(LinearRgb::WHITE, LinearRgb::gray(0.0), 2.0).prepare::<f32>().unwrap();
+        let checker = Texture::checker_xz(LinearRgb::WHITE, LinearRgb::gray(0.0), 2.0)
+            .prepare::<f32>(Scale::ONE)
+            .unwrap();
         let white_at = |x, y, z| {
             let point = Vec3::new(x, y, z);
             let normal = Vec3::new(0.0, 1.0, 0.0);

@@ -48,6 +48,11 @@ impl<R: Real> Aabb<R> {
         (self.min + self.max) * R::from_f32(0.5)
     }
 
+    /// The same box before the first ray.
+    pub fn to_setup(self) -> Aabb<R::Setup> {
+        Aabb { min: self.min.to_setup(), max: self.max.to_setup() }
+    }
+
     /// The eight corners.
     pub fn corners(self) -> impl Iterator<Item = Vec3<R>> {
         let Self { min, max } = self;

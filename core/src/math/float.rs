@@ -32,6 +32,11 @@ pub(crate) fn powf(base: f32, exponent: f32) -> f32 {
     libm::powf(base, exponent)
 }
 
+/// As [`powf`], while a scene is prepared: always libm's, and so the same with every feature.
+pub(crate) fn set_up_powf(base: f32, exponent: f32) -> f32 {
+    libm::powf(base, exponent)
+}
+
 /// The square root of the reference build.
 #[allow(unreachable_code)]
 pub(crate) fn sqrt_f64(value: f64) -> f64 {

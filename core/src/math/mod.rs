@@ -1,14 +1,18 @@
 //! Numbers, vectors and rays.
 
 mod aabb;
+mod fixed;
 pub(crate) mod float;
 mod interval;
 mod ray;
 mod real;
+mod scale;
 mod vec3;
 
 pub use aabb::Aabb;
+pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
 pub use interval::Interval;
 pub use ray::Ray;
-pub use real::Real;
+pub use real::{FloatLinear, Linear, Product, Real};
+pub use scale::{Extent, Scale};
 pub use vec3::Vec3;

@@ -20,11 +20,11 @@ impl<R: Real> Ray<R> {
     /// A ray that leaves a surface and does not hit it again.
     ///
     /// The origin is moved off the surface along the geometric `normal`, to the side that `direction` goes
-    /// to, by [`Real::RAY_OFFSET`] times `magnitude`: the largest number that entered the computation of
+    /// to, by [`Real::offset`] of `magnitude`: the largest number that entered the computation of
     /// `point`, which bounds its rounding error. This is the only offset in the crate (after Wächter and
     /// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, ch. 6).
     pub fn spawn(point: Vec3<R>, normal: Vec3<R>, direction: Vec3<R>, magnitude: R) -> Self {
-        let offset = R::RAY_OFFSET * magnitude;
+        let offset = R::offset(magnitude);
         let offset = if normal.dot(direction) < R::ZERO { -offset } else { offset };
         Self { origin: point + normal * offset, direction }
     }

@@ -3,12 +3,13 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::float;
+use super::{Vec3, float};
 
-/// A number system for the kernel: `f32`, `f64`, or a type of your own.
+/// A number system for the kernel: `f32`, `f64`, [`Fixed`](super::Fixed), or a type of your own.
 ///
 /// A scene is always *described* in `f32`; `Real` is what it is prepared for and traced in. The trait asks
-/// for nothing that only floating point has: no infinity, no NaN, no exponent.
+/// for nothing that only floating point has: no infinity, no NaN, no exponent. What has more digits or more range than
+/// the numbers themselves has types of its own, which for floating point are the numbers.
 ///
 /// # Guarantees
 /// For the types in this crate every function gives the same bits on every processor, unless the feature
@@ -27,6 +28,15 @@ pub trait Real:
     + Sync
     + 'static
 {
+    /// What everything is computed in before the first ray: floating point.
+    type Setup: Real<Setup = Self::Setup>;
+    /// A sum of products, before it is rounded.
+    type Product: Product<Self>;
+    /// A number of any magnitude, for what is multiplied but never added.
+    type Factor: Copy + Debug + PartialEq + Send + Sync + 'static;
+    /// A linear function over space.
+    type Linear: Linear<Self>;
+
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -34,8 +44,11 @@ pub trait Real:
     /// How far a ray is followed that nothing else ends, in units of the scene.
     const FARTHEST: Self;
     /// The distance by which a spawned ray leaves its surface, relative to the magnitude of the coordinates.
-    /// The one number behind [`Ray::spawn`](super::Ray::spawn).
+    /// The one number behind [`Ray::spawn`](super::Ray::spawn), see [`offset`](Self::offset).
     const RAY_OFFSET: Self;
+    /// The largest coordinate and number that may be computed with, where that is less than a scene may name. A
+    /// scene is then scaled before it is traced, see [`Scale`](super::Scale).
+    const REACH: Option<f32> = None;
 
     /// The nearest representable value.
     fn from_f32(value: f32) -> Self;
@@ -45,12 +58,21 @@ pub trait Real:
     fn from_u16(value: u16) -> Self;
     /// `value / 65536`: a number in `[0, 1)`, exactly.
     fn from_fraction(value: u16) -> Self;
-    /// The square root, correctly rounded; of a negative number, 0 or NaN.
+    /// What was computed before the first ray, rounded.
+    fn from_setup(value: Self::Setup) -> Self;
+    /// The same number before the first ray.
+    fn to_setup(self) -> Self::Setup;
+    /// The square root, correctly rounded in floating point; of a negative number, 0 or NaN.
     fn sqrt(self) -> Self;
     /// The tangent of an angle in radians, for camera set-up only: it is slow.
     fn tan(self) -> Self;
+    /// The nearest factor.
+    fn factor(value: f32) -> Self::Factor;
     /// `self` to the power `exponent`, for `self` in `[0, 1]` and `exponent ≥ 0`.
-    fn powf(self, exponent: Self) -> Self;
+    fn powf(self, exponent: Self::Factor) -> Self;
+    /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Very far cells keep at least whether
+    /// they are even, or are all the same.
+    fn cell(self, per_unit: Self::Factor) -> i32;
     /// The largest integer not above `self`, saturating.
     fn floor_to_i32(self) -> i32;
     /// `self` clamped to `[0, 1]`, in units of 1/65536, rounded to nearest; NaN gives 0.
@@ -68,6 +90,48 @@ pub trait Real:
         ax * bx + ay * by + az * bz
     }
 
+    /// The product, not yet rounded.
+    fn times(self, other: Self) -> Self::Product;
+
+    /// The sum of three products, not yet rounded.
+    fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> Self::Product;
+
+    /// The unit vector along a vector, and the vector's length. Where that is 0 the unit vector is anything.
+    fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
+        let length = Self::dot3_wide(vector, vector).sqrt();
+        let scale = length.recip();
+        (vector.map(|coordinate| coordinate * scale), length)
+    }
+
+    /// As [`polar`](Self::polar), and a product with the vector divided by its length.
+    fn polar_with(vector: [Self; 3], product: Self) -> ([Self; 3], Self, Self) {
+        let length = Self::dot3_wide(vector, vector).sqrt();
+        let scale = length.recip();
+        (vector.map(|coordinate| coordinate * scale), length, product * scale)
+    }
+
+    /// `pixel + fraction/65536` pixels in units of `2^shift` pixels, where the number system needs units so large
+    /// ([`REACH`](Self::REACH)), else in pixels.
+    fn from_pixel(pixel: u16, fraction: u16, _shift: u32) -> Self {
+        Self::from_u16(pixel) + Self::from_fraction(fraction)
+    }
+
+    /// The distance by which a spawned ray leaves its surface, where the numbers in play are as large as
+    /// `magnitude`: above every rounding error.
+    fn offset(magnitude: Self) -> Self {
+        Self::RAY_OFFSET * magnitude
+    }
+
+    /// The sum of two amounts of light, or the largest number there is.
+    fn add_saturating(self, other: Self) -> Self {
+        self + other
+    }
+
+    /// Whether `value` may be computed with.
+    fn holds(value: Self::Setup) -> bool {
+        Self::REACH.is_none_or(|reach| !(value.abs() > Self::Setup::from_f32(reach)))
+    }
+
     /// The absolute value.
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
@@ -79,9 +143,84 @@ pub trait Real:
     }
 }
 
+/// A sum of products before it is rounded to `R`: for floating point, a number like any other.
+pub trait Product<R: Real>:
+    Copy + Debug + PartialEq + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Send + Sync + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// The square root; of a negative number, 0 or NaN.
+    fn sqrt(self) -> R;
+    /// The product with a number that keeps it in range.
+    fn times(self, factor: R) -> Self;
+    /// The quotient, rounded.
+    fn over(self, divisor: R) -> R;
+}
+
+/// A linear function over space: `gradient · point + offset`, however steep.
+pub trait Linear<R: Real>: Copy + Debug + PartialEq + Send + Sync + 'static {
+    /// The function with this gradient that is 0 at the point `zero`.
+    fn new(gradient: Vec3<R::Setup>, zero: Vec3<R::Setup>) -> Self;
+    /// Its value at a point.
+    fn at(&self, point: Vec3<R>) -> R;
+    /// The gradient.
+    fn gradient(&self) -> Vec3<R::Setup>;
+    /// The value at the origin.
+    fn offset(&self) -> R::Setup;
+}
+
+/// A linear function in floating point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatLinear<R> {
+    gradient: Vec3<R>,
+    offset: R,
+}
+
+impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
+    fn new(gradient: Vec3<R>, zero: Vec3<R>) -> Self {
+        Self { gradient, offset: -gradient.dot(zero) }
+    }
+
+    fn at(&self, point: Vec3<R>) -> R {
+        self.gradient.dot(point) + self.offset
+    }
+
+    fn gradient(&self) -> Vec3<R> {
+        self.gradient
+    }
+
+    fn offset(&self) -> R {
+        self.offset
+    }
+}
+
 macro_rules! impl_real_for_float {
     ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path) => {
+        impl Product<$Float> for $Float {
+            const ZERO: Self = 0.0;
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            #[inline]
+            fn times(self, factor: Self) -> Self {
+                self * factor
+            }
+
+            #[inline]
+            fn over(self, divisor: Self) -> Self {
+                self / divisor
+            }
+        }
+
         impl Real for $Float {
+            type Setup = Self;
+            type Product = Self;
+            type Factor = Self;
+            type Linear = FloatLinear<Self>;
+
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const FARTHEST: Self = 1e30;
@@ -103,8 +242,32 @@ macro_rules! impl_real_for_float {
                 $Float::from(value) * (1.0 / 65536.0)
             }
 
+            fn from_setup(value: Self) -> Self {
+                value
+            }
+
+            fn to_setup(self) -> Self {
+                self
+            }
+
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+
+            fn factor(value: f32) -> Self {
+                value as $Float
+            }
+
+            fn cell(self, per_unit: Self) -> i32 {
+                (self * per_unit).floor_to_i32()
+            }
+
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+
+            fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> Self {
+                Self::dot3(a, b)
             }
 
             fn tan(self) -> Self {

@@ -3,6 +3,7 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::Real;
+use super::real::Product;
 
 /// A point, a direction or a normal in space: right-handed, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +48,11 @@ impl<R: Real> Vec3<R> {
         )
     }
 
+    /// The scalar product, not yet rounded.
+    pub fn dot_wide(self, other: Self) -> R::Product {
+        R::dot3_wide([self.x, self.y, self.z], [other.x, other.y, other.z])
+    }
+
     /// The squared length.
     pub fn length_squared(self) -> R {
         self.dot(self)
@@ -54,13 +60,19 @@ impl<R: Real> Vec3<R> {
 
     /// The length.
     pub fn length(self) -> R {
-        self.length_squared().sqrt()
+        self.dot_wide(self).sqrt()
+    }
+
+    /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.
+    pub fn polar(self) -> (Self, R) {
+        let ([x, y, z], length) = R::polar([self.x, self.y, self.z]);
+        (Self::new(x, y, z), length)
     }
 
     /// The unit vector of the same direction, or `None` where the length is 0.
     pub fn normalized(self) -> Option<Self> {
-        let length = self.length();
-        (length > R::ZERO).then(|| self * length.recip())
+        let (unit, length) = self.polar();
+        (length > R::ZERO).then_some(unit)
     }
 
     /// The largest absolute value among the coordinates.
@@ -71,6 +83,16 @@ impl<R: Real> Vec3<R> {
     /// This vector or its opposite, whichever points against `direction`.
     pub fn facing(self, direction: Self) -> Self {
         if self.dot(direction) > R::ZERO { -self } else { self }
+    }
+
+    /// The vector that was computed before the first ray, rounded.
+    pub fn from_setup(vector: Vec3<R::Setup>) -> Self {
+        Self::new(R::from_setup(vector.x), R::from_setup(vector.y), R::from_setup(vector.z))
+    }
+
+    /// The same vector before the first ray.
+    pub fn to_setup(self) -> Vec3<R::Setup> {
+        Vec3::new(self.x.to_setup(), self.y.to_setup(), self.z.to_setup())
     }
 
     /// The vector in `f32`, for people to read.

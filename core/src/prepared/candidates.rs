@@ -173,16 +173,16 @@ fn among<R: Real, P: Intersect<R>>(
 }
 
 /// What is known of an object that might be in the way.
-struct Body<R> {
+struct Body<R: Real> {
     ball: Option<Ball<R>>,
     form: Form<R>,
 }
 
 /// A ball around everything that a ray can meet of an object, with room for rounding.
 #[derive(Clone, Copy)]
-struct Ball<R> {
-    center: Vec3<R>,
-    radius: R,
+struct Ball<R: Real> {
+    center: Vec3<R::Setup>,
+    radius: R::Setup,
 }
 
 impl<R: Real> Ball<R> {
@@ -191,21 +191,22 @@ impl<R: Real> Ball<R> {
 
     fn around<P: Intersect<R>>(object: &PreparedObject<P>) -> Option<Self> {
         let (center, radius) = match object.shape.form() {
-            Form::Ball { center, radius } => (center, radius),
+            Form::Ball { center, radius } => (center.to_setup(), radius.to_setup()),
             _ => {
-                let bounds = object.shape.bounds()?;
+                let bounds = object.shape.bounds()?.to_setup();
                 let center = bounds.center();
                 (center, (bounds.max - center).length())
             }
         };
-        let rounding = R::RAY_OFFSET * R::from_f32(8.0) * (center.magnitude() + radius);
-        Some(Self { center, radius: radius + radius * R::from_f32(Self::SLACK) + rounding })
+        let rounding =
+            R::offset(R::from_setup(center.magnitude() + radius)).to_setup() * R::Setup::from_f32(8.0);
+        Some(Self { center, radius: radius + radius * R::Setup::from_f32(Self::SLACK) + rounding })
     }
 
     /// Whether any of `other` may lie inside.
     fn reaches(&self, other: &Body<R>) -> bool {
         if let Form::Flat { normal, distance } = other.form
-            && (normal.dot(self.center) - distance).abs() > self.radius
+            && (normal.to_setup().dot(self.center) - distance.to_setup()).abs() > self.radius
         {
             return false;
         }
@@ -216,13 +217,17 @@ impl<R: Real> Ball<R> {
     fn is_shaded_by(&self, other: &Body<R>, light: &Source<R>) -> bool {
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
+            let (normal, distance) = (normal.to_setup(), distance.to_setup());
             let height = normal.dot(self.center) - distance;
             let toward_light = match light {
-                Source::At(position) => normal.dot(*position) - distance,
-                Source::Toward(direction) => normal.dot(*direction),
+                Source::At(position) => normal.dot(position.to_setup()) - distance,
+                Source::Far(position, shrink) => {
+                    normal.dot(position.to_setup()) - distance * shrink.to_setup()
+                }
+                Source::Toward(direction) => normal.dot(direction.to_setup()),
             };
-            let above = height > self.radius && toward_light > R::ZERO;
-            let below = height < -self.radius && toward_light < R::ZERO;
+            let above = height > self.radius && toward_light > R::Setup::ZERO;
+            let below = height < -self.radius && toward_light < R::Setup::ZERO;
             if above || below {
                 return false;
             }
@@ -231,7 +236,8 @@ impl<R: Real> Ball<R> {
         let reach = self.radius + ball.radius;
         match light {
             Source::At(position) => {
-                let (receiver, blocker) = (self.center - *position, ball.center - *position);
+                let position = position.to_setup();
+                let (receiver, blocker) = (self.center - position, ball.center - position);
                 let (far, near) = (receiver.length(), blocker.length());
                 if far <= self.radius || near <= ball.radius {
                     return true;
@@ -241,17 +247,19 @@ impl<R: Real> Ball<R> {
                 }
                 // Seen from the light, the two balls overlap if the angle between them is at most the sum of
                 // their angular radii.
-                let sine_of = |radius: R, distance: R| radius / distance;
-                let cosine_of = |sine: R| (R::ONE - sine * sine).larger(R::ZERO).sqrt();
+                let sine_of = |radius: R::Setup, distance: R::Setup| radius / distance;
+                let cosine_of = |sine: R::Setup| (R::Setup::ONE - sine * sine).larger(R::Setup::ZERO).sqrt();
                 let (sine_a, sine_b) = (sine_of(self.radius, far), sine_of(ball.radius, near));
                 let apart = receiver.dot(blocker) / far / near;
                 let touching = cosine_of(sine_a) * cosine_of(sine_b) - sine_a * sine_b;
-                apart >= touching - R::from_f32(1e-5)
+                apart >= touching - R::Setup::from_f32(1e-5)
             }
+            Source::Far(..) => true,
             Source::Toward(direction) => {
+                let direction = direction.to_setup();
                 let toward = ball.center - self.center;
-                let along = toward.dot(*direction);
-                let across = toward - *direction * along;
+                let along = toward.dot(direction);
+                let across = toward - direction * along;
                 along >= -reach && across.length() <= reach
             }
         }

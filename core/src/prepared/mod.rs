@@ -19,7 +19,7 @@ use crate::fault::Fault;
 use crate::light::{PreparedLight, check_emission};
 use crate::limits::MAX_COUNT;
 use crate::material::PreparedMaterial;
-use crate::math::Real;
+use crate::math::{Extent, Real, Scale};
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
 use crate::surface::Surface;
@@ -35,6 +35,7 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     objects: &'m [PreparedObject<S::Prepared<'m, R>>],
     materials: &'m [PreparedMaterial<R>],
     pub(crate) lights: &'m [PreparedLight<R>],
+    scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m>>,
 }
@@ -63,8 +64,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The first part that is wrong, and why. The caller's scene and memory can be used again.
     pub fn new(scene: &Scene<'_, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
         let Scene { camera, background, objects, materials, lights } = *scene;
-        let camera = camera.prepare().map_err(Part::Camera.error())?;
-        check_emission(background).map_err(Part::Background.error())?;
+        let extent =
+            objects.iter().map(|object| object.shape.extent()).fold(Extent::default(), Extent::union);
+        let scale = Scale::new::<R>(extent, camera.eye);
+        let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
+        check_emission::<R>(background).map_err(Part::Background.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),
             (materials.len(), Part::Material(MAX_COUNT)),
@@ -83,14 +87,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
         let arena = &mut Arena::new(memory);
         let prepared_materials =
-            prepare_all(arena, materials, Part::Material, |material, _| material.prepare())?;
-        let prepared_lights = prepare_all(arena, lights, Part::Light, |light, _| light.prepare())?;
+            prepare_all(arena, materials, Part::Material, |material, _| material.prepare(scale))?;
+        let prepared_lights = prepare_all(arena, lights, Part::Light, |light, _| light.prepare(scale))?;
         let prepared_objects = prepare_all(arena, objects, Part::Object, |object, arena| {
             let named = usize::from(object.material.0);
             if named >= materials.len() {
                 return Err(Fault::UnknownMaterial { named, materials: materials.len() });
             }
-            Ok(PreparedObject { shape: object.shape.prepare(arena)?, material: object.material.0 })
+            Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material: object.material.0 })
         })?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         Ok(Self {
@@ -99,6 +103,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             objects: prepared_objects,
             materials: prepared_materials,
             lights: prepared_lights,
+            scale,
             candidates: candidates.map_err(Part::Memory.error())?,
         })
     }
@@ -114,8 +119,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// # Errors
     /// What is wrong with the camera; the old one stays.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
-        self.camera = camera.prepare().map_err(Part::Camera.error())?;
+        self.camera = camera.prepare(self.scale).map_err(Part::Camera.error())?;
         Ok(())
+    }
+
+    /// How many units of rays, hits and events one unit of the scene is: a power of two, and 1 in floating point.
+    ///
+    /// Fixed point has little range, so the scene is scaled into it. Pictures show nothing of that.
+    pub fn scale(&self) -> f32 {
+        self.scale.to_f32()
     }
 
     pub(crate) fn camera(&self) -> &PreparedCamera<R> {

@@ -46,8 +46,8 @@ impl LineCandidates {
         let mut objects = 0;
         for (span, enclosure) in spans.iter_mut().zip(scene.enclosures()?) {
             *span = match enclosure {
-                Enclosure::Ball { center, radius } => line.span_of_ball(center, radius),
-                Enclosure::Box(bounds) => line.span_of_box(bounds),
+                Enclosure::Ball { center, radius } => line.span_of_ball(center.to_setup(), radius.to_setup()),
+                Enclosure::Box(bounds) => line.span_of_box(bounds.to_setup()),
                 Enclosure::Everywhere => EVERYWHERE,
             };
             objects += 1;
@@ -81,52 +81,52 @@ impl LineCandidates {
     }
 }
 
-/// A line of the picture, as directions from the eye.
-struct Line<'v, R> {
+/// A line of the picture, as directions from the eye; in floating point, like everything that is not done per ray.
+struct Line<'v, R: Real> {
     viewport: &'v Viewport<R>,
-    width: R,
+    width: R::Setup,
     /// In pixels from the top, at the middle of the line.
-    y: R,
+    y: R::Setup,
     /// Direction of the line's beginning, and from there to its end.
-    start: Vec3<R>,
-    across: Vec3<R>,
+    start: Vec3<R::Setup>,
+    across: Vec3<R::Setup>,
 }
 
 impl<'v, R: Real> Line<'v, R> {
     fn new(viewport: &'v Viewport<R>, width: u16, y: u16) -> Self {
-        let y = R::from_u16(y) + R::from_f32(0.5);
+        let y = R::Setup::from_u16(y) + R::Setup::from_f32(0.5);
         let (start, across) = viewport.line(y);
-        Self { viewport, width: R::from_u16(width), y, start, across }
+        Self { viewport, width: R::Setup::from_u16(width), y, start, across }
     }
 
     /// The direction d = start + x · across meets a ball around c where (c · d)² ≥ (c² − r²) d²: between the roots
     /// of a parabola in x.
-    fn span_of_ball(&self, center: Vec3<R>, radius: R) -> Span {
-        let c = center - self.viewport.eye();
+    fn span_of_ball(&self, center: Vec3<R::Setup>, radius: R::Setup) -> Span {
+        let c = center - self.viewport.eye().to_setup();
         let distance = c.length();
         // Of a ball that is seen smaller than a few degrees, rounding would eat the difference of squares.
-        let radius = radius.larger(distance * R::from_f32(0.02)) * R::from_f32(1.01);
+        let radius = radius.larger(distance * R::Setup::from_f32(0.02)) * R::Setup::from_f32(1.01);
         if distance <= radius {
             return EVERYWHERE;
         }
         // In units of the distance, so that nothing is large.
         let scale = distance.recip();
         let (c, relative) = (c * scale, radius * scale);
-        let k = R::ONE - relative * relative;
+        let k = R::Setup::ONE - relative * relative;
         let (along, beginning) = (c.dot(self.across), c.dot(self.start));
         let a = k * self.across.length_squared() - along * along;
         let b = along * beginning - k * self.across.dot(self.start);
         let discriminant = b * b + a * (beginning * beginning - k * self.start.length_squared());
         // Open to one side: the ball reaches around the camera.
-        if !(a > R::from_f32(1e-3) * self.across.length_squared()) {
+        if !(a > R::Setup::from_f32(1e-3) * self.across.length_squared()) {
             return EVERYWHERE;
         }
-        if !(discriminant > R::ZERO) {
+        if !(discriminant > R::Setup::ZERO) {
             return NOWHERE;
         }
         // The other half of the cone is behind the camera.
         let middle = b / a;
-        if beginning + middle * along < R::ZERO {
+        if beginning + middle * along < R::Setup::ZERO {
             return NOWHERE;
         }
         let half = discriminant.sqrt() / a;
@@ -134,9 +134,9 @@ impl<'v, R: Real> Line<'v, R> {
     }
 
     /// A box is seen inside the rectangle around its eight corners.
-    fn span_of_box(&self, bounds: Aabb<R>) -> Span {
-        let (mut left, mut right) = (R::FARTHEST, -R::FARTHEST);
-        let (mut top, mut bottom) = (R::FARTHEST, -R::FARTHEST);
+    fn span_of_box(&self, bounds: Aabb<R::Setup>) -> Span {
+        let (mut left, mut right) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
+        let (mut top, mut bottom) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
         for corner in bounds.corners() {
             let Some((x, y)) = self.viewport.project(corner) else { return EVERYWHERE };
             left = if x < left { x } else { left };
@@ -144,14 +144,14 @@ impl<'v, R: Real> Line<'v, R> {
             top = if y < top { y } else { top };
             bottom = bottom.larger(y);
         }
-        let margin = R::ONE;
+        let margin = R::Setup::ONE;
         if self.y < top - margin || self.y > bottom + margin { NOWHERE } else { self.span(left, right) }
     }
 
     /// The pixels whose centers may lie between these two places, and one more on each side.
-    fn span(&self, left: R, right: R) -> Span {
-        let pixel = |place: R, more: i32| {
-            let clamped = if place > self.width { self.width } else { place.larger(R::ZERO) };
+    fn span(&self, left: R::Setup, right: R::Setup) -> Span {
+        let pixel = |place: R::Setup, more: i32| {
+            let clamped = if place > self.width { self.width } else { place.larger(R::Setup::ZERO) };
             u16::try_from(clamped.floor_to_i32().saturating_add(more).max(0)).unwrap_or(u16::MAX)
         };
         Span { start: pixel(left, -1), end: pixel(right, 2) }
@@ -162,6 +162,7 @@ impl<'v, R: Real> Line<'v, R> {
 mod tests {
     use super::*;
     use crate::camera::Camera;
+    use crate::math::Scale;
 
     const CAMERA: Camera = Camera {
         eye: Vec3::new(0.0, 0.0, 10.0),
@@ -171,17 +172,17 @@ mod tests {
     };
 
     fn spans_of_ball(center: Vec3, radius: f32) -> Vec<Span> {
-        let viewport = Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 100, 80);
-        (0..80).map(|y| Line::new(&viewport, 100, y).span_of_ball(center, radius)).collect()
+        let viewport = Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 100, 80);
+        (0..80).map(|y| Line::<f32>::new(&viewport, 100, y).span_of_ball(center, radius)).collect()
     }
 
     #[test]
     fn spans_fit_the_ball() {
         let center = Vec3::new(0.7, -0.3, 1.0);
-        let viewport = Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 100, 80);
+        let viewport = Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 100, 80);
         for (y, span) in (0..80u16).zip(spans_of_ball(center, 1.5)) {
             let sees = |x: u16| {
-                let ray = viewport.ray(f32::from(x) + 0.5, f32::from(y) + 0.5);
+                let ray = viewport.ray((x, 0x8000), (y, 0x8000));
                 let across = (center - ray.origin).cross(ray.direction).length();
                 across < 1.5
             };
@@ -207,9 +208,9 @@ mod tests {
 
     #[test]
     fn boxes_are_seen_between_their_corners() {
-        let viewport = Viewport::new(&CAMERA.prepare::<f32>().unwrap(), 100, 80);
+        let viewport = Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 100, 80);
         let unit = Vec3::new(1.0, 1.0, 1.0);
-        let seen = |center, y| Line::new(&viewport, 100, y).span_of_box(Aabb::around(center, unit));
+        let seen = |center, y| Line::<f32>::new(&viewport, 100, y).span_of_box(Aabb::around(center, unit));
         // Half a unit is 80 / 2 / tan(0.4) / 9 / 2 pixels high at its front.
         let half = 40.0 / 0.4f32.tan() / 9.0;
         let Span { start, end } = seen(Vec3::ZERO, 40);

@@ -94,9 +94,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         for sample in 0..self.settings.samples_per_pixel {
             let (right, down) =
                 sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
-            let ray = self
-                .viewport
-                .ray(R::from_u16(x) + R::from_fraction(right), R::from_u16(y) + R::from_fraction(down));
+            let ray = self.viewport.ray((x, right), (y, down));
             light = light + radiance(self.scene, ray, among, &self.bounds, &mut rays, probe);
         }
         if self.settings.samples_per_pixel > 1 {

@@ -4,8 +4,8 @@
 
 use super::{Geometry, Intersect};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_coordinate, check_point, unit};
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A cone, or the frustum of one, between two points.
@@ -26,7 +26,12 @@ pub struct Cone {
 impl Geometry for Cone {
     type Prepared<'m, R: Real> = PreparedCone<R>;
 
-    fn prepare<'m, R: Real>(&self, _: &mut Arena<'m>) -> Result<PreparedCone<R>, Fault>
+    fn extent(&self) -> Extent {
+        let radius = self.base_radius.larger(self.top_radius);
+        Extent::solid(self.base.magnitude().larger(self.top.magnitude()) + radius)
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedCone<R>, Fault>
     where
         Self: 'm,
     {
@@ -37,19 +42,25 @@ impl Geometry for Cone {
         if self.base_radius < 0.0 || self.top_radius < 0.0 || self.base_radius + self.top_radius <= 0.0 {
             return Err(Fault::RadiusNotPositive);
         }
-        let axis: Vec3<R> = unit(self.top - self.base)?;
-        let base: Vec3<R> = self.base.to();
+        let axis: Vec3<R::Setup> = unit(self.top - self.base)?;
+        let base: Vec3<R::Setup> = self.base.to();
         let length = (self.top.to() - base).length();
-        let base_radius = R::from_f32(self.base_radius);
-        let slope = (R::from_f32(self.top_radius) - base_radius) / length;
+        let (base_radius, top_radius) =
+            (R::Setup::from_f32(self.base_radius), R::Setup::from_f32(self.top_radius));
+        let slope = (top_radius - base_radius) / length;
+        let steepness = R::Setup::ONE + slope * slope;
+        check_held::<R>(steepness)?;
+        let size = length + base_radius.larger(top_radius);
+        check_size(scale.length::<R>(base_radius.larger(top_radius)))?;
         Ok(PreparedCone {
-            base,
-            axis,
-            length,
-            base_radius,
-            slope,
-            steepness: R::ONE + slope * slope,
-            magnitude: base.magnitude() + length + base_radius.larger(R::from_f32(self.top_radius)),
+            base: scale.point(base),
+            axis: Vec3::from_setup(axis),
+            length: scale.length(length),
+            base_radius: scale.length(base_radius),
+            slope: R::from_setup(slope),
+            steepness: R::from_setup(steepness),
+            magnitude: scale.length(base.magnitude() + length + base_radius.larger(top_radius)),
+            size: scale.length(size),
             capped: self.capped,
         })
     }
@@ -67,6 +78,8 @@ pub struct PreparedCone<R> {
     /// 1 + slope²
     steepness: R,
     magnitude: R,
+    /// No point is farther from the base.
+    size: R,
     capped: bool,
 }
 
@@ -87,16 +100,16 @@ impl<R: Real> PreparedCone<R> {
         let a = R::ONE - self.steepness * climb * climb;
         let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
         let across = from_base - self.axis * height;
-        let c = across.length_squared() - radius * radius;
-        let discriminant = b * b - a * c;
-        if !(discriminant > R::ZERO) {
+        let c = across.dot_wide(across) - radius.times(radius);
+        let discriminant = b.times(b) - c.times(a);
+        if !(discriminant > R::Product::ZERO) {
             return None;
         }
         let root = discriminant.sqrt();
         let q = if b > R::ZERO { -b - root } else { root - b };
         // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
         // far away; without floats it might not be representable.
-        let one = c / q;
+        let one = c.over(q);
         let other = if a.abs() > R::RAY_OFFSET * R::RAY_OFFSET { q / a } else { one };
         let on_side = |t: R| {
             let at = height + climb * t;
@@ -136,7 +149,7 @@ impl<R: Real> PreparedCone<R> {
             if range.contains(t + advance) {
                 let across = from_base + direction * t - self.axis * end;
                 let radius = self.base_radius + self.slope * end;
-                if across.length_squared() < radius * radius {
+                if across.dot_wide(across) < radius.times(radius) {
                     range.max = t + advance;
                     nearest = Some(t + advance);
                 }
@@ -152,6 +165,13 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         // however far away the ray begins.
         let advance = (self.base - ray.origin).dot(ray.direction);
         let start = ray.at(advance);
+        if R::REACH.is_some() {
+            // The coefficients of a ray that passes far away would be out of range.
+            let from_base = start - self.base;
+            if from_base.dot_wide(from_base) > self.size.times(self.size) {
+                return None;
+            }
+        }
         let side = self.intersect_side(start, advance, ray.direction, range);
         if !self.capped {
             return side;
@@ -168,7 +188,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             let radius = (self.base_radius + self.slope * height).larger(R::ZERO);
             Aabb::around(self.base + self.axis * height, reach * radius)
         };
-        Some(disc(R::ZERO).union(disc(self.length)).padded(self.magnitude * R::RAY_OFFSET))
+        Some(disc(R::ZERO).union(disc(self.length)).padded(R::offset(self.magnitude)))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

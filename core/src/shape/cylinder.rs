@@ -3,7 +3,7 @@
 use super::{Cone, Geometry, PreparedCone};
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::math::{Real, Vec3};
+use crate::math::{Extent, Real, Scale, Vec3};
 
 /// A cylinder between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,11 +21,20 @@ pub struct Cylinder {
 impl Geometry for Cylinder {
     type Prepared<'m, R: Real> = PreparedCone<R>;
 
-    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<PreparedCone<R>, Fault>
+    fn extent(&self) -> Extent {
+        Cone::from(*self).extent()
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, memory: &mut Arena<'m>) -> Result<PreparedCone<R>, Fault>
     where
         Self: 'm,
     {
-        let Self { base, top, radius, capped } = *self;
-        Cone { base, base_radius: radius, top, top_radius: radius, capped }.prepare(memory)
+        Cone::from(*self).prepare(scale, memory)
+    }
+}
+
+impl From<Cylinder> for Cone {
+    fn from(Cylinder { base, top, radius, capped }: Cylinder) -> Self {
+        Self { base, base_radius: radius, top, top_radius: radius, capped }
     }
 }

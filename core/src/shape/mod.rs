@@ -27,7 +27,7 @@ pub use triangle::{PreparedTriangle, Triangle};
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// The description of a shape: plain `f32` data, `Copy` and small.
@@ -42,11 +42,19 @@ pub trait Geometry: Copy + Debug {
         0
     }
 
-    /// Checks every number and converts the shape.
+    /// How far the shape extends, for scenes that are scaled into the range of a number system.
+    fn extent(&self) -> Extent;
+
+    /// Checks every number, scales the shape and converts it. All is computed in floating point
+    /// ([`Real::Setup`]) and rounded last.
     ///
     /// # Errors
     /// A [`Fault`] that says what is wrong with the description.
-    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<Self::Prepared<'m, R>, Fault>
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<Self::Prepared<'m, R>, Fault>
     where
         Self: 'm;
 }
@@ -124,7 +132,7 @@ impl Shape<'_> {
 /// The box around points of a flat shape, with room for the rounding of a hit.
 fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> {
     let bounds = points.map(Aabb::point).reduce(Aabb::union)?;
-    Some(bounds.padded(bounds.magnitude() * R::RAY_OFFSET))
+    Some(bounds.padded(R::offset(bounds.magnitude())))
 }
 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.

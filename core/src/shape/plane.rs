@@ -3,7 +3,7 @@
 use super::{Form, Geometry, Intersect, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// An infinite plane.
@@ -25,13 +25,18 @@ impl Plane {
 impl Geometry for Plane {
     type Prepared<'m, R: Real> = PreparedPlane<R>;
 
-    fn prepare<'m, R: Real>(&self, _: &mut Arena<'m>) -> Result<PreparedPlane<R>, Fault>
+    fn extent(&self) -> Extent {
+        let normal = check_direction::<f32>(self.normal).unwrap_or(Vec3::ZERO);
+        Extent::plane(normal.dot(self.point).abs())
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedPlane<R>, Fault>
     where
         Self: 'm,
     {
         check_point(self.point)?;
-        let normal: Vec3<R> = check_direction(self.normal)?;
-        Ok(PreparedPlane { normal, distance: normal.dot(self.point.to()) })
+        let normal = check_direction(self.normal)?;
+        Ok(PreparedPlane::new(normal, normal.dot(self.point.to()), scale))
     }
 }
 
@@ -42,9 +47,15 @@ pub struct PreparedPlane<R> {
     pub(super) distance: R,
 }
 
-impl<R: Real> Intersect<R> for PreparedPlane<R> {
+impl<R: Real> PreparedPlane<R> {
+    /// The plane with this unit normal and distance in the scene's units.
+    pub(super) fn new(normal: Vec3<R::Setup>, distance: R::Setup, scale: Scale) -> Self {
+        Self { normal: Vec3::from_setup(normal), distance: scale.length(distance) }
+    }
+
+    /// The distance at which a ray meets the plane.
     #[inline]
-    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+    pub(super) fn meet(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let height = self.distance - self.normal.dot(ray.origin);
         let slope = self.normal.dot(ray.direction);
         // Only a ray that goes toward the plane reaches it, and only then is there something to divide by.
@@ -54,6 +65,16 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         }
         let t = height / slope;
         range.contains(t).then_some(t)
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedPlane<R> {
+    #[inline]
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let t = self.meet(ray, range)?;
+        // The next ray begins there, so it must be a place that can be computed with.
+        let held = R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach));
+        held.then_some(t)
     }
 
     fn form(&self) -> Form<R> {

@@ -4,7 +4,7 @@
 use super::{Form, Geometry, Intersect, PreparedPlane, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A planar polygon; its front is the side from which the vertices run counterclockwise.
@@ -36,7 +36,15 @@ impl Geometry for Polygon<'_> {
         self.vertices.len()
     }
 
-    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<PreparedPolygon<'m, R>, Fault>
+    fn extent(&self) -> Extent {
+        Extent::flat(self.vertices.iter().fold(0.0, |most: f32, vertex| most.larger(vertex.magnitude())))
+    }
+
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedPolygon<'m, R>, Fault>
     where
         Self: 'm,
     {
@@ -44,21 +52,21 @@ impl Geometry for Polygon<'_> {
         let [first, .., last] = self.vertices else { return Err(Fault::NoArea) };
         // Newell's method, relative to the first vertex: the sum of the cross products of neighbors is twice
         // the enclosed area along the normal (Sutherland, Sproull and Schumacker 1974).
-        let corner: Vec3<R> = first.to();
+        let corner: Vec3<R::Setup> = first.to();
         let mut doubled_area = Vec3::ZERO;
-        let mut previous = last.to::<R>() - corner;
-        let mut extent = R::ZERO;
+        let mut previous = last.to() - corner;
+        let mut extent = R::Setup::ZERO;
         for vertex in self.vertices {
             let vertex = vertex.to() - corner;
             doubled_area = doubled_area + previous.cross(vertex);
             extent = extent.larger(vertex.length());
             previous = vertex;
         }
-        if !(doubled_area.length() > R::from_f32(1e-6) * extent * extent) {
+        if !(doubled_area.length() > R::Setup::from_f32(1e-6) * extent * extent) {
             return Err(Fault::NoArea);
         }
         let normal = doubled_area.normalized().ok_or(Fault::NoArea)?;
-        let tolerance = R::from_f32(PLANARITY) * extent;
+        let tolerance = R::Setup::from_f32(PLANARITY) * extent;
         if self.vertices.iter().any(|vertex| normal.dot(vertex.to() - corner).abs() > tolerance) {
             return Err(Fault::NotPlanar);
         }
@@ -73,13 +81,13 @@ impl Geometry for Polygon<'_> {
         };
         let vertices = self.vertices;
         let edges = memory.store_with(vertices.len(), |i| {
-            let (u, v) = dropped.flatten(vertices.get(i).unwrap_or(first).to::<R>());
-            let next = vertices.get(i.wrapping_add(1)).unwrap_or(first);
-            let (next_u, next_v) = dropped.flatten(next.to::<R>());
+            let place = |vertex: &Vec3| dropped.flatten(scale.point::<R>(vertex.to()));
+            let (u, v) = place(vertices.get(i).unwrap_or(first));
+            let (next_u, next_v) = place(vertices.get(i.wrapping_add(1)).unwrap_or(first));
             let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
             Vec3::new(u, v, slope)
         })?;
-        Ok(PreparedPolygon { plane: PreparedPlane { normal, distance: normal.dot(corner) }, dropped, edges })
+        Ok(PreparedPolygon { plane: PreparedPlane::new(normal, normal.dot(corner), scale), dropped, edges })
     }
 }
 
@@ -132,7 +140,7 @@ impl<R: Real> PreparedPolygon<'_, R> {
         let mut edges = self.edges.iter().peekable();
         while let Some(edge) = edges.next() {
             let next = edges.peek().copied().or(self.edges.first()).unwrap_or(edge);
-            if (edge.y > v) != (next.y > v) && u < edge.x + (v - edge.y) * edge.z {
+            if (edge.y > v) != (next.y > v) && is_left(u, v, edge, next) {
                 inside = !inside;
             }
         }
@@ -140,9 +148,20 @@ impl<R: Real> PreparedPolygon<'_, R> {
     }
 }
 
+/// Whether (u, v) lies on the left of an edge.
+#[inline]
+fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
+    if R::REACH.is_none() {
+        return u < edge.x + (v - edge.y) * edge.z;
+    }
+    // Slopes may be out of range; the comparison of exact products is right for all.
+    let (along, across) = ((v - edge.y).times(next.x - edge.x), (u - edge.x).times(next.y - edge.y));
+    if next.y > edge.y { across < along } else { across > along }
+}
+
 impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let t = self.plane.intersect(ray, range)?;
+        let t = self.plane.meet(ray, range)?;
         self.encloses(ray.at(t)).then_some(t)
     }
 

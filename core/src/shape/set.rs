@@ -50,8 +50,15 @@ macro_rules! shape_set {
                 }
             }
 
+            fn extent(&self) -> $crate::math::Extent {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Geometry::extent(shape)),+
+                }
+            }
+
             fn prepare<'m, R: $crate::math::Real>(
                 &self,
+                scale: $crate::math::Scale,
                 memory: &mut $crate::Arena<'m>,
             ) -> Result<Self::Prepared<'m, R>, $crate::Fault>
             where
@@ -59,7 +66,7 @@ macro_rules! shape_set {
             {
                 Ok(match self {
                     $(Self::$Variant(shape) => {
-                        $Prepared::$Variant($crate::shape::Geometry::prepare(shape, memory)?)
+                        $Prepared::$Variant($crate::shape::Geometry::prepare(shape, scale, memory)?)
                     }),+
                 })
             }

@@ -3,8 +3,8 @@
 
 use super::{Form, Geometry, Intersect};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_point, check_radius};
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::fault::{Fault, check_point, check_radius, check_size};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A sphere.
@@ -26,23 +26,29 @@ impl Sphere {
 impl Geometry for Sphere {
     type Prepared<'m, R: Real> = PreparedSphere<R>;
 
-    fn prepare<'m, R: Real>(&self, _: &mut Arena<'m>) -> Result<PreparedSphere<R>, Fault>
+    fn extent(&self) -> Extent {
+        Extent::solid(self.center.magnitude() + self.radius)
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedSphere<R>, Fault>
     where
         Self: 'm,
     {
         check_point(self.center)?;
         check_radius(self.radius)?;
-        let radius = R::from_f32(self.radius);
-        Ok(PreparedSphere { center: self.center.to(), radius, radius_squared: radius * radius })
+        let radius: R = scale.length(R::Setup::from_f32(self.radius));
+        check_size(radius)?;
+        let center = scale.point(self.center.to());
+        Ok(PreparedSphere { center, radius, radius_squared: radius.times(radius) })
     }
 }
 
 /// A [`Sphere`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedSphere<R> {
+pub struct PreparedSphere<R: Real> {
     center: Vec3<R>,
     radius: R,
-    radius_squared: R,
+    radius_squared: R::Product,
 }
 
 impl<R: Real> Intersect<R> for PreparedSphere<R> {
@@ -53,8 +59,8 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         // The discriminant from the point of the ray nearest to the center, not from b² − c: that would lose
         // a sphere that is 100 radii away.
         let nearest = from_center + ray.direction * middle;
-        let discriminant = self.radius_squared - nearest.length_squared();
-        if discriminant > R::ZERO {
+        let discriminant = self.radius_squared - nearest.dot_wide(nearest);
+        if discriminant > R::Product::ZERO {
             let half_chord = discriminant.sqrt();
             range.first(middle - half_chord, middle + half_chord)
         } else {
@@ -69,12 +75,11 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
     fn bounds(&self) -> Option<Aabb<R>> {
         let reach = Vec3::new(self.radius, self.radius, self.radius);
         let bounds = Aabb::around(self.center, reach);
-        Some(bounds.padded(bounds.magnitude() * R::RAY_OFFSET))
+        Some(bounds.padded(R::offset(bounds.magnitude())))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let outward = ray.at(t) - self.center;
-        let normal = outward * outward.length().recip();
+        let (normal, _) = (ray.at(t) - self.center).polar();
         Surface {
             point: self.center + normal * self.radius,
             normal,

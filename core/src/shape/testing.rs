@@ -3,7 +3,7 @@
 use super::{Geometry, Intersect};
 use crate::arena::{Arena, Workspace};
 use crate::fault::Fault;
-use crate::math::{Interval, Ray, Real, Vec3};
+use crate::math::{Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// Where a ray met a shape, in `f64`.
@@ -27,7 +27,8 @@ pub(super) fn prepared<'m, G: Geometry + 'm, R: Real>(
     shape: G,
     memory: &'m mut Memory,
 ) -> Result<G::Prepared<'m, R>, Fault> {
-    shape.prepare(&mut Arena::new(memory.lend()))
+    let scale = Scale::new::<R>(shape.extent(), Vec3::ZERO);
+    shape.prepare(scale, &mut Arena::new(memory.lend()))
 }
 
 /// Why a shape is refused.

@@ -2,10 +2,10 @@
 //! Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9: one plane holds the triangle, and the
 //! other two measure its barycentric coordinates.
 
-use super::{Form, Geometry, Intersect, bounds_of, project_onto_plane};
+use super::{Form, Geometry, Intersect, PreparedPlane, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Interval, Ray, Real, Vec3};
+use crate::math::{Aabb, Extent, Interval, Linear, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A triangle; its front is the side from which the vertices run counterclockwise.
@@ -35,17 +35,26 @@ impl Geometry for Triangle {
         self.const_vectors()
     }
 
-    fn prepare<'m, R: Real>(&self, memory: &mut Arena<'m>) -> Result<PreparedTriangle<'m, R>, Fault>
+    fn extent(&self) -> Extent {
+        let [a, b, c] = self.vertices.map(Vec3::magnitude);
+        Extent::flat(a.larger(b).larger(c))
+    }
+
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedTriangle<'m, R>, Fault>
     where
         Self: 'm,
     {
         self.vertices.into_iter().try_for_each(check_point)?;
-        let [a, b, c] = self.vertices.map(Vec3::to::<R>);
+        let [a, b, c] = self.vertices.map(Vec3::to::<R::Setup>);
         let (ab, ac) = (b - a, c - a);
         let area_normal = ab.cross(ac);
         let doubled_area = area_normal.length();
         // Thinner than a millionth of its length, a triangle has no direction that could be trusted.
-        if !(doubled_area > R::from_f32(1e-6) * ab.length() * ac.length()) {
+        if !(doubled_area > R::Setup::from_f32(1e-6) * ab.length() * ac.length()) {
             return Err(Fault::Collinear);
         }
         let normal = area_normal * doubled_area.recip();
@@ -57,18 +66,17 @@ impl Geometry for Triangle {
             Some(normals) => {
                 let mut units = [Vec3::ZERO; 3];
                 for (unit, normal) in units.iter_mut().zip(normals) {
-                    *unit = check_direction(normal)?;
+                    *unit = Vec3::from_setup(check_direction(normal)?);
                 }
                 memory.store(units).map(Some)?
             }
         };
+        let zero = scale.setup_point::<R>(a);
+        let per_unit = R::Setup::from_f32(1.0 / scale.to_f32());
         Ok(PreparedTriangle {
-            normal,
-            distance: normal.dot(a),
-            gradient_b,
-            offset_b: -gradient_b.dot(a),
-            gradient_c,
-            offset_c: -gradient_c.dot(a),
+            plane: PreparedPlane::new(normal, normal.dot(a), scale),
+            weight_b: R::Linear::new(gradient_b * per_unit, zero),
+            weight_c: R::Linear::new(gradient_c * per_unit, zero),
             normals,
         })
     }
@@ -76,13 +84,12 @@ impl Geometry for Triangle {
 
 /// A [`Triangle`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedTriangle<'m, R> {
-    normal: Vec3<R>,
-    distance: R,
-    gradient_b: Vec3<R>,
-    offset_b: R,
-    gradient_c: Vec3<R>,
-    offset_c: R,
+pub struct PreparedTriangle<'m, R: Real> {
+    plane: PreparedPlane<R>,
+    /// The barycentric coordinate that is 1 at the second corner.
+    weight_b: R::Linear,
+    /// The one that is 1 at the third.
+    weight_c: R::Linear,
     normals: Option<&'m [Vec3<R>; 3]>,
 }
 
@@ -90,38 +97,30 @@ impl<R: Real> PreparedTriangle<'_, R> {
     /// The corners, from the gradients of the barycentric coordinates: each coordinate grows by 1 on the way
     /// from the opposite edge to its own corner.
     fn corners(&self) -> [Vec3<R>; 3] {
-        let (u, v, n) = (self.gradient_b, self.gradient_c, self.normal);
+        let (u, v) = (self.weight_b.gradient(), self.weight_c.gradient());
+        let (n, distance) = (self.plane.normal.to_setup(), self.plane.distance.to_setup());
         // Edge vectors are the dual basis of the gradients.
         let volume = u.cross(v).dot(n).recip();
         let (ab, ac) = (v.cross(n) * volume, n.cross(u) * volume);
-        let a = n * self.distance - ab * self.offset_b - ac * self.offset_c;
-        [a, a + ab, a + ac]
+        let a = n * distance - ab * self.weight_b.offset() - ac * self.weight_c.offset();
+        [a, a + ab, a + ac].map(Vec3::from_setup)
     }
 
     /// The weights of the second and third corner at a point of the plane.
     fn barycentric(&self, point: Vec3<R>) -> (R, R) {
-        (self.gradient_b.dot(point) + self.offset_b, self.gradient_c.dot(point) + self.offset_c)
+        (self.weight_b.at(point), self.weight_c.at(point))
     }
 }
 
 impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let height = self.distance - self.normal.dot(ray.origin);
-        let slope = self.normal.dot(ray.direction);
-        let toward = (height > R::ZERO && slope > R::ZERO) || (height < R::ZERO && slope < R::ZERO);
-        if !toward {
-            return None;
-        }
-        let t = height / slope;
-        if !range.contains(t) {
-            return None;
-        }
+        let t = self.plane.meet(ray, range)?;
         let (b, c) = self.barycentric(ray.at(t));
-        (b >= R::ZERO && c >= R::ZERO && b + c <= R::ONE).then_some(t)
+        (b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE).then_some(t)
     }
 
     fn form(&self) -> Form<R> {
-        Form::Flat { normal: self.normal, distance: self.distance }
+        self.plane.form()
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -129,17 +128,12 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let point = project_onto_plane(ray.at(t), self.normal, self.distance);
+        let surface = self.plane.surface(ray, t);
         let shading_normal = self.normals.and_then(|[at_a, at_b, at_c]| {
-            let (b, c) = self.barycentric(point);
+            let (b, c) = self.barycentric(surface.point);
             (*at_a * (R::ONE - b - c) + *at_b * b + *at_c * c).normalized()
         });
-        Surface {
-            point,
-            normal: self.normal,
-            shading_normal: shading_normal.unwrap_or(self.normal),
-            magnitude: point.magnitude().larger(self.distance.abs()),
-        }
+        Surface { shading_normal: shading_normal.unwrap_or(surface.normal), ..surface }
     }
 }
 

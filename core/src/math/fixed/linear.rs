@@ -1,0 +1,55 @@
+//! Linear functions over space in fixed point.
+
+use super::product::product;
+use super::{FRACTION, Fixed};
+use crate::math::Vec3;
+use crate::math::real::{Linear, Real};
+
+/// A linear function over space, for instance a barycentric coordinate of a triangle.
+///
+/// A triangle of size 10⁻³ has a gradient of 10³: the gradient has an exponent of its own, chosen so that it keeps all
+/// digits, and the sum stays exact until the point is put.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FixedLinear {
+    /// The gradient in units of 2⁻³⁰ · 2^exponent: the largest coordinate has 30 digits.
+    gradient: [i32; 3],
+    /// What makes the function zero where it should be.
+    offset: i64,
+    /// From the sum's units to those of a `Fixed`.
+    shift: u32,
+}
+
+impl FixedLinear {
+    fn sum(gradient: [i32; 3], at: Vec3<Fixed>) -> i64 {
+        let [x, y, z] = gradient;
+        product(x, at.x.0).wrapping_add(product(y, at.y.0)).wrapping_add(product(z, at.z.0))
+    }
+}
+
+impl Linear<Fixed> for FixedLinear {
+    fn new(gradient: Vec3<f32>, zero: Vec3<f32>) -> Self {
+        let magnitude = gradient.magnitude();
+        let (mut unit, mut shift) = (1.0f32, 0);
+        // 2²⁹ ≤ magnitude · unit < 2³⁰; no gradient that means something needs more than 60 doublings.
+        while shift < 60 && magnitude * unit < (1u32 << 29) as f32 {
+            unit *= 2.0;
+            shift += 1;
+        }
+        let gradient = [gradient.x, gradient.y, gradient.z].map(|slope| (slope * unit) as i32);
+        let zero = Vec3::new(Fixed::from_setup(zero.x), Fixed::from_setup(zero.y), Fixed::from_setup(zero.z));
+        Self { gradient, offset: Self::sum(gradient, zero).wrapping_neg(), shift }
+    }
+
+    fn at(&self, point: Vec3<Fixed>) -> Fixed {
+        Fixed::saturated(Self::sum(self.gradient, point).wrapping_add(self.offset) >> (self.shift & 63))
+    }
+
+    fn gradient(&self) -> Vec3<f32> {
+        let [x, y, z] = self.gradient.map(|slope| slope as f32 / (1u64 << (self.shift & 63)) as f32);
+        Vec3::new(x, y, z)
+    }
+
+    fn offset(&self) -> f32 {
+        self.offset as f32 / (1u64 << (self.shift & 63)) as f32 / (1u32 << FRACTION) as f32
+    }
+}

@@ -1,0 +1,287 @@
+//! Numbers with a fixed point, for processors without a floating-point unit.
+//!
+//! # The format
+//! A [`Fixed`] is an `i32` in units of 2⁻²⁴: ±128, and a unit vector is as exact as in `f32`. Positions have no share in that
+//! choice, because [`Scale`](crate::math::Scale) multiplies the scene by a power of two first: its solids then lie within half a unit of the origin, so
+//! that they keep 22 bits, and rays are followed 118 times as far, so that an infinite floor ends within a pixel of
+//! its horizon. Everything else that is a plain number (light, shares, squares of refractive indices) stays below 59
+//! or is refused.
+//!
+//! Rejected: Q16.16, on which the first prototypes ran. Its unit vectors are off by 2⁻¹⁷, 5e-4 units at a distance of
+//! 60, and squares end at 181 units, so that it needs wide products all the same. Rejected as well: a block exponent
+//! for each vector, which costs a normalization for each sum.
+//!
+//! # No overflow
+//! Plain sums and products wrap, because testing each would cost a third of a sphere's intersection on Cortex-M3
+//! (which has no saturating addition), and because none can overflow:
+//!
+//! - Along each axis solids lie within 1/2, flat shapes, eye and lights within 8 units of the origin, and rays start
+//!   within 59 ([`Real::REACH`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116.
+//! - Rays are followed for 59 units, so that `origin + direction · t` is below 118, and its difference from a vertex below
+//!   126.
+//! - Squares, and what they are compared with, stay 64 bits wide ([`FixedProduct`]): the square of 116 units is
+//!   below 2⁶².
+//! - What can be large is saturated: quotients, light that is added up ([`Real::add_saturating`]), and numbers that
+//!   come from floating point.
+//!
+//! # Roundings
+//! | function | off by at most |
+//! |---|---|
+//! | `+`, `-` | exact |
+//! | `*`, scalar product | 1 unit of 2⁻²⁴, downward, however many products are added up |
+//! | `/`, reciprocal | 2⁻²⁵ of the value, and 1 unit |
+//! | square root, length | 2⁻²⁴ of the value, and 1 unit |
+//! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
+//! | power | see [`power`](self::power) |
+
+mod linear;
+mod newton;
+mod power;
+mod product;
+mod wide;
+
+pub use linear::FixedLinear;
+pub use wide::FixedProduct;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::Real;
+use newton::{recip, rsqrt};
+use product::product;
+
+/// Bits after the point.
+const FRACTION: u32 = 24;
+
+/// A number in units of 2⁻²⁴: for processors without a floating-point unit.
+///
+/// # Guarantees
+/// All operations are defined for all values, and give the same bits on every processor: sums and products wrap,
+/// quotients and conversions saturate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fixed(i32);
+
+impl Fixed {
+    const ONE: Self = Self(1 << FRACTION);
+
+    /// The number of `bits` times 2⁻²⁴.
+    pub const fn from_bits(bits: i32) -> Self {
+        Self(bits)
+    }
+
+    /// The number in units of 2⁻²⁴.
+    pub const fn to_bits(self) -> i32 {
+        self.0
+    }
+
+    /// The nearest of these numbers to many units of 2⁻²⁴.
+    #[inline(always)]
+    fn saturated(bits: i64) -> Self {
+        let low = bits as i32;
+        if i64::from(low) == bits { Self(low) } else { Self(if bits < 0 { i32::MIN } else { i32::MAX }) }
+    }
+}
+
+impl Add for Fixed {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for Fixed {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Neg for Fixed {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.wrapping_neg())
+    }
+}
+
+impl Mul for Fixed {
+    type Output = Self;
+    #[inline(always)]
+    #[allow(clippy::suspicious_arithmetic_impl)] // the shift brings the point back
+    fn mul(self, other: Self) -> Self {
+        Self((product(self.0, other.0) >> FRACTION) as i32)
+    }
+}
+
+impl Div for Fixed {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if other.0 == 0 {
+            return Self(if self.0 < 0 { i32::MIN } else { i32::MAX });
+        }
+        let (zeros, inverse) = inverse(other);
+        // The divisor is 2⁽⁸⁻ᶻᵉʳᵒˢ⁾ times a number in [1/2, 1), of which `inverse` holds the reciprocal in 30 bits.
+        let quotient = product(self.0, inverse) >> (38u32.wrapping_sub(zeros) & 63);
+        Self::saturated(if other.0 < 0 { quotient.wrapping_neg() } else { quotient })
+    }
+}
+
+/// Leading zeros of the absolute value, and the reciprocal of the digits after them.
+#[inline(always)]
+fn inverse(divisor: Fixed) -> (u32, i32) {
+    let digits = divisor.0.unsigned_abs();
+    let zeros = digits.leading_zeros() & 31;
+    (zeros, recip(digits << zeros).min(i32::MAX as u32) as i32)
+}
+
+impl Real for Fixed {
+    type Setup = f32;
+    type Product = FixedProduct;
+    type Factor = Factor;
+    type Linear = FixedLinear;
+
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self::ONE;
+    const FARTHEST: Self = Self(59 << FRACTION);
+    // A 2¹⁷th part for what grows with the number: directions and normals are off by 2⁻²⁴. See `offset`.
+    const RAY_OFFSET: Self = Self(1 << (FRACTION - 17));
+    const REACH: Option<f32> = Some(59.0);
+
+    fn from_f32(value: f32) -> Self {
+        // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
+        let bits = value * (1u32 << FRACTION) as f32;
+        Self((if bits < 0.0 { bits - 0.5 } else { bits + 0.5 }) as i32)
+    }
+
+    fn to_f32(self) -> f32 {
+        self.0 as f32 * (1.0 / (1u32 << FRACTION) as f32)
+    }
+
+    fn from_u16(value: u16) -> Self {
+        Self((i32::from(value).min(127)) << FRACTION)
+    }
+
+    fn from_fraction(value: u16) -> Self {
+        Self(i32::from(value) << (FRACTION - 16))
+    }
+
+    fn from_pixel(pixel: u16, fraction: u16, shift: u32) -> Self {
+        let position = u32::from(pixel) << 16 | u32::from(fraction);
+        let down = shift.wrapping_sub(FRACTION - 16) & 31;
+        Self(
+            (if shift >= FRACTION - 16 { position >> down } else { position << (FRACTION - 16 - shift) })
+                as i32,
+        )
+    }
+
+    fn from_setup(value: f32) -> Self {
+        Self::from_f32(value)
+    }
+
+    fn to_setup(self) -> f32 {
+        self.to_f32()
+    }
+
+    fn sqrt(self) -> Self {
+        FixedProduct::new(i64::from(self.0) << FRACTION).root()
+    }
+
+    fn tan(self) -> Self {
+        Self::from_f32(libm::tanf(self.to_f32()))
+    }
+
+    fn factor(value: f32) -> Factor {
+        Factor::new(value)
+    }
+
+    fn powf(self, exponent: Factor) -> Self {
+        if self >= Self::ONE || exponent.mantissa < 0 {
+            return Self::ONE;
+        }
+        Self(power::power(self.0.max(0) as u32, exponent.mantissa as u32, exponent.shift) as i32)
+    }
+
+    fn cell(self, per_unit: Factor) -> i32 {
+        let shift = per_unit.shift.wrapping_add(FRACTION);
+        (product(self.0, per_unit.mantissa) >> shift.min(63)) as i32
+    }
+
+    fn floor_to_i32(self) -> i32 {
+        self.0 >> FRACTION
+    }
+
+    fn to_q16(self) -> u32 {
+        let bits = self.0.clamp(0, 1 << FRACTION) as u32;
+        bits.wrapping_add(1 << (FRACTION - 17)) >> (FRACTION - 16)
+    }
+
+    fn add_saturating(self, other: Self) -> Self {
+        Self(self.0.saturating_add(other.0))
+    }
+
+    #[inline(always)]
+    fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self((FixedProduct::dot3(a, b).bits() >> FRACTION) as i32)
+    }
+
+    fn times(self, other: Self) -> FixedProduct {
+        FixedProduct::new(product(self.0, other.0))
+    }
+
+    fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> FixedProduct {
+        FixedProduct::dot3(a, b)
+    }
+
+    #[inline]
+    fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
+        let (unit, length, _) = Self::polar_with(vector, Self(0));
+        (unit, length)
+    }
+
+    #[inline(always)]
+    fn polar_with(vector: [Self; 3], other: Self) -> ([Self; 3], Self, Self) {
+        let squared = FixedProduct::dot3(vector, vector).bits() as u64;
+        // length² = digits · 2⁻ᶻᵉʳᵒˢ with an even number of zeros; digits in [1/4, 1).
+        let zeros = squared.leading_zeros() & 62;
+        let digits = ((squared << zeros) >> 32) as u32;
+        let inverse = rsqrt(digits).min(i32::MAX as u32);
+        let half = zeros >> 1;
+        let length = (product::upper(digits, inverse) << 1) >> (half.saturating_sub(1) & 31);
+        // Each coordinate is shifted up as far as fits before it is scaled, and rounded afterwards.
+        let up = half.saturating_sub(1) & 31;
+        let unit = |Self(x): Self| {
+            let upper = (product(x << up, inverse as i32) >> 32) as i32;
+            Self(upper.wrapping_add(1 << 4) >> 5)
+        };
+        (vector.map(unit), Self(length.min(i32::MAX as u32) as i32), unit(other))
+    }
+
+    fn offset(magnitude: Self) -> Self {
+        // A point that was computed is off by a few units; 16 of them are 4e-6 of the scene.
+        Self((magnitude.0 >> 17).wrapping_add(16))
+    }
+}
+
+/// A number of any magnitude, for what is multiplied but never added: `mantissa / 2^shift`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Factor {
+    mantissa: i32,
+    shift: u32,
+}
+
+impl Factor {
+    /// The nearest factor with 30 digits after the point or fewer; what is larger than 2³⁰ saturates.
+    fn new(value: f32) -> Self {
+        let mut mantissa = if value.abs() < 1e9 { value } else { 1e9f32.copysign(value) };
+        let mut shift = 0;
+        while shift < 30 && mantissa.abs() < (1u32 << 29) as f32 {
+            mantissa *= 2.0;
+            shift += 1;
+        }
+        Self { mantissa: mantissa as i32, shift }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! Products of 32 by 32 bits, exact in 64.
+//!
+//! Processors from ARMv7-M on, and RISC-V with its M extension, have an instruction or two for it. ARMv6-M multiplies 32
+//! bits only, and its compiler's library takes 64 by 64 bits for a product that needs a quarter of that: there four products of 16
+//! bits are added up by hand (Warren, "Hacker's Delight", 2nd ed. 2012, §8-2). The bits are the same.
+
+/// `a · b`.
+#[inline(always)]
+pub(super) fn product(a: i32, b: i32) -> i64 {
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        // Arm without compare-and-swap is ARMv6-M: the one thing by which stable Rust can tell it.
+        by_halves(a, b)
+    } else {
+        i64::from(a).wrapping_mul(i64::from(b))
+    }
+}
+
+/// The upper 32 bits of `a · b`.
+#[inline(always)]
+pub(super) fn upper(a: u32, b: u32) -> u32 {
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        upper_by_halves(a, b)
+    } else {
+        (u64::from(a).wrapping_mul(u64::from(b)) >> 32) as u32
+    }
+}
+
+fn by_halves(a: i32, b: i32) -> i64 {
+    let (a_high, a_low) = (a >> 16, a & 0xFFFF);
+    let (b_high, b_low) = (b >> 16, b & 0xFFFF);
+    let low = (a_low as u32).wrapping_mul(b_low as u32);
+    // Neither sum overflows: 32767 · 65535 + 65535 < 2³¹.
+    let cross = a_high.wrapping_mul(b_low).wrapping_add((low >> 16) as i32);
+    let other = a_low.wrapping_mul(b_high).wrapping_add(cross & 0xFFFF);
+    let high = a_high.wrapping_mul(b_high).wrapping_add(cross >> 16).wrapping_add(other >> 16);
+    let low = (other as u32) << 16 | low & 0xFFFF;
+    i64::from(high) << 32 | i64::from(low)
+}
+
+fn upper_by_halves(a: u32, b: u32) -> u32 {
+    let (a_high, a_low) = (a >> 16, a & 0xFFFF);
+    let (b_high, b_low) = (b >> 16, b & 0xFFFF);
+    let cross = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_low) >> 16);
+    let other = a_low.wrapping_mul(b_high).wrapping_add(cross & 0xFFFF);
+    a_high.wrapping_mul(b_high).wrapping_add(cross >> 16).wrapping_add(other >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_give_the_same_bits() {
+        let edges = [0, 1, -1, 2, 0x7FFF, 0x8000, 0xFFFF, 0x1_0000, i32::MAX, i32::MIN, -0x8000, -0x1_0000];
+        let mut state = 1u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 32) as i32
+        };
+        let pairs = edges.into_iter().flat_map(|a| edges.map(|b| (a, b)));
+        let randoms: Vec<_> = (0..1_000_000).map(|_| (random(), random())).collect();
+        for (a, b) in pairs.chain(randoms) {
+            assert_eq!(by_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
+            assert_eq!(product(a, b), by_halves(a, b));
+            let (a, b) = (a as u32, b as u32);
+            assert_eq!(upper_by_halves(a, b), ((u64::from(a) * u64::from(b)) >> 32) as u32, "{a} · {b}");
+            assert_eq!(upper(a, b), upper_by_halves(a, b));
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Sums of products of fixed-point numbers that were not rounded yet.
+
+use core::ops::{Add, Sub};
+
+use super::newton::rsqrt;
+use super::product::{product, upper};
+use super::{FRACTION, Fixed, inverse};
+use crate::math::real::Product;
+
+/// A sum of products of two [`Fixed`]: exact, in units of 2⁻⁴⁸.
+///
+/// Multiply-and-accumulate is one instruction on processors from ARMv7-M on, and nothing is lost of the small differences of
+/// squares that tell whether a sphere is met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FixedProduct(i64);
+
+impl FixedProduct {
+    #[inline(always)]
+    pub(super) fn new(bits: i64) -> Self {
+        Self(bits)
+    }
+
+    #[inline(always)]
+    pub(super) fn bits(self) -> i64 {
+        self.0
+    }
+
+    #[inline(always)]
+    pub(super) fn dot3(a: [Fixed; 3], b: [Fixed; 3]) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (a, b);
+        let sum = product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0));
+        Self(sum)
+    }
+
+    /// The square root.
+    #[inline]
+    pub(super) fn root(self) -> Fixed {
+        if self.0 <= 0 {
+            return Fixed(0);
+        }
+        let bits = self.0 as u64;
+        // bits = digits · 2⁻ᶻᵉʳᵒˢ with an even number of zeros; digits in [1/4, 1).
+        let zeros = bits.leading_zeros() & 62;
+        let digits = ((bits << zeros) >> 32) as u32;
+        let root = upper(digits, rsqrt(digits)) << 1;
+        // A positive number has at least one zero in front; with one alone the root is above what there is.
+        match (zeros >> 1).checked_sub(1) {
+            Some(down) => Fixed((root >> (down & 31)) as i32),
+            None => Fixed(i32::MAX),
+        }
+    }
+}
+
+impl Add for FixedProduct {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for FixedProduct {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Product<Fixed> for FixedProduct {
+    const ZERO: Self = Self(0);
+
+    fn sqrt(self) -> Fixed {
+        self.root()
+    }
+
+    fn times(self, factor: Fixed) -> Self {
+        // In two pieces of 32 and 31 bits: 64 by 32 bits, without what falls below the point.
+        let (high, low) = ((self.0 >> 31) as i32, (self.0 & 0x7FFF_FFFF) as i32);
+        let high = product(high, factor.0).wrapping_shl(31 - FRACTION);
+        Self(high.wrapping_add(product(low, factor.0) >> FRACTION))
+    }
+
+    fn over(self, divisor: Fixed) -> Fixed {
+        if divisor.0 == 0 {
+            return Fixed(if self.0 < 0 { i32::MIN } else { i32::MAX });
+        }
+        // As many digits as fit in 31 bits, for a product of 31 by 31.
+        let up = self.0.unsigned_abs().leading_zeros().saturating_sub(1) & 63;
+        let digits = ((self.0 << up) >> 32) as i32;
+        let (zeros, inverse) = inverse(divisor);
+        // 2⁻⁴⁸ · 2³² · 2⁻ᵘᵖ over 2⁻²⁴ · 2³² · 2⁻ᶻᵉʳᵒˢ, times 2⁻³⁰ for the reciprocal.
+        let quotient = product(digits, inverse);
+        let down = 30u32.wrapping_add(up).wrapping_sub(zeros);
+        let quotient = if down < 64 { quotient >> down } else { 0 };
+        Fixed::saturated(if divisor.0 < 0 { quotient.wrapping_neg() } else { quotient })
+    }
+}

@@ -1,0 +1,130 @@
+//! How large a scene is, and how large it is traced.
+
+use super::{Real, Vec3};
+
+/// How far the parts of a scene extend: the largest absolute coordinates, by what they mean for [`Scale`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// Of what is curved. Its squares and slopes need the most room.
+    pub solid: f32,
+    /// Of what is flat and bounded.
+    pub flat: f32,
+    /// Distance from the origin of what is flat and has no bounds; `None` where there is nothing such.
+    pub plane: Option<f32>,
+}
+
+impl Extent {
+    /// Something curved, in a box around the origin.
+    pub const fn solid(magnitude: f32) -> Self {
+        Self { solid: magnitude, flat: 0.0, plane: None }
+    }
+
+    /// Something flat, in a box around the origin.
+    pub const fn flat(magnitude: f32) -> Self {
+        Self { solid: 0.0, flat: magnitude, plane: None }
+    }
+
+    /// An infinite plane, at a distance from the origin.
+    pub const fn plane(distance: f32) -> Self {
+        Self { solid: 0.0, flat: 0.0, plane: Some(distance) }
+    }
+
+    /// What holds both.
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            solid: self.solid.larger(other.solid),
+            flat: self.flat.larger(other.flat),
+            plane: match (self.plane, other.plane) {
+                (Some(a), Some(b)) => Some(a.larger(b)),
+                (a, b) => a.or(b),
+            },
+        }
+    }
+}
+
+/// From the units of a scene's description to those in which a number system traces it: a power of two.
+///
+/// For floating point it is 1. A number system with little range ([`Real::REACH`]) gets the scene such that its solids
+/// lie within 1/2 of the origin, and flat shapes, eye and lights within 8; where there is an infinite plane, eye and
+/// solids lie within 1/4, so that the plane is seen more than 200 times as far as the eye is away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale(f32);
+
+impl Scale {
+    /// The scene as it is described.
+    pub const ONE: Self = Self(1.0);
+
+    /// How far solids may extend, after scaling.
+    const SOLID: f32 = 0.5;
+    /// How far solids and the eye may, where there is a plane: its last line before the horizon is then nearer than a
+    /// ray is followed, in pictures of 240 lines.
+    const ON_PLANE: f32 = 0.25;
+    /// How far flat shapes may, and how far eye, lights and planes may be from the origin.
+    const NEAR: f32 = 8.0;
+
+    /// The scale for a scene that is seen from `eye`.
+    pub fn new<R: Real>(extent: Extent, eye: Vec3) -> Self {
+        if R::REACH.is_none() {
+            return Self::ONE;
+        }
+        let eye = eye.magnitude();
+        let (near, limit) = match extent.plane {
+            Some(_) => (extent.solid.larger(eye), Self::ON_PLANE),
+            None => (extent.solid, Self::SOLID),
+        };
+        let fits = |scale: f32| {
+            near * scale <= limit
+                && extent.flat * scale <= Self::NEAR
+                && eye * scale <= Self::NEAR
+                && extent.plane.unwrap_or(0.0) * scale <= Self::NEAR
+        };
+        // The largest that fits, from 2⁻³⁰ to 2³⁰: descriptions end at 10⁶, and what is smaller than 10⁻⁹ is a point.
+        let mut scale = (1u32 << 30) as f32;
+        for _ in 0..60 {
+            if fits(scale) {
+                break;
+            }
+            scale *= 0.5;
+        }
+        Self(scale)
+    }
+
+    /// How many units of the kernel one unit of the scene is.
+    pub fn to_f32(self) -> f32 {
+        self.0
+    }
+
+    /// A length or coordinate.
+    pub fn length<R: Real>(self, length: R::Setup) -> R {
+        R::from_setup(self.setup::<R>(length))
+    }
+
+    /// A point.
+    pub fn point<R: Real>(self, point: Vec3<R::Setup>) -> Vec3<R> {
+        Vec3::from_setup(self.setup_point::<R>(point))
+    }
+
+    /// A length or coordinate, not yet rounded.
+    pub fn setup<R: Real>(self, length: R::Setup) -> R::Setup {
+        length * R::Setup::from_f32(self.0)
+    }
+
+    /// A point, not yet rounded.
+    pub fn setup_point<R: Real>(self, point: Vec3<R::Setup>) -> Vec3<R::Setup> {
+        point * R::Setup::from_f32(self.0)
+    }
+
+    /// Whether an eye or light at this point is near enough.
+    pub fn is_near<R: Real>(self, point: Vec3) -> bool {
+        R::REACH.is_none() || point.magnitude() * self.0 <= Self::NEAR
+    }
+
+    /// A power of two that brings a point, with coordinates of up to 10⁶ units, as near as [`is_near`](Self::is_near) asks.
+    pub(crate) fn shrink(self, point: Vec3) -> f32 {
+        let mut shrink = 1.0;
+        while point.magnitude() * self.0 * shrink > Self::NEAR {
+            shrink *= 0.5;
+        }
+        shrink
+    }
+}
