@@ -190,7 +190,8 @@ impl<'s, R: Real> Vertex<'s, R> {
                 break;
             }
             let (ray, from) = self.spawn(toward);
-            let (through, cut) = scene.light_through_leaving(&ray, distance, from, index);
+            let (through, cut) =
+                scene.light_through_leaving(&ray, distance, from, self.hit.surface.magnitude, index);
             if cut {
                 probe.record(Event::Cut(Cut::ShadowLayers));
             }

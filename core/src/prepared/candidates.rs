@@ -30,10 +30,6 @@ impl ObjectSet {
         if count >= Self::CAPACITY { Self(u32::MAX) } else { Self((1 << count) - 1) }
     }
 
-    pub(crate) const fn contains(self, object: usize) -> bool {
-        self.0 >> (object & 31) & 1 == 1
-    }
-
     pub(crate) const fn is_empty(self) -> bool {
         self.0 == 0
     }
@@ -73,28 +69,72 @@ pub(crate) struct Departure {
 
 /// The sets of a scene.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Candidates<'m> {
+pub(crate) struct Candidates<'m, R> {
     all: ObjectSet,
-    /// The objects that are balls.
-    balls: ObjectSet,
-    /// The objects that never meet a ray again that left them outward.
-    never_again: ObjectSet,
-    /// Per object: what reaches into it, itself included.
-    inside: &'m [ObjectSet],
-    /// Per object and light: what can stand between them, the object included.
+    /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come out.
+    leaving: &'m [[ObjectSet; 2]],
+    /// Per object and light: what can stand between them.
     shadows: &'m [ObjectSet],
+    /// Per object and light: what tells fast that a ball is not in the way.
+    occluders: &'m [Occluder<R>],
     lights: usize,
+    /// The largest coordinate of any object that has bounds: for hits within, `occluders` hold.
+    reach: R,
 }
 
-impl<'m> Candidates<'m> {
-    /// How many sets are stored for a scene: none where it has too many objects.
-    pub(super) const fn count(objects: usize, lights: usize) -> usize {
+/// A ball as a point light sees it. The way from the light into the unit direction d passes it by if
+/// `b = d · toward_center` is negative or b² is less than the squared length of the tangent to the ball.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Occluder<R> {
+    toward_center: Vec3<R>,
+    /// Squared length of the tangent, less some for rounding; negative where nothing can be told.
+    tangent_squared: R,
+}
+
+impl<R: Real> Occluder<R> {
+    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, tangent_squared: R::ZERO };
+
+    fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
+        let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
+            return Self::UNKNOWN;
+        };
+        let toward_center = center - *position;
+        // A shadow ray begins a little beside the surface, so it passes the light by as little.
+        let beside = R::RAY_OFFSET * R::from_f32(8.0) * reach.larger(position.magnitude());
+        let radius = radius + radius * R::from_f32(1e-3) + beside;
+        let distance_squared = toward_center.length_squared();
+        let rounding = distance_squared * (R::RAY_OFFSET * R::from_f32(4.0));
+        let tangent_squared = distance_squared - rounding - radius * radius;
+        if tangent_squared > R::ZERO { Self { toward_center, tangent_squared } } else { Self::UNKNOWN }
+    }
+
+    /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
+    #[inline(always)]
+    fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
+        let along = self.toward_center.dot(toward_light);
+        // The ray points to the light, so what lies along it from the light has a negative product.
+        along > R::ZERO || along * along < self.tangent_squared
+    }
+}
+
+impl<'m, R: Real> Candidates<'m, R> {
+    /// How many objects the sets are stored of: none where a scene has too many.
+    const fn stored(objects: usize) -> usize {
+        if objects > ObjectSet::CAPACITY { 0 } else { objects }
+    }
+
+    /// How many bytes the sets of a scene take.
+    pub(super) const fn bytes(objects: usize, lights: usize) -> usize {
+        let objects = Self::stored(objects);
         // 32 objects and 65535 lights are far from overflowing.
-        if objects > ObjectSet::CAPACITY { 0 } else { objects * lights.saturating_add(1) }
+        let pairs = objects.saturating_mul(lights);
+        Arena::bytes::<[ObjectSet; 2]>(objects)
+            .saturating_add(Arena::bytes::<ObjectSet>(pairs))
+            .saturating_add(Arena::bytes::<Occluder<R>>(pairs))
     }
 
     /// Works out the sets, unless the scene has too many objects.
-    pub(super) fn new<R: Real, P: Intersect<R>>(
+    pub(super) fn new<P: Intersect<R>>(
         objects: &[PreparedObject<P>],
         lights: &[PreparedLight<R>],
         arena: &mut Arena<'m>,
@@ -102,29 +142,40 @@ impl<'m> Candidates<'m> {
         if objects.len() > ObjectSet::CAPACITY {
             return Ok(None);
         }
-        let inside = arena.store_with(objects.len(), |receiver| {
-            among(objects, receiver, |around, other| around.reaches(other))
-        })?;
-        let shadows = arena.store_with(objects.len() * lights.len(), |index| {
-            let receiver = index.checked_div(lights.len()).unwrap_or(0);
-            let light = index.checked_rem(lights.len()).and_then(|light| lights.get(light));
-            among(objects, receiver, |around, other| {
-                light.is_none_or(|light| around.is_shaded_by(other, &light.source))
-            })
-        })?;
-        let (mut balls, mut never_again) = (ObjectSet::NONE, ObjectSet::NONE);
-        for (index, object) in objects.iter().enumerate() {
-            match object.shape.form() {
-                Form::Any => {}
-                Form::Ball { .. } => {
-                    balls = balls.with(index);
-                    never_again = never_again.with(index);
-                }
-                Form::Flat { .. } => never_again = never_again.with(index),
-            }
-        }
         let all = ObjectSet::first(objects.len());
-        Ok(Some(Self { all, balls, never_again, inside, shadows, lights: lights.len() }))
+        let meets_itself =
+            |index: usize| objects.get(index).is_none_or(|object| object.shape.form() == Form::Any);
+        let but_itself = |set: ObjectSet, index| if meets_itself(index) { set } else { set.without(index) };
+        let leaving = arena.store_with(objects.len(), |index| {
+            let outward = but_itself(all, index);
+            let inward = match objects.get(index).map(|object| object.shape.form()) {
+                Some(Form::Ball { .. }) => among(objects, index, |around, other| around.reaches(other)),
+                _ => outward,
+            };
+            [inward, outward]
+        })?;
+        // The pair of an object and a light at this position.
+        let pair = |index: usize| {
+            let object = index.checked_div(lights.len()).unwrap_or(0);
+            (object, index.checked_rem(lights.len()).and_then(|light| lights.get(light)))
+        };
+        let pairs = objects.len() * lights.len();
+        let shadows = arena.store_with(pairs, |index| {
+            let (receiver, light) = pair(index);
+            let set = among(objects, receiver, |around, other| {
+                light.is_none_or(|light| around.is_shaded_by(other, &light.source))
+            });
+            but_itself(set, receiver)
+        })?;
+        let bounds = objects.iter().filter_map(|object| object.shape.bounds());
+        let reach = bounds.fold(R::ZERO, |reach, bounds| reach.larger(bounds.magnitude()));
+        let occluders = arena.store_with(pairs, |index| match pair(index) {
+            (object, Some(light)) => objects
+                .get(object)
+                .map_or(Occluder::UNKNOWN, |object| Occluder::new(object.shape.form(), &light.source, reach)),
+            _ => Occluder::UNKNOWN,
+        })?;
+        Ok(Some(Self { all, leaving, shadows, occluders, lights: lights.len(), reach }))
     }
 
     /// What a ray can meet that comes from far away.
@@ -133,23 +184,40 @@ impl<'m> Candidates<'m> {
     }
 
     /// What a ray can meet that leaves a surface; for one that goes into a ball, before it comes out again.
+    #[inline(always)]
     pub(crate) fn leaving(&self, from: Departure) -> ObjectSet {
-        if !from.outward && self.balls.contains(from.object) {
-            self.inside.get(from.object).copied().unwrap_or(self.all)
-        } else {
-            self.without_own(self.all, from)
+        match self.leaving.get(from.object) {
+            Some([inward, outward]) => {
+                if from.outward {
+                    *outward
+                } else {
+                    *inward
+                }
+            }
+            None => self.all,
         }
     }
 
     /// What can stand between a surface and a light.
+    #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {
         let index = from.object.wrapping_mul(self.lights).wrapping_add(light);
-        self.without_own(self.shadows.get(index).copied().unwrap_or(self.all), from)
+        let set = self.shadows.get(index).copied().unwrap_or(self.all);
+        if from.outward { set } else { set.with(from.object) }
     }
 
-    fn without_own(&self, set: ObjectSet, from: Departure) -> ObjectSet {
-        let flat_or_outward = from.outward || !self.balls.contains(from.object);
-        if flat_or_outward && self.never_again.contains(from.object) { set.without(from.object) } else { set }
+    /// Whether [`is_passed_by`](Self::is_passed_by) holds for hits of this [`Surface::magnitude`]
+    /// (crate::Surface::magnitude).
+    #[inline(always)]
+    pub(super) fn know_occluders(&self, magnitude: R) -> bool {
+        magnitude <= self.reach
+    }
+
+    /// Whether a shadow ray of this direction, toward this light, surely misses an object.
+    #[inline(always)]
+    pub(super) fn is_passed_by(&self, object: usize, light: usize, toward_light: Vec3<R>) -> bool {
+        let index = object.wrapping_mul(self.lights).wrapping_add(light);
+        self.occluders.get(index).is_some_and(|occluder| occluder.is_passed_by(toward_light))
     }
 }
 

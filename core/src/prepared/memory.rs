@@ -1,7 +1,7 @@
 //! How much memory a prepared scene takes.
 
 use super::PreparedObject;
-use super::candidates::{Candidates, ObjectSet};
+use super::candidates::Candidates;
 use crate::arena::Arena;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -42,5 +42,5 @@ pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
         .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
         .saturating_add(Arena::bytes::<Vec3<R>>(vectors))
-        .saturating_add(Arena::bytes::<ObjectSet>(Candidates::count(objects, lights)))
+        .saturating_add(Candidates::<R>::bytes(objects, lights))
 }

@@ -37,7 +37,7 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     pub(crate) lights: &'m [PreparedLight<R>],
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
-    candidates: Option<Candidates<'m>>,
+    candidates: Option<Candidates<'m, R>>,
 }
 
 #[derive(Clone, Copy, Debug)]

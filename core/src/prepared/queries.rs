@@ -90,28 +90,43 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ///
     /// Each surface in between scales the light by its transmittance; what lies behind the light does not.
     pub fn light_through(&self, ray: &Ray<R>, distance: R) -> (R, bool) {
-        self.light_through_among(ray, distance, None)
+        self.light_through_among(ray, distance, None, |_| false)
     }
 
     /// As [`light_through`](Self::light_through), for a ray that leaves a surface toward a light of the scene.
+    #[inline(always)]
     pub(crate) fn light_through_leaving(
         &self,
         ray: &Ray<R>,
         distance: R,
         from: Departure,
+        magnitude: R,
         light: usize,
     ) -> (R, bool) {
-        let among = self.candidates.map(|candidates| candidates.between(from, light));
-        self.light_through_among(ray, distance, among)
+        let Some(candidates) = &self.candidates else { return self.light_through(ray, distance) };
+        let among = Some(candidates.between(from, light));
+        if candidates.know_occluders(magnitude) {
+            self.light_through_among(ray, distance, among, |object| {
+                candidates.is_passed_by(object, light, ray.direction)
+            })
+        } else {
+            self.light_through_among(ray, distance, among, |_| false)
+        }
     }
 
-    fn light_through_among(&self, ray: &Ray<R>, distance: R, among: Option<ObjectSet>) -> (R, bool) {
+    #[inline(always)]
+    fn light_through_among(
+        &self,
+        ray: &Ray<R>,
+        distance: R,
+        among: Option<ObjectSet>,
+        is_passed_by: impl Fn(usize) -> bool,
+    ) -> (R, bool) {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
         let mut blocks = |index: usize| {
-            let Some(object) = self.objects.get(index) else { return false };
-            if object.shape.intersect(ray, range).is_none() {
+            if is_passed_by(index) || !self.meets(index, ray, range) {
                 return false;
             }
             clear = false;
@@ -139,6 +154,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             None => (through, false),
             Some(_) => (R::ZERO, true),
         }
+    }
+
+    fn meets(&self, object: usize, ray: &Ray<R>, range: Interval<R>) -> bool {
+        self.objects.get(object).is_some_and(|object| object.shape.intersect(ray, range).is_some())
     }
 
     fn transmittance(&self, object: usize) -> R {
