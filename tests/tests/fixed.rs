@@ -1,16 +1,27 @@
-//! Fixed point: how near its pictures are to `f64`, that they do not depend on the scene's units, and that nothing
-//! overflows.
+//! Fixed point: how near its pictures are to those of `f64`, that they do not depend on the scene's units, that
+//! nothing overflows, and exact goldens for other processors to be compared with.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
+use std::mem::MaybeUninit;
 use std::path::Path;
 
-use rayline::builtin;
+use embedded_graphics::pixelcolor::raw::ToBytes;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use proptest::prelude::*;
+use rayline::builtin::{self, CLASSIC, PRISM};
 use rayline::math::Fixed;
-use rayline::{Settings, Transfer};
+use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::{
+    Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer,
+    Scene, SceneError, Settings, Texture, Transfer, Vec3,
+};
 use rayline_tests::{Picture, core_picture};
 
-/// 10 log₁₀(255² / mean square error).
+/// What pictures in fixed point are held to.
+const BAR_DB: f64 = 40.0;
+
+/// The ratio of the largest signal to the noise: 10 log₁₀(255² / mean square error).
 fn psnr(a: &Picture, b: &Picture) -> f64 {
     let squares =
         |a: &[u8; 3], b: &[u8; 3]| (0..3).map(|i| f64::from(a[i].abs_diff(b[i])).powi(2)).sum::<f64>();
@@ -18,19 +29,368 @@ fn psnr(a: &Picture, b: &Picture) -> f64 {
     10.0 * (255.0 * 255.0 * 3.0 * a.pixels.len() as f64 / sum).log10()
 }
 
+fn linear(bounces: u8) -> Settings {
+    Settings { bounces, transfer: Transfer::Linear, ..Settings::new(320, 240) }
+}
+
+/// The scene in fixed point is as near to `f64` as it must be; both pictures are kept to look at.
+#[track_caller]
+fn assert_near_f64(name: &str, scene: &Scene<'_>, bounces: u8) {
+    let exact = core_picture::<f64>(scene, linear(bounces));
+    let fixed = core_picture::<Fixed>(scene, linear(bounces));
+    for (kind, picture) in [("f64", &exact), ("fixed", &fixed)] {
+        picture.write(&Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{kind}.png")));
+    }
+    let single = psnr(&exact, &core_picture::<f32>(scene, linear(bounces)));
+    let fixed = psnr(&exact, &fixed);
+    println!("{name:18} fixed {fixed:5.1} dB, f32 {single:5.1} dB");
+    assert!(fixed >= BAR_DB, "{name} has {fixed:.1} dB");
+}
+
 #[test]
 fn pictures_are_near_those_of_f64() {
-    println!("scene      fixed dB   f32 dB");
     for scene in &builtin::ALL {
-        let settings =
-            Settings { bounces: scene.bounces, transfer: Transfer::Linear, ..Settings::new(320, 240) };
-        let exact = core_picture::<f64>(scene.scene, settings);
-        let fixed = core_picture::<Fixed>(scene.scene, settings);
-        let single = core_picture::<f32>(scene.scene, settings);
-        fixed.write(&Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-fixed.png", scene.name)));
-        exact.write(&Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-f64.png", scene.name)));
-        let fixed = psnr(&exact, &fixed);
-        println!("{:8} {fixed:10.1} {:8.1}", scene.name, psnr(&exact, &single));
-        assert!(fixed >= 40.0, "{} has {fixed:.1} dB", scene.name);
+        assert_near_f64(scene.name, scene.scene, scene.bounces);
+    }
+}
+
+#[test]
+fn digests_are_golden() {
+    // Blessed after a look at the pictures; boards must give the same.
+    let mut actual = Vec::new();
+    for scene in &builtin::ALL {
+        let mut memory = vec![MaybeUninit::uninit(); scene.scene.bytes::<Fixed>()];
+        let prepared = PreparedScene::<Fixed>::new(scene.scene, &mut memory).unwrap();
+        let settings = Settings { bounces: scene.bounces, ..Settings::new(96, 72) };
+        let renderer = Renderer::new(&prepared, settings).unwrap();
+        let mut digest = Digest::new();
+        let mut line = [Rgb888::BLACK; 96];
+        for y in 0..72 {
+            renderer.line(y, &mut line).unwrap();
+            line.iter().for_each(|color| digest.update(&color.to_le_bytes()));
+        }
+        actual.push((scene.name, format!("{:#018x}", digest.value())));
+    }
+    assert_eq!(actual, GOLDEN.map(|(name, digest)| (name, digest.to_owned())));
+}
+
+const GOLDEN: [(&str, &str); 4] = [
+    ("classic", "0x18f2c441a0b4118d"),
+    ("whitted", "0x9a80cfc2cf857c08"),
+    ("flake", "0xb4c1cb94710bea98"),
+    ("prism", "0x64de824db02b1083"),
+];
+
+#[test]
+fn acceleration_changes_no_byte() {
+    for scene in &builtin::ALL {
+        let picture = |accelerated: bool| {
+            let mut memory = vec![MaybeUninit::uninit(); scene.scene.bytes::<Fixed>()];
+            let prepared = PreparedScene::<Fixed>::new(scene.scene, &mut memory).unwrap();
+            let prepared = if accelerated { prepared } else { prepared.without_acceleration() };
+            let renderer = Renderer::new(&prepared, linear(scene.bounces)).unwrap();
+            let mut lines = vec![Rgb888::BLACK; 320 * 240];
+            (0..).zip(lines.chunks_mut(320)).for_each(|(y, line)| renderer.line(y, line).unwrap());
+            lines
+        };
+        let (fast, slow) = (picture(true), picture(false));
+        let different = fast.iter().zip(&slow).filter(|(a, b)| a != b).count();
+        assert_eq!(different, 0, "{}", scene.name);
+    }
+}
+
+/// The classic scene, or what is made of it.
+struct Parts {
+    camera: Camera,
+    objects: Vec<Object<Shape<'static>>>,
+    materials: Vec<Material>,
+    lights: Vec<Light>,
+}
+
+impl Parts {
+    fn classic() -> Self {
+        Self {
+            camera: CLASSIC.camera,
+            objects: CLASSIC.objects.to_vec(),
+            materials: CLASSIC.materials.to_vec(),
+            lights: CLASSIC.lights.to_vec(),
+        }
+    }
+
+    /// The same in other units.
+    fn scaled(by: f32) -> Self {
+        let mut parts = Self::classic();
+        parts.camera.eye = parts.camera.eye * by;
+        parts.camera.target = parts.camera.target * by;
+        for object in &mut parts.objects {
+            object.shape = match object.shape {
+                Shape::Sphere(sphere) => Shape::Sphere(Sphere::new(sphere.center * by, sphere.radius * by)),
+                Shape::Polygon(polygon) => {
+                    let vertices: Vec<_> = polygon.vertices.iter().map(|vertex| *vertex * by).collect();
+                    Shape::Polygon(Polygon::new(vertices.leak()))
+                }
+                other => other,
+            };
+        }
+        for material in &mut parts.materials {
+            if let Texture::Checker(Checker { cells_per_unit, .. }) = &mut material.color {
+                *cells_per_unit = *cells_per_unit * (1.0 / by);
+            }
+        }
+        for light in &mut parts.lights {
+            if let Light::Point { position, .. } = light {
+                *position = *position * by;
+            }
+        }
+        parts
+    }
+
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            camera: self.camera,
+            background: CLASSIC.background,
+            objects: &self.objects,
+            materials: &self.materials,
+            lights: &self.lights,
+        }
+    }
+}
+
+#[test]
+fn units_do_not_matter() {
+    let picture = |scene: &Scene<'_>| core_picture::<Fixed>(scene, linear(3));
+    let original = picture(&CLASSIC);
+    for power_of_two in [8192.0, 1.0 / 8192.0] {
+        assert_eq!(original, picture(&Parts::scaled(power_of_two).scene()), "scaled by {power_of_two}");
+    }
+    for other in [1e4, 1e-4, 3.0] {
+        let near = psnr(&original, &picture(&Parts::scaled(other).scene()));
+        println!("scaled by {other}: {near:.1} dB");
+        assert!(near >= BAR_DB, "scaled by {other} is another picture: {near:.1} dB");
+    }
+}
+
+#[test]
+fn the_scale_is_told() {
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<Fixed>()];
+    let prepared = PreparedScene::<Fixed>::new(&CLASSIC, &mut memory).unwrap();
+    // The largest sphere reaches 22 units far, and 30 is the floor's.
+    assert_eq!(prepared.scale(), 1.0 / 64.0);
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
+    assert_eq!(PreparedScene::<f32>::new(&CLASSIC, &mut memory).unwrap().scale(), 1.0);
+}
+
+#[test]
+fn lights_may_be_very_far_away() {
+    let mut parts = Parts::classic();
+    for light in &mut parts.lights {
+        if let Light::Point { position, .. } = light {
+            *position = *position * 1e4;
+        }
+    }
+    assert_near_f64("far-lights", &parts.scene(), 3);
+}
+
+#[test]
+fn floors_may_be_very_large() {
+    let mut parts = Parts::classic();
+    let vertices: &[Vec3] = &[
+        Vec3::new(-9e3, -4.0, 9e3),
+        Vec3::new(9e3, -4.0, 9e3),
+        Vec3::new(9e3, -4.0, -9e3),
+        Vec3::new(-9e3, -4.0, -9e3),
+    ];
+    parts.objects[4].shape = Shape::Polygon(Polygon::new(vertices.to_vec().leak()));
+    parts.materials[4].color = LinearRgb::gray(0.4).into();
+    assert_near_f64("large-floor", &parts.scene(), 3);
+}
+
+#[test]
+fn the_camera_may_be_far_away() {
+    let mut parts = Parts::classic();
+    // A hundred times as far, through a telescope.
+    parts.camera = Camera {
+        eye: Vec3::new(0.0, 0.0, 1984.0),
+        target: Vec3::new(0.0, 0.0, -16.0),
+        vertical_fov: 0.0092,
+        ..parts.camera
+    };
+    assert_near_f64("telescope", &parts.scene(), 3);
+}
+
+fn refused(parts: &Parts) -> SceneError {
+    let mut memory = vec![MaybeUninit::uninit(); parts.scene().bytes::<Fixed>()];
+    PreparedScene::<Fixed>::new(&parts.scene(), &mut memory).map(|_| ()).expect_err("refused")
+}
+
+#[test]
+fn what_does_not_fit_is_refused_with_a_remedy() {
+    let error = |part, fault: Fault| {
+        assert!(fault.to_string().contains(';'), "no remedy: {fault}");
+        SceneError { part, fault }
+    };
+    let mut parts = Parts::classic();
+    parts.objects[2].shape = Shape::Sphere(Sphere::new(Vec3::ZERO, 1e-5));
+    assert_eq!(refused(&parts), error(Part::Object(2), Fault::TooSmall));
+    let mut parts = Parts::classic();
+    parts.materials[1].ior = 8.0;
+    assert_eq!(refused(&parts), error(Part::Material(1), Fault::OutOfRange));
+    parts.materials[1].ior = 0.1;
+    assert_eq!(refused(&parts), error(Part::Material(1), Fault::OutOfRange));
+    let mut parts = Parts::classic();
+    parts.lights[0] = Light::Point { position: Vec3::ZERO, color: LinearRgb::gray(60.0) };
+    assert_eq!(refused(&parts), error(Part::Light(0), Fault::OutOfRange));
+    let mut parts = Parts::classic();
+    parts.objects[0].shape = Shape::Cone(Cone {
+        base: Vec3::ZERO,
+        base_radius: 1.0,
+        top: Vec3::new(0.0, 0.1, 0.0),
+        top_radius: 0.0,
+        capped: true,
+    });
+    assert_eq!(refused(&parts), error(Part::Object(0), Fault::OutOfRange));
+
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<Fixed>()];
+    let mut prepared = PreparedScene::<Fixed>::new(&CLASSIC, &mut memory).unwrap();
+    let away = |z| Camera { eye: Vec3::new(0.0, 0.0, z), ..CLASSIC.camera };
+    assert_eq!(prepared.set_camera(&away(500.0)), Ok(()));
+    assert_eq!(prepared.set_camera(&away(600.0)), Err(error(Part::Camera, Fault::BeyondReach)));
+}
+
+#[test]
+fn many_samples_keep_their_mean() {
+    let white = Scene { background: LinearRgb::gray(0.75), objects: &[], ..CLASSIC };
+    let mut memory = vec![MaybeUninit::uninit(); white.bytes::<Fixed>()];
+    let prepared = PreparedScene::<Fixed>::new(&white, &mut memory).unwrap();
+    let settings = Settings { samples_per_pixel: 1000, rays_per_pixel: 1000, ..Settings::new(4, 4) };
+    let (light, _) = Renderer::new(&prepared, settings).unwrap().pixel(1, 1, &mut ());
+    assert!((light.g.to_f32() - 0.75).abs() < 1e-3, "{light:?}");
+}
+
+/// Coordinates and lengths, mostly near.
+fn number() -> BoxedStrategy<f32> {
+    prop_oneof![
+        20 => -10.0f32..10.0,
+        2 => -1e6f32..1e6,
+        2 => prop_oneof![Just(0.0f32), Just(1.0), Just(-1.0), Just(1e6), Just(-1e6), Just(1e-20), Just(1e-6)],
+    ]
+    .boxed()
+}
+
+fn vector() -> BoxedStrategy<Vec3> {
+    [number(), number(), number()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
+}
+
+fn color() -> BoxedStrategy<LinearRgb> {
+    [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0].prop_map(|[r, g, b]| LinearRgb::new(r, g, b)).boxed()
+}
+
+fn shape() -> BoxedStrategy<Shape<'static>> {
+    prop_oneof![
+        (vector(), number()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
+        (vector(), vector()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
+        ([vector(), vector(), vector()], proptest::option::of([vector(), vector(), vector()]))
+            .prop_map(|(vertices, normals)| Shape::Triangle(Triangle { vertices, normals })),
+        (vector(), vector(), vector()).prop_map(|(corner, right, up)| {
+            Shape::Polygon(Polygon::new(
+                vec![corner, corner + right, corner + right + up, corner + up].leak(),
+            ))
+        }),
+        (vector(), vector(), number(), number(), any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| {
+                Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
+            }
+        ),
+        (vector(), vector(), number(), any::<bool>())
+            .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
+    ]
+    .boxed()
+}
+
+fn material() -> BoxedStrategy<Material> {
+    let shares = (0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..0.6, 0.0f32..0.6);
+    let ior = prop_oneof![4 => 0.14f32..7.6, 1 => Just(1.0f32)];
+    let shininess = prop_oneof![4 => 0.0f32..300.0, 1 => 0.0f32..1e6];
+    (color(), shares, shininess, ior, proptest::option::of((color(), vector())))
+        .prop_map(|(even, (ambient, diffuse, specular, reflectance, transmittance), shininess, ior, odd)| {
+            Material {
+                color: match odd {
+                    None => even.into(),
+                    Some((odd, cells_per_unit)) => Texture::Checker(Checker { even, odd, cells_per_unit }),
+                },
+                ambient,
+                diffuse,
+                specular,
+                shininess,
+                reflectance,
+                transmittance,
+                ior,
+            }
+        })
+        .boxed()
+}
+
+fn light() -> BoxedStrategy<Light> {
+    let color = (color(), 0.0f32..59.0).prop_map(|(color, strength)| color * strength).boxed();
+    prop_oneof![
+        (vector(), color.clone()).prop_map(|(position, color)| Light::Point { position, color }),
+        (vector(), color).prop_map(|(direction, color)| Light::Directional { direction, color }),
+    ]
+    .boxed()
+}
+
+/// Light in each of some pixels of a scene, or the fault.
+fn pixels(scene: &Scene<'_>) -> Result<Vec<LinearRgb<Fixed>>, SceneError> {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
+    let prepared = PreparedScene::<Fixed>::new(scene, &mut memory)?;
+    let settings = Settings { bounces: 8, rays_per_pixel: 300, ..Settings::new(5, 5) };
+    let renderer = Renderer::new(&prepared, settings).expect("legal settings");
+    // Lines too: they go through the candidates.
+    let mut line = [Rgb888::BLACK; 5];
+    (0..5).for_each(|y| renderer.line(y, &mut line).expect("a line"));
+    Ok((0..25).map(|i| renderer.pixel(i % 5, i / 5, &mut ()).0).collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// With the overflow checks of the profile that tests are built with.
+    #[test]
+    fn any_scene_is_refused_or_renders_light(
+        eye_and_target in (vector(), vector()),
+        fov in 0.001f32..3.1,
+        shapes in proptest::collection::vec((shape(), 0..2u16), 0..5),
+        materials in proptest::collection::vec(material(), 2),
+        lights in proptest::collection::vec(light(), 0..3),
+    ) {
+        let (eye, target) = eye_and_target;
+        let mut camera = Camera { eye, target, up: Vec3::new(0.1, 1.0, 0.3), vertical_fov: fov };
+        let mut objects: Vec<_> =
+            shapes.into_iter().map(|(shape, material)| Object::new(shape, material)).collect();
+        let mut materials = materials;
+        // What is refused is left out, so that most cases render something.
+        loop {
+            let scene = Scene { camera, background: LinearRgb::gray(0.5), objects: &objects, materials: &materials, lights: &lights };
+            match pixels(&scene) {
+                Ok(pixels) => {
+                    for light in pixels {
+                        for value in [light.r, light.g, light.b] {
+                            prop_assert!(value >= Fixed::ZERO, "{light:?}");
+                        }
+                    }
+                    break;
+                }
+                Err(SceneError { part: Part::Object(index), .. }) => {
+                    objects.remove(index);
+                }
+                Err(SceneError { part: Part::Material(index), .. }) => materials[index] = PRISM.materials[0],
+                Err(SceneError { part: Part::Camera, .. }) => camera = CLASSIC.camera,
+                Err(error) => {
+                    let zero_length = error.fault == Fault::ZeroLength;
+                    prop_assert!(zero_length, "{error}");
+                    break;
+                }
+            }
+        }
     }
 }

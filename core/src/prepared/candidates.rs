@@ -13,7 +13,7 @@ use super::PreparedObject;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
-use crate::math::{Real, Vec3};
+use crate::math::{Product, Real, Vec3};
 use crate::shape::{Form, Intersect};
 
 /// A set of up to [`ObjectSet::CAPACITY`] objects, by position.
@@ -69,7 +69,7 @@ pub(crate) struct Departure {
 
 /// The sets of a scene.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Candidates<'m, R> {
+pub(crate) struct Candidates<'m, R: Real> {
     all: ObjectSet,
     /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come out.
     leaving: &'m [[ObjectSet; 2]],
@@ -85,27 +85,33 @@ pub(crate) struct Candidates<'m, R> {
 /// A ball as a point light sees it. The way from the light into the unit direction d passes it by if
 /// `b = d · toward_center` is negative or b² is less than the squared length of the tangent to the ball.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Occluder<R> {
+pub(crate) struct Occluder<R: Real> {
     toward_center: Vec3<R>,
     /// Squared length of the tangent, less some for rounding; negative where nothing can be told.
-    tangent_squared: R,
+    tangent_squared: R::Product,
 }
 
 impl<R: Real> Occluder<R> {
-    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, tangent_squared: R::ZERO };
+    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, tangent_squared: R::Product::ZERO };
 
     fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
         let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
             return Self::UNKNOWN;
         };
-        let toward_center = center - *position;
+        let (position, radius) = (position.to_setup(), radius.to_setup());
+        let toward_center = center.to_setup() - position;
         // A shadow ray begins a little beside the surface, so it passes the light by as little.
-        let beside = R::RAY_OFFSET * R::from_f32(8.0) * reach.larger(position.magnitude());
-        let radius = radius + radius * R::from_f32(1e-3) + beside;
+        let beside =
+            R::offset(reach.larger(R::from_setup(position.magnitude()))).to_setup() * R::Setup::from_f32(8.0);
+        let radius = radius + radius * R::Setup::from_f32(1e-3) + beside;
         let distance_squared = toward_center.length_squared();
-        let rounding = distance_squared * (R::RAY_OFFSET * R::from_f32(4.0));
+        let rounding = distance_squared * (R::Setup::RAY_OFFSET * R::Setup::from_f32(4.0));
         let tangent_squared = distance_squared - rounding - radius * radius;
-        if tangent_squared > R::ZERO { Self { toward_center, tangent_squared } } else { Self::UNKNOWN }
+        if !(tangent_squared > R::Setup::ZERO) {
+            return Self::UNKNOWN;
+        }
+        let tangent = R::from_setup(tangent_squared.sqrt());
+        Self { toward_center: Vec3::from_setup(toward_center), tangent_squared: tangent.times(tangent) }
     }
 
     /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
@@ -113,7 +119,7 @@ impl<R: Real> Occluder<R> {
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         let along = self.toward_center.dot(toward_light);
         // The ray points to the light, so what lies along it from the light has a negative product.
-        along > R::ZERO || along * along < self.tangent_squared
+        along > R::ZERO || along.times(along) < self.tangent_squared
     }
 }
 

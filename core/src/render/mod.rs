@@ -60,7 +60,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             width,
             height,
             bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
-            sample_weight: R::from_u16(settings.samples_per_pixel).recip(),
+            sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
             settings,
         })
     }
@@ -91,13 +91,16 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     ) -> (LinearRgb<R>, u32) {
         let mut rays = RayBudget(self.settings.rays_per_pixel);
         let mut light = LinearRgb::BLACK;
+        // The sum of many samples may be out of reach, where their mean is not.
+        let weighs_first = R::REACH.is_some() && self.settings.samples_per_pixel > 1;
         for sample in 0..self.settings.samples_per_pixel {
             let (right, down) =
                 sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
             let ray = self.viewport.ray((x, right), (y, down));
-            light = light + radiance(self.scene, ray, among, &self.bounds, &mut rays, probe);
+            let sample = radiance(self.scene, ray, among, &self.bounds, &mut rays, probe);
+            light = light + if weighs_first { sample * self.sample_weight } else { sample };
         }
-        if self.settings.samples_per_pixel > 1 {
+        if self.settings.samples_per_pixel > 1 && !weighs_first {
             light = light * self.sample_weight;
         }
         (light, self.settings.rays_per_pixel.saturating_sub(rays.0))

@@ -3,7 +3,7 @@
 use super::{Geometry, Intersect};
 use crate::arena::{Arena, Workspace};
 use crate::fault::Fault;
-use crate::math::{Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Fixed, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// Where a ray met a shape, in `f64`.
@@ -27,8 +27,17 @@ pub(super) fn prepared<'m, G: Geometry + 'm, R: Real>(
     shape: G,
     memory: &'m mut Memory,
 ) -> Result<G::Prepared<'m, R>, Fault> {
-    let scale = Scale::new::<R>(shape.extent(), Vec3::ZERO);
-    shape.prepare(scale, &mut Arena::new(memory.lend()))
+    prepared_for(shape, Vec3::ZERO, memory).map(|(_, prepared)| prepared)
+}
+
+/// The same, and its scale, as a scene that holds this shape alone and is seen from `eye`.
+fn prepared_for<'m, G: Geometry + 'm, R: Real>(
+    shape: G,
+    eye: Vec3,
+    memory: &'m mut Memory,
+) -> Result<(Scale, G::Prepared<'m, R>), Fault> {
+    let scale = Scale::new::<R>(shape.extent(), eye);
+    shape.prepare(scale, &mut Arena::new(memory.lend())).map(|prepared| (scale, prepared))
 }
 
 /// Why a shape is refused.
@@ -37,15 +46,15 @@ pub(super) fn refusal<G: Geometry>(shape: G) -> Fault {
 }
 
 fn meet_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Option<Meeting> {
-    let direction = toward.to::<R>().normalized().expect("a direction");
-    let ray = Ray { origin: origin.to(), direction };
+    let direction = Vec3::from_setup(toward.to::<R::Setup>().normalized().expect("a direction"));
     let mut memory = Memory::new();
-    let prepared = prepared::<G, R>(shape, &mut memory).expect("a legal shape");
+    let (scale, prepared) = prepared_for::<G, R>(shape, origin, &mut memory).expect("a legal shape");
+    let ray = Ray { origin: scale.point(origin.to()), direction };
     let t = prepared.intersect(&ray, Interval::AHEAD)?;
     let Surface { point, normal, shading_normal, .. } = prepared.surface(&ray, t);
     Some(Meeting {
-        t: f64::from(t.to_f32()),
-        point: doubles(point),
+        t: f64::from(t.to_f32() / scale.to_f32()),
+        point: doubles(point).map(|x| x / f64::from(scale.to_f32())),
         normal: doubles(normal),
         shading_normal: doubles(shading_normal),
     })
@@ -59,7 +68,11 @@ fn near(a: [f64; 3], b: [f64; 3]) -> bool {
 pub(super) fn assert_meets<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, t: f64, normal: [f64; 3]) {
     let length = f64::from(toward.length());
     let at: Vec<f64> = doubles(origin).iter().zip(doubles(toward)).map(|(o, d)| o + d / length * t).collect();
-    for meeting in [meet_in::<f32, G>(shape, origin, toward), meet_in::<f64, G>(shape, origin, toward)] {
+    for meeting in [
+        meet_in::<f32, G>(shape, origin, toward),
+        meet_in::<f64, G>(shape, origin, toward),
+        meet_in::<Fixed, G>(shape, origin, toward),
+    ] {
         let meeting = meeting.unwrap_or_else(|| panic!("{shape:?} is missed from {origin:?} to {toward:?}"));
         assert!((meeting.t - t).abs() < 2e-5 * t.max(1.0), "{meeting:?}, not at {t}");
         assert!(near(meeting.normal, normal), "{meeting:?}, not {normal:?}");
@@ -76,6 +89,7 @@ pub(super) fn shading_normal<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) 
 pub(super) fn assert_misses<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) {
     assert_eq!(meet_in::<f32, G>(shape, origin, toward), None);
     assert_eq!(meet_in::<f64, G>(shape, origin, toward), None);
+    assert_eq!(meet_in::<Fixed, G>(shape, origin, toward), None);
 }
 
 /// Numbers in [-1, 1) that are the same on every run (Knuth's MMIX generator).
@@ -104,15 +118,24 @@ impl Random {
 /// Fires `rays` from around the shape at points around `middle`; from each hit a ray is spawned into a random
 /// direction, which must not meet the same place of the surface again.
 pub(super) fn assert_no_self_hits<G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
+    assert_no_self_hits_in::<f32, G>(shape, middle, extent, rays);
+    assert_no_self_hits_in::<Fixed, G>(shape, middle, extent, rays);
+}
+
+fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
     let mut random = Random(extent.to_bits().into());
     let mut hits = 0;
     let mut memory = Memory::new();
-    let prepared = prepared::<G, f32>(shape, &mut memory).expect("a legal shape");
+    // As the scene that holds it alone, seen from as far as the rays come.
+    let eye = Vec3::new(middle.magnitude() + 5.0 * extent, 0.0, 0.0);
+    let (scale, prepared) = prepared_for::<G, R>(shape, eye, &mut memory).expect("a legal shape");
+    let kernel = |point: Vec3| -> Vec3<R> { scale.point(point.to()) };
+    let length = |value: f32| value * scale.to_f32();
     for _ in 0..rays {
         let origin = middle + random.direction() * (extent * (3.0 + 2.0 * random.next()));
         let aim = middle + random.vector() * extent;
         let Some(direction) = (aim - origin).normalized() else { continue };
-        let ray = Ray { origin, direction };
+        let ray = Ray { origin: kernel(origin), direction: Vec3::from_setup(direction.to()) };
         let Some(t) = prepared.intersect(&ray, Interval::AHEAD) else { continue };
         hits += 1;
         let surface = prepared.surface(&ray, t);
@@ -121,18 +144,22 @@ pub(super) fn assert_no_self_hits<G: Geometry>(shape: G, middle: Vec3, extent: f
                 bounds.contains(surface.point) && bounds.contains(ray.at(t)),
                 "{surface:?} outside {bounds:?}"
             );
-            assert!(bounds.magnitude() < 4.0 * extent + middle.magnitude(), "{bounds:?} is loose");
+            let size = bounds.magnitude().to_f32();
+            assert!(size < length(4.0 * extent + middle.magnitude()), "{bounds:?} is loose");
         }
-        let away = random.direction();
+        let away: Vec3<R> = Vec3::from_setup(random.direction().to());
         // Rays within half a degree of the surface may rightly meet a curved one again close by.
-        if away.dot(surface.normal).abs() < 0.01 {
+        if away.dot(surface.normal).abs() < R::from_f32(0.01) {
             continue;
         }
         let spawned = Ray::spawn(surface.point, surface.normal, away, surface.magnitude);
         if let Some(again) = prepared.intersect(&spawned, Interval::AHEAD) {
             // Close to an edge the other face is close too.
-            let other_face = prepared.surface(&spawned, again).normal.dot(surface.normal) < 0.9;
-            assert!(other_face || again > extent * 1e-3, "{shape:?}: {ray:?} meets itself after {again}");
+            let other_face = prepared.surface(&spawned, again).normal.dot(surface.normal) < R::from_f32(0.9);
+            assert!(
+                other_face || again.to_f32() > length(extent * 1e-3),
+                "{shape:?}: {ray:?} meets itself after {again:?}"
+            );
         }
     }
     assert!(hits > rays / 20, "only {hits} of {rays} rays met {shape:?}");
