@@ -79,11 +79,13 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
             Some(from) => scene.closest_hit_leaving(&ray, from),
             None => scene.closest_hit_among(&ray, among),
         };
-        let Some((hit, material)) = hit.and_then(|hit| Some((hit, scene.material(hit.object)?))) else {
+        let Some(hit) = hit else {
             probe.record(Event::Miss);
             light = light + scene.background * throughput;
             continue;
         };
+        // Every object has a material: that was checked when the scene was prepared.
+        let Some(material) = scene.material(hit.object) else { continue };
         let vertex = Vertex::new(&ray, &hit, material, kind, probe);
         light = light + vertex.local_light(scene, rays, probe) * throughput;
 

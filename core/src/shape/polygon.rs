@@ -137,12 +137,14 @@ impl<R: Real> PreparedPolygon<'_, R> {
     fn encloses(&self, point: Vec3<R>) -> bool {
         let (u, v) = self.dropped.flatten(point);
         let mut inside = false;
-        let mut edges = self.edges.iter().peekable();
-        while let Some(edge) = edges.next() {
-            let next = edges.peek().copied().or(self.edges.first()).unwrap_or(edge);
-            if (edge.y > v) != (next.y > v) && is_left(u, v, edge, next) {
+        let Some(mut edge) = self.edges.last() else { return false };
+        let mut begins_above = edge.y > v;
+        for next in self.edges {
+            let ends_above = next.y > v;
+            if begins_above != ends_above && is_left(u, v, edge, next) {
                 inside = !inside;
             }
+            (edge, begins_above) = (next, ends_above);
         }
         inside
     }
