@@ -1,7 +1,7 @@
 //! Where the picture is taken from.
 
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, unit};
-use crate::math::{Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +72,15 @@ pub(crate) struct Viewport<R: Real> {
     middle: (R::Setup, R::Setup),
 }
 
+/// A rectangle of the picture, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rect<N> {
+    pub(crate) left: N,
+    pub(crate) right: N,
+    pub(crate) top: N,
+    pub(crate) bottom: N,
+}
+
 impl<R: Real> Viewport<R> {
     pub(crate) fn new(camera: &PreparedCamera<R>, width: u16, height: u16) -> Self {
         let number = R::Setup::from_u16;
@@ -132,6 +141,26 @@ impl<R: Real> Viewport<R> {
         let direction = self.corner + self.right * x + self.down * y;
         // The length is at least 1, the distance of the picture.
         Ray { origin: self.camera.eye, direction: direction.polar().0 }
+    }
+
+    /// Width and height of a pixel at distance 1 in the middle of the picture: the largest angle that one is seen at.
+    pub(crate) fn pixel(&self) -> R::Setup {
+        let (_, half_height) = self.middle;
+        self.camera.half_height / half_height
+    }
+
+    /// The rectangle of the picture around all corners of a box; `None` where one is not well in front of the camera.
+    pub(crate) fn frame(&self, bounds: Aabb<R::Setup>) -> Option<Rect<R::Setup>> {
+        let (far, near) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
+        let mut frame = Rect { left: far, right: near, top: far, bottom: near };
+        for corner in bounds.corners() {
+            let (x, y) = self.project(corner)?;
+            frame.left = if x < frame.left { x } else { frame.left };
+            frame.right = frame.right.larger(x);
+            frame.top = if y < frame.top { y } else { frame.top };
+            frame.bottom = frame.bottom.larger(y);
+        }
+        Some(frame)
     }
 
     /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.

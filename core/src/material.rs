@@ -135,6 +135,16 @@ impl<R: Real> Shininess<R> {
         Self { least: R::from_f32(least), exponent }
     }
 
+    /// Whether a highlight is so small that few pixels show it.
+    pub(crate) fn is_sharp(&self) -> bool {
+        self.least > R::from_f32(0.85)
+    }
+
+    /// Whether a highlight can be seen at all at this cosine.
+    pub(crate) fn is_visible(&self, cosine: R) -> bool {
+        cosine > self.least
+    }
+
     /// The power of a cosine; 0 where it is invisible.
     #[inline]
     pub(crate) fn power_of(&self, cosine: R) -> R {

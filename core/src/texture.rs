@@ -81,6 +81,19 @@ pub(crate) enum PreparedTexture<R: Real> {
 }
 
 impl<R: Real> PreparedTexture<R> {
+    /// A number for the cell where a ray met a surface: other cells nearby have others. `None` where there are none.
+    pub(crate) fn cell(&self, surface: &Surface<R>) -> Option<u32> {
+        match self {
+            Self::Solid(_) => None,
+            Self::Checker { cells_per_unit: [x, y, z], .. } => {
+                let point = surface.point;
+                let [x, y, z] =
+                    [point.x.cell(*x), point.y.cell(*y), point.z.cell(*z)].map(|cell| cell as u32);
+                Some(x ^ y.wrapping_mul(0x9E37_79B9) ^ z.wrapping_mul(0x85EB_CA6B))
+            }
+        }
+    }
+
     /// The color where a ray met a surface.
     pub(crate) fn color(&self, surface: &Surface<R>) -> LinearRgb<R> {
         match self {

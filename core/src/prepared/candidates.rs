@@ -34,6 +34,11 @@ impl ObjectSet {
         self.0 == 0
     }
 
+    /// Whether an object is in both.
+    pub(crate) const fn intersects(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
     pub(crate) const fn with(self, object: usize) -> Self {
         Self(self.0 | 1 << (object & 31))
     }

@@ -54,6 +54,22 @@ pub enum LineError {
         /// Width of the picture.
         width: u32,
     },
+    /// The buffer of colors for realtime quality does not hold one band of lines. Lend as many pixels as
+    /// [`Realtime::colors`](crate::Realtime::colors) tells.
+    BandLength {
+        /// Pixels that it holds.
+        given: usize,
+        /// Pixels of a band.
+        needed: usize,
+    },
+    /// The buffer of samples for realtime quality has the wrong length. Lend as many as
+    /// [`Realtime::samples`](crate::Realtime::samples) tells.
+    SampleCount {
+        /// Samples that it holds.
+        given: usize,
+        /// Samples of a line.
+        needed: usize,
+    },
     /// The picture has no such line.
     NoSuchLine {
         /// The line that was asked for.
@@ -68,6 +84,12 @@ impl fmt::Display for LineError {
         match self {
             Self::BufferLength { given, width } => {
                 write!(f, "a buffer of {given} pixels does not hold whole lines of {width}; lend another")
+            }
+            Self::BandLength { given, needed } => {
+                write!(f, "a buffer of {given} pixels is not a band of lines; lend {needed} pixels")
+            }
+            Self::SampleCount { given, needed } => {
+                write!(f, "a buffer of {given} samples has the wrong length; lend {needed} samples")
             }
             Self::NoSuchLine { line, height } => {
                 write!(f, "there is no line {line}: the picture has {height}, counted from 0")

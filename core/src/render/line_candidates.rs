@@ -6,7 +6,7 @@
 //! each line, for about a hundred instructions an object. Spans are wider than what they hold by more than all
 //! rounding, so that the bytes are the same with and without.
 
-use crate::camera::Viewport;
+use crate::camera::{Rect, Viewport};
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
@@ -15,13 +15,15 @@ use crate::shape::Geometry;
 
 /// The pixels `start..end` of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Span {
-    start: u16,
-    end: u16,
+pub(super) struct Span {
+    pub(super) start: u16,
+    pub(super) end: u16,
 }
 
-const NOWHERE: Span = Span { start: u16::MAX, end: u16::MAX };
-const EVERYWHERE: Span = Span { start: 0, end: u16::MAX };
+impl Span {
+    pub(super) const NOWHERE: Self = Self { start: u16::MAX, end: u16::MAX };
+    const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
+}
 
 /// The objects that each pixel of one line can show.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +44,10 @@ impl LineCandidates {
         y: u16,
     ) -> Option<Self> {
         let line = Line::new(viewport, width, y);
-        let mut spans = [NOWHERE; ObjectSet::CAPACITY];
+        let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
         let mut objects = 0;
         for (span, enclosure) in spans.iter_mut().zip(scene.enclosures()?) {
-            *span = match enclosure {
-                Enclosure::Ball { center, radius } => line.span_of_ball(center.to_setup(), radius.to_setup()),
-                Enclosure::Box(bounds) => line.span_of_box(bounds.to_setup()),
-                Enclosure::Everywhere => EVERYWHERE,
-            };
+            *span = line.span(enclosure);
             objects += 1;
         }
         Some(Self { spans, objects, current: ObjectSet::NONE, until: 0 })
@@ -82,11 +80,13 @@ impl LineCandidates {
 }
 
 /// A line of the picture, as directions from the eye; in floating point, like everything that is not done per ray.
-struct Line<'v, R: Real> {
+pub(super) struct Line<'v, R: Real> {
     viewport: &'v Viewport<R>,
     width: R::Setup,
     /// In pixels from the top, at the middle of the line.
     y: R::Setup,
+    /// How many pixels above and below count as well.
+    reach: R::Setup,
     /// Direction of the line's beginning, and from there to its end.
     start: Vec3<R::Setup>,
     across: Vec3<R::Setup>,
@@ -94,9 +94,25 @@ struct Line<'v, R: Real> {
 
 impl<'v, R: Real> Line<'v, R> {
     fn new(viewport: &'v Viewport<R>, width: u16, y: u16) -> Self {
-        let y = R::Setup::from_u16(y) + R::Setup::from_f32(0.5);
+        Self::strip(viewport, width, y, y)
+    }
+
+    /// The lines from `top` to `bottom`, both included, as one.
+    pub(super) fn strip(viewport: &'v Viewport<R>, width: u16, top: u16, bottom: u16) -> Self {
+        let (top, bottom) = (R::Setup::from_u16(top), R::Setup::from_u16(bottom));
+        let half = R::Setup::from_f32(0.5);
+        let y = (top + bottom) * half + half;
         let (start, across) = viewport.line(y);
-        Self { viewport, width: R::Setup::from_u16(width), y, start, across }
+        Self { viewport, width: R::Setup::from_u16(width), y, reach: (bottom - top) * half, start, across }
+    }
+
+    /// Where an object can be seen that is inside of this.
+    pub(super) fn span(&self, enclosure: Enclosure<R>) -> Span {
+        match enclosure {
+            Enclosure::Ball { center, radius } => self.span_of_ball(center.to_setup(), radius.to_setup()),
+            Enclosure::Box(bounds) => self.span_of_box(bounds.to_setup()),
+            Enclosure::Everywhere => Span::EVERYWHERE,
+        }
     }
 
     /// The direction d = start + x · across meets a ball around c where (c · d)² ≥ (c² − r²) d²: between the roots
@@ -104,10 +120,12 @@ impl<'v, R: Real> Line<'v, R> {
     fn span_of_ball(&self, center: Vec3<R::Setup>, radius: R::Setup) -> Span {
         let c = center - self.viewport.eye().to_setup();
         let distance = c.length();
+        // What a ball shows within reach, a larger one shows on the line.
+        let radius = radius + distance * self.reach * self.viewport.pixel();
         // Of a ball that is seen smaller than a few degrees, rounding would eat the difference of squares.
         let radius = radius.larger(distance * R::Setup::from_f32(0.02)) * R::Setup::from_f32(1.01);
         if distance <= radius {
-            return EVERYWHERE;
+            return Span::EVERYWHERE;
         }
         // In units of the distance, so that nothing is large.
         let scale = distance.recip();
@@ -119,37 +137,35 @@ impl<'v, R: Real> Line<'v, R> {
         let discriminant = b * b + a * (beginning * beginning - k * self.start.length_squared());
         // Open to one side: the ball reaches around the camera.
         if !(a > R::Setup::from_f32(1e-3) * self.across.length_squared()) {
-            return EVERYWHERE;
+            return Span::EVERYWHERE;
         }
         if !(discriminant > R::Setup::ZERO) {
-            return NOWHERE;
+            return Span::NOWHERE;
         }
         // The other half of the cone is behind the camera.
         let middle = b / a;
         if beginning + middle * along < R::Setup::ZERO {
-            return NOWHERE;
+            return Span::NOWHERE;
         }
         let half = discriminant.sqrt() / a;
-        self.span((middle - half) * self.width, (middle + half) * self.width)
+        self.pixels((middle - half) * self.width, (middle + half) * self.width)
     }
 
     /// A box is seen inside the rectangle around its eight corners.
     fn span_of_box(&self, bounds: Aabb<R::Setup>) -> Span {
-        let (mut left, mut right) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
-        let (mut top, mut bottom) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
-        for corner in bounds.corners() {
-            let Some((x, y)) = self.viewport.project(corner) else { return EVERYWHERE };
-            left = if x < left { x } else { left };
-            right = right.larger(x);
-            top = if y < top { y } else { top };
-            bottom = bottom.larger(y);
+        let Some(Rect { left, right, top, bottom }) = self.viewport.frame(bounds) else {
+            return Span::EVERYWHERE;
+        };
+        let margin = R::Setup::ONE + self.reach;
+        if self.y < top - margin || self.y > bottom + margin {
+            Span::NOWHERE
+        } else {
+            self.pixels(left, right)
         }
-        let margin = R::Setup::ONE;
-        if self.y < top - margin || self.y > bottom + margin { NOWHERE } else { self.span(left, right) }
     }
 
     /// The pixels whose centers may lie between these two places, and one more on each side.
-    fn span(&self, left: R::Setup, right: R::Setup) -> Span {
+    fn pixels(&self, left: R::Setup, right: R::Setup) -> Span {
         let pixel = |place: R::Setup, more: i32| {
             let clamped = if place > self.width { self.width } else { place.larger(R::Setup::ZERO) };
             u16::try_from(clamped.floor_to_i32().saturating_add(more).max(0)).unwrap_or(u16::MAX)
@@ -195,15 +211,15 @@ mod tests {
                     );
                     assert!(span.end - span.start < last - first + 14, "{span:?} is loose at {y}");
                 }
-                _ => assert!(span == NOWHERE || span.end - span.start < 14, "{span:?} at {y}"),
+                _ => assert!(span == Span::NOWHERE || span.end - span.start < 14, "{span:?} at {y}"),
             }
         }
     }
 
     #[test]
     fn behind_the_camera_is_nowhere_and_around_it_is_everywhere() {
-        assert!(spans_of_ball(Vec3::new(0.0, 0.0, 20.0), 1.0).iter().all(|span| *span == NOWHERE));
-        assert!(spans_of_ball(Vec3::new(0.0, 0.0, 10.5), 1.0).iter().all(|span| *span == EVERYWHERE));
+        assert!(spans_of_ball(Vec3::new(0.0, 0.0, 20.0), 1.0).iter().all(|span| *span == Span::NOWHERE));
+        assert!(spans_of_ball(Vec3::new(0.0, 0.0, 10.5), 1.0).iter().all(|span| *span == Span::EVERYWHERE));
     }
 
     #[test]
@@ -217,15 +233,15 @@ mod tests {
         assert!(
             (f32::from(start) - (50.0 - half)).abs() < 2.5 && (f32::from(end) - (50.0 + half)).abs() < 2.5
         );
-        assert_eq!(seen(Vec3::ZERO, 5), NOWHERE);
-        assert_eq!(seen(CAMERA.eye, 5), EVERYWHERE);
+        assert_eq!(seen(Vec3::ZERO, 5), Span::NOWHERE);
+        assert_eq!(seen(CAMERA.eye, 5), Span::EVERYWHERE);
     }
 
     #[test]
     fn every_pixel_is_told_its_objects() {
-        let mut spans = [NOWHERE; ObjectSet::CAPACITY];
+        let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
         spans[0] = Span { start: 3, end: 7 };
-        spans[1] = EVERYWHERE;
+        spans[1] = Span::EVERYWHERE;
         spans[2] = Span { start: 5, end: 5 };
         let mut line = LineCandidates { spans, objects: 4, current: ObjectSet::NONE, until: 0 };
         for x in 0..20 {

@@ -7,6 +7,7 @@ mod frame;
 mod line_candidates;
 mod painter;
 mod quantize;
+mod realtime;
 mod settings;
 
 pub use digest::Digest;
@@ -14,6 +15,7 @@ pub use display_color::DisplayColor;
 pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use quantize::{Dither, Light16, Quantizer, Transfer};
+pub use realtime::{Grid, Realtime, RealtimeBuffer, RealtimeFrame, Sample};
 pub use settings::Settings;
 
 use core::ops::Range;

@@ -1,0 +1,76 @@
+//! Which objects the cells of a few neighboring lines can show, and which of them are so thin that they could hide
+//! between the points of the grid.
+
+use super::super::Renderer;
+use super::super::line_candidates::{Line, Span};
+use crate::math::Real;
+use crate::prepared::candidates::ObjectSet;
+use crate::prepared::queries::Enclosure;
+use crate::shape::Geometry;
+
+/// The objects that each place of a strip of lines can show.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Strip {
+    spans: [Span; ObjectSet::CAPACITY],
+    objects: usize,
+}
+
+impl Strip {
+    /// The candidates for the pixel centers of the lines from `top` to `bottom`, both included; `None` where they
+    /// are not known.
+    pub(super) fn new<R: Real, S: Geometry>(
+        renderer: &Renderer<'_, '_, R, S>,
+        top: u16,
+        bottom: u16,
+    ) -> Option<Self> {
+        if renderer.settings.samples_per_pixel > 1 {
+            return None;
+        }
+        let line = Line::strip(&renderer.viewport, renderer.width, top, bottom);
+        let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
+        let mut objects = 0;
+        for (span, enclosure) in spans.iter_mut().zip(renderer.scene.enclosures()?) {
+            *span = line.span(enclosure);
+            objects += 1;
+        }
+        Some(Self { spans, objects })
+    }
+
+    /// The objects that the pixels from `left` to `right`, both included, can show.
+    pub(super) fn between(&self, left: u16, right: u16) -> ObjectSet {
+        let mut set = ObjectSet::NONE;
+        for (index, span) in self.spans.iter().take(self.objects).enumerate() {
+            if span.start <= right && left < span.end {
+                set = set.with(index);
+            }
+        }
+        set
+    }
+}
+
+/// The objects that are less than `pixels` wide or high in the picture.
+pub(super) fn thin_objects<R: Real, S: Geometry>(
+    renderer: &Renderer<'_, '_, R, S>,
+    pixels: u16,
+) -> ObjectSet {
+    let mut thin = ObjectSet::NONE;
+    let Some(enclosures) = renderer.scene.enclosures() else { return thin };
+    let (viewport, limit) = (&renderer.viewport, R::Setup::from_u16(pixels));
+    for (index, enclosure) in enclosures.enumerate() {
+        let is_thin = match enclosure {
+            Enclosure::Ball { center, radius } => {
+                let distance = (center.to_setup() - viewport.eye().to_setup()).length();
+                let radius = radius.to_setup();
+                radius + radius < distance * viewport.pixel() * limit
+            }
+            Enclosure::Box(bounds) => viewport
+                .frame(bounds.to_setup())
+                .is_some_and(|frame| frame.right - frame.left < limit || frame.bottom - frame.top < limit),
+            Enclosure::Everywhere => false,
+        };
+        if is_thin {
+            thin = thin.with(index);
+        }
+    }
+    thin
+}
