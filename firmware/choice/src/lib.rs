@@ -1,0 +1,46 @@
+//! For build scripts: the scene and the size of the picture that a program for a board renders.
+//!
+//! `RAYLINE_SCENE` names a built-in scene, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
+//! one is not given, it is `classic`, what the program's author chose, and as many bounces as the scene is meant to
+//! be seen with.
+
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// Writes the constants of the picture into `picture.rs` in the build's output folder.
+///
+/// # Errors
+/// A variable that names no scene, size or number; or a folder that cannot be written to.
+pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
+    let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
+    let size = variable("RAYLINE_SIZE").unwrap_or_else(|| usual_size.into());
+    let index = rayline::builtin::ALL
+        .iter()
+        .position(|builtin| builtin.name == name)
+        .ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
+    let (width, height) = size.split_once('x').ok_or_else(|| format!("{size:?} is not such as 320x240"))?;
+    let (width, height): (u16, u16) = (width.parse()?, height.parse()?);
+    let bounces = match variable("RAYLINE_BOUNCES") {
+        Some(bounces) => bounces.parse::<u8>()?.to_string(),
+        None => "BUILTIN.bounces".into(),
+    };
+    let picture = format!(
+        "const BUILTIN: rayline::builtin::Builtin = rayline::builtin::ALL[{index}];\n\
+         /// Width of the picture in pixels.\n\
+         pub const WIDTH: usize = {width};\n\
+         /// Height of the picture in pixels.\n\
+         pub const HEIGHT: usize = {height};\n\
+         /// How often light may be mirrored or refracted.\n\
+         pub const BOUNCES: u8 = {bounces};\n"
+    );
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("picture.rs"), picture)?;
+    Ok(())
+}
+
+/// An environment variable that the program depends on.
+fn variable(name: &str) -> Option<String> {
+    println!("cargo:rerun-if-env-changed={name}");
+    env::var(name).ok()
+}

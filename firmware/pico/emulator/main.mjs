@@ -1,0 +1,52 @@
+// Runs a program for the Pico until its panel has shown some frames, and reports what they took.
+//
+//     node main.mjs PROGRAM FRAMES
+//
+// What the panel holds after each frame goes to the file `picture`, one after the other, as RGB565. Figures go to the
+// standard output, a line for each, in hexadecimal.
+
+import { writeFileSync } from 'node:fs';
+
+import { Chip } from './chip.mjs';
+import { Panel } from './panel.mjs';
+import { Program } from './program.mjs';
+import { PaintedStack } from './stack.mjs';
+
+/** The panel's pins, and that of the Pico's light, which the program turns on when it cannot go on. */
+const PINS = { data: 16, select: 17, backlight: 20, light: 25 };
+
+function run(program, frames) {
+  const chip = new Chip(program);
+  const stack = new PaintedStack(chip.memory, program);
+  const panel = new Panel(chip, PINS);
+  // A frame begins when the one before has been sent.
+  const beginnings = [];
+  panel.onFrame = () => beginnings.push({ ...chip.count, sending: panel.nanoseconds, picture: panel.picture() });
+  chip.runUntil(() => beginnings.length > frames || chip.isHigh(PINS.light));
+  if (chip.isHigh(PINS.light)) throw new Error('it turned on the light, because it cannot go on');
+
+  const [first, ...shown] = beginnings.slice(0, frames + 1);
+  const last = shown.at(-1);
+  writeFileSync('picture', Buffer.concat(shown.map(({ picture }) => picture)));
+  report('frames', frames);
+  report('instructions', (last.instructions - first.instructions) / frames);
+  report('cycles', last.cycles - first.cycles);
+  report('clock_hz', chip.clockHz);
+  report('spi_hz', panel.clockHz);
+  report('spi_nanoseconds', (last.sending - first.sending) / frames);
+  report('stack_bytes', stack.used);
+}
+
+function report(name, value) {
+  console.log(`${name} ${Math.round(value).toString(16)}`);
+}
+
+try {
+  const [file, frames] = process.argv.slice(2);
+  run(new Program(file), Number(frames));
+  console.log('done');
+} catch (error) {
+  console.log(`fault ${error.message}`);
+  console.error(error.stack);
+  process.exitCode = 1;
+}

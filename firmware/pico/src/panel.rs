@@ -1,0 +1,122 @@
+//! The panel: initialized by its driver, then given bands by DMA.
+
+use core::convert::Infallible;
+
+use embassy_rp::clocks::clk_sys_freq;
+use embassy_rp::gpio::Output;
+use embassy_rp::peripherals::SPI0;
+use embassy_rp::spi::{Async, Config, Spi};
+use embassy_sync::blocking_mutex::raw::NoopRawMutex;
+use embassy_sync::zerocopy_channel::Receiver;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::RgbColor;
+use embedded_hal::delay::DelayNs;
+use embedded_hal::spi::SpiBus;
+use embedded_hal_bus::spi::ExclusiveDevice;
+use mipidsi::Builder;
+use mipidsi::dcs::{DcsCommand, InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::{ColorInversion, Orientation, Rotation};
+use zerocopy::IntoBytes;
+
+use crate::fault::Fault;
+use crate::picture::{Band, CORES, HEIGHT, WIDTH};
+
+const PANEL_WIDTH: usize = 320;
+const PANEL_HEIGHT: usize = 240;
+const _: () = assert!(WIDTH <= PANEL_WIDTH && HEIGHT <= PANEL_HEIGHT, "the panel has 320x240 pixels");
+const _: () = assert!(WIDTH > 0 && HEIGHT > 0, "the picture has at least one pixel");
+
+/// The bus that the panel is alone on.
+pub(crate) type Bus = Spi<'static, SPI0, Async>;
+
+/// How the bus is run.
+pub(crate) fn bus() -> Config {
+    let mut config = Config::default();
+    // The fastest that the controller takes (Sitronix, "ST7789V", 16 ns a bit), and half of the chip's clock.
+    config.frequency = 62_500_000;
+    config
+}
+
+/// The panel's pins beside the bus.
+pub(crate) struct Pins {
+    /// High for data, low for commands.
+    pub(crate) data: Output<'static>,
+    /// Low while the panel listens.
+    pub(crate) select: Output<'static>,
+    pub(crate) backlight: Output<'static>,
+}
+
+/// A panel that waits for frames.
+pub(crate) struct Panel {
+    bus: Bus,
+    pins: Pins,
+}
+
+impl Panel {
+    /// Initializes the panel, makes it black, and opens the window that all frames go to: in the middle.
+    pub(crate) fn new(mut bus: Bus, mut pins: Pins) -> Result<Self, Fault> {
+        let mut buffer = [0; 512];
+        let device = ExclusiveDevice::new_no_delay(&mut bus, &mut pins.select).map_err(|_| Fault::Panel)?;
+        let interface = SpiInterface::new(device, &mut pins.data, &mut buffer);
+        let mut display = Builder::new(ST7789, interface)
+            .orientation(Orientation::new().rotate(Rotation::Deg90))
+            // As all of these panels want it.
+            .invert_colors(ColorInversion::Inverted)
+            .init(&mut Delay)
+            .map_err(|_| Fault::Panel)?;
+        display.clear(Rgb565::BLACK).map_err(|_| Fault::Panel)?;
+        let (mut interface, _, _) = display.release();
+        let (left, right) = window(PANEL_WIDTH, WIDTH);
+        let (top, bottom) = window(PANEL_HEIGHT, HEIGHT);
+        interface.write_command(SetColumnAddress::new(left, right)).map_err(|_| Fault::Panel)?;
+        interface.write_command(SetPageAddress::new(top, bottom)).map_err(|_| Fault::Panel)?;
+
+        // From here on it always listens.
+        pins.select.set_low();
+        pins.backlight.set_high();
+        Ok(Self { bus, pins })
+    }
+
+    /// Sends bands for ever, frame after frame.
+    pub(crate) async fn show(
+        mut self,
+        bands: &mut Receiver<'_, NoopRawMutex, Band>,
+    ) -> Result<Infallible, Fault> {
+        loop {
+            self.begin()?;
+            for _ in (0..HEIGHT).step_by(CORES) {
+                let band = bands.receive().await;
+                self.bus.write(band.as_bytes()).await.map_err(|_| Fault::Panel)?;
+                bands.receive_done();
+            }
+        }
+    }
+
+    /// Returns to the upper left corner of the window.
+    fn begin(&mut self) -> Result<(), Fault> {
+        self.pins.data.set_low();
+        self.bus.blocking_write(&[WriteMemoryStart.instruction()]).map_err(|_| Fault::Panel)?;
+        SpiBus::flush(&mut self.bus).map_err(|_| Fault::Panel)?;
+        self.pins.data.set_high();
+        Ok(())
+    }
+}
+
+/// The first and the last of `inner` places in the middle of `outer`.
+const fn window(outer: usize, inner: usize) -> (u16, u16) {
+    let first = (outer - inner) / 2;
+    (first as u16, (first + inner - 1) as u16)
+}
+
+/// Waits by counting the chip's clock.
+struct Delay;
+
+impl DelayNs for Delay {
+    fn delay_ns(&mut self, nanoseconds: u32) {
+        let cycles_per_microsecond = clk_sys_freq() / 1_000_000;
+        cortex_m::asm::delay(nanoseconds.div_ceil(1000) * cycles_per_microsecond);
+    }
+}

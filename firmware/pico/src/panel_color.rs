@@ -1,0 +1,26 @@
+//! Colors in the order of bytes in which a panel takes them.
+
+use embedded_graphics::pixelcolor::raw::{RawU16, ToBytes};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
+use rayline::{DisplayColor, Light16, Quantizer};
+use zerocopy::{Immutable, IntoBytes};
+
+/// [`Rgb565`], the high byte first: lines of it go to the panel as they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, IntoBytes, Immutable)]
+#[repr(transparent)]
+pub(crate) struct PanelColor([u8; 2]);
+
+impl PanelColor {
+    /// No light.
+    pub(crate) const BLACK: Self = Self([0; 2]);
+}
+
+impl PixelColor for PanelColor {
+    type Raw = RawU16;
+}
+
+impl DisplayColor for PanelColor {
+    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
+        Self(Rgb565::from_light(light, quantizer).to_be_bytes())
+    }
+}
