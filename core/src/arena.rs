@@ -69,22 +69,24 @@ impl<'m> Arena<'m> {
         count: usize,
         mut value: impl FnMut(usize) -> T,
     ) -> Result<&'m [T], Fault> {
-        self.try_store_with(count, |index, _| Ok(value(index)))
+        let values = self.try_store_with(count, |index, _| Ok::<T, Fault>(value(index)))?;
+        Ok(values)
     }
 
-    /// As [`store_with`](Self::store_with), for values that may fail, and that may store more themselves.
+    /// As [`store_with`](Self::store_with), for values that may fail, that may store more themselves, and that may
+    /// change later.
     pub(crate) fn try_store_with<T: Copy, E: From<Fault>>(
         &mut self,
         count: usize,
         mut value: impl FnMut(usize, &mut Self) -> Result<T, E>,
-    ) -> Result<&'m [T], E> {
+    ) -> Result<&'m mut [T], E> {
         let slots = self.take(count)?;
         for (index, slot) in slots.iter_mut().enumerate() {
             slot.write(value(index, self)?);
         }
         // SAFETY: all `count` slots were written just above, or an error has returned.
         #[allow(unsafe_code)]
-        let values = unsafe { &*(core::ptr::from_mut(slots) as *const [T]) };
+        let values = unsafe { &mut *(core::ptr::from_mut(slots) as *mut [T]) };
         Ok(values)
     }
 

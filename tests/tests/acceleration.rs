@@ -6,6 +6,7 @@ use std::mem::MaybeUninit;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
+use rayline::math::Fixed;
 use rayline::shape::{Cone, Geometry, Plane, Polygon, Shape, Sphere, Triangle};
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
@@ -100,38 +101,132 @@ fn light() -> BoxedStrategy<Light> {
     .boxed()
 }
 
+/// Shapes as [`shape`] gives them, but smaller, so that many have room beside each other.
+fn small_shape() -> BoxedStrategy<Shape<'static>> {
+    let small = prop_oneof![Just(0.05f32), Just(0.25), 0.01f32..0.4];
+    prop_oneof![
+        6 => (vector(), small.clone()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
+        6 => (vector(), vector(), vector(), small.clone()).prop_map(|(at, b, c, size)| {
+            Shape::Triangle(Triangle::flat(at, at + b * size, at + c * size))
+        }),
+        2 => (vector(), vector(), small.clone(), 0.0f32..0.5).prop_map(|(base, along, size, top_radius)| {
+            Shape::Cone(Cone { base, base_radius: size, top: base + along * size, top_radius, capped: size > 0.2 })
+        }),
+        1 => shape(),
+    ]
+    .boxed()
+}
+
+fn accepted<R: Real>(scene: &Scene) -> bool {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    PreparedScene::<R, _>::new(scene, &mut memory).is_ok()
+}
+
+/// A scene of what is accepted, the rest left out.
+fn with_accepted<R: Real>(
+    eye: Vec3,
+    objects: impl Iterator<Item = Object<Shape<'static>>>,
+    materials: &[Material],
+    lights: Vec<Light>,
+    check: impl FnOnce(&Scene),
+) {
+    let camera = Camera { eye, target: Vec3::ZERO, up: Vec3::new(0.1, 1.0, 0.05), vertical_fov: 1.0 };
+    let background = LinearRgb::new(0.2, 0.4, 0.6);
+    let empty = Scene { camera, background, objects: &[], materials, lights: &[] };
+    if !accepted::<R>(&empty) {
+        return;
+    }
+    let objects: Vec<_> =
+        objects.filter(|object| accepted::<R>(&Scene { objects: &[*object], ..empty })).collect();
+    let lights: Vec<_> =
+        lights.into_iter().filter(|light| accepted::<R>(&Scene { lights: &[*light], ..empty })).collect();
+    check(&Scene { objects: &objects, lights: &lights, ..empty });
+}
+
+fn eye() -> BoxedStrategy<Vec3> {
+    vector().prop_map(|eye| eye * 2.0 + Vec3::new(0.1, 0.2, 0.3)).boxed()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn random_scenes(
-        eye in vector(),
+        eye in eye(),
         shapes in proptest::collection::vec((shape(), 0..4u16), 1..12),
         materials in proptest::collection::vec(material(), 4),
         lights in proptest::collection::vec(light(), 1..4),
     ) {
+        let objects = shapes.into_iter().map(|(shape, material)| Object::new(shape, material));
+        with_accepted::<f32>(eye, objects, &materials, lights, |scene| {
+            assert_eq!(differences::<f32>(scene, Settings::new(24, 18)), 0);
+        });
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 250, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Too many objects for sets: they have a hierarchy.
+    #[test]
+    fn random_scenes_of_many_objects(
+        eye in eye(),
+        shapes in proptest::collection::vec((small_shape(), 0..4u16), 33..120),
+        again in proptest::collection::vec((any::<prop::sample::Index>(), 0..4u16), 0..30),
+        materials in proptest::collection::vec(material(), 4),
+        lights in proptest::collection::vec(light(), 1..4),
+    ) {
+        // Some stand there twice, of another material: which of them is met shows.
+        let twice: Vec<_> = again.iter().map(|(which, material)| (which.get(&shapes).0, *material)).collect();
+        let objects = shapes.into_iter().chain(twice).map(|(shape, material)| Object::new(shape, material));
+        with_accepted::<f32>(eye, objects, &materials, lights, |scene| {
+            let settings = Settings::new(24, 18);
+            assert_eq!(differences::<f32>(scene, settings), 0);
+            assert_eq!(differences::<f64>(scene, settings), 0);
+            if accepted::<Fixed>(scene) {
+                assert_eq!(differences::<Fixed>(scene, settings), 0);
+            }
+        });
+    }
+}
+
+/// Balls in a grid that the axes' rays run along, each twice, on a floor that is there twice as well.
+#[test]
+fn rays_along_the_axes_through_a_grid() {
+    let grid = (0..125u16).map(|i| {
+        let at = [i % 5, i / 5 % 5, i / 25].map(|place| f32::from(place) * 2.0 - 4.0);
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(at[0], at[1], at[2]), 1.0)), i % 3)
+    });
+    let floor = |material| {
+        let corner = |x: f32, z: f32| Vec3::new(x * 4.0, -4.0, z * 4.0);
+        let corners = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
+        Object::new(Shape::Polygon(Polygon::new(Box::leak(Box::new(corners)))), material)
+    };
+    let objects: Vec<_> = grid.clone().rev().chain([floor(1), floor(0)]).chain(grid).collect();
+    let materials = [0.2, 0.5, 0.8]
+        .map(|gray| Material { reflectance: 0.4, ..Material::matte(LinearRgb::new(gray, 0.5, 1.0 - gray)) });
+    let color = LinearRgb::gray(0.7);
+    let lights = [
+        Light::Directional { direction: Vec3::new(0.0, 1.0, 0.0), color },
+        Light::Point { position: Vec3::new(0.0, 9.0, 0.0), color },
+    ];
+    for eye in [Vec3::new(0.0, 0.0, 9.0), Vec3::new(9.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 1.0)] {
+        // An odd number of pixels: one ray runs along the axis.
         let camera = Camera {
-            eye: eye * 2.0 + Vec3::new(0.1, 0.2, 0.3),
-            target: Vec3::ZERO,
-            up: Vec3::new(0.1, 1.0, 0.05),
+            eye,
+            target: Vec3::new(0.0, eye.y, 0.0),
+            up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 1.0,
         };
-        let background = LinearRgb::new(0.2, 0.4, 0.6);
-        // What is refused is left out.
-        let accepted = |scene: &Scene| {
-            let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
-            PreparedScene::<f32, _>::new(scene, &mut memory).is_ok()
+        let scene = Scene {
+            camera,
+            background: LinearRgb::new(0.2, 0.4, 0.6),
+            objects: &objects,
+            materials: &materials,
+            lights: &lights,
         };
-        let empty = Scene { camera, background, objects: &[], materials: &materials, lights: &[] };
-        prop_assume!(accepted(&empty));
-        let objects: Vec<_> = shapes
-            .into_iter()
-            .map(|(shape, material)| Object::new(shape, material))
-            .filter(|object| accepted(&Scene { objects: &[*object], ..empty }))
-            .collect();
-        let lights: Vec<_> =
-            lights.into_iter().filter(|light| accepted(&Scene { lights: &[*light], ..empty })).collect();
-        let scene = Scene { objects: &objects, lights: &lights, ..empty };
-        prop_assert_eq!(differences::<f32>(&scene, Settings::new(24, 18)), 0);
+        assert_eq!(differences::<f32>(&scene, Settings::new(41, 31)), 0);
+        assert_eq!(differences::<f64>(&scene, Settings::new(41, 31)), 0);
+        assert_eq!(differences::<Fixed>(&scene, Settings::new(41, 31)), 0);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::PreparedObject;
 use super::candidates::Candidates;
+use super::hierarchy::Hierarchy;
 use crate::arena::Arena;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -43,4 +44,5 @@ pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
         .saturating_add(Arena::bytes::<Vec3<R>>(vectors))
         .saturating_add(Candidates::<R>::bytes(objects, lights))
+        .saturating_add(Hierarchy::<R>::bytes(objects))
 }

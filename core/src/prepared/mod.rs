@@ -2,6 +2,7 @@
 
 pub(crate) mod candidates;
 mod error;
+mod hierarchy;
 mod memory;
 pub(crate) mod queries;
 
@@ -11,6 +12,7 @@ pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
 
 use candidates::Candidates;
+use hierarchy::Hierarchy;
 
 use crate::arena::Arena;
 use crate::camera::{Camera, PreparedCamera};
@@ -38,6 +40,8 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m, R>>,
+    /// `None`: few objects, or not wanted.
+    hierarchy: Option<Hierarchy<'m, R>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -97,6 +101,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material: object.material.0 })
         })?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
+        let candidates = candidates.map_err(Part::Memory.error())?;
+        let hierarchy = Hierarchy::new(prepared_objects, arena).map_err(Part::Memory.error())?;
         Ok(Self {
             camera,
             background: background.to(),
@@ -104,14 +110,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             materials: prepared_materials,
             lights: prepared_lights,
             scale,
-            candidates: candidates.map_err(Part::Memory.error())?,
+            candidates,
+            hierarchy,
         })
     }
 
     /// The same scene without anything that makes rendering faster: the same bytes, later. For measuring what it
     /// gains, and for showing that it changes nothing.
     pub fn without_acceleration(self) -> Self {
-        Self { candidates: None, ..self }
+        Self { candidates: None, hierarchy: None, ..self }
     }
 
     /// Looks at the same scene from elsewhere.
@@ -148,5 +155,8 @@ fn prepare_all<'m, D, P: Copy>(
         // There is a description for every i; the fault is never seen.
         descriptions.get(i).ok_or(Fault::NotFinite).and_then(|description| prepare(description, arena))
     });
-    prepared.map_err(|fault: Fault| part(index).error()(fault))
+    match prepared {
+        Ok(prepared) => Ok(prepared),
+        Err(fault) => Err(part(index).error()(fault)),
+    }
 }

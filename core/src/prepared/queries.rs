@@ -1,6 +1,7 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
 use super::candidates::{Departure, ObjectSet};
+use super::hierarchy::Hierarchy;
 use super::{Hit, PreparedScene};
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedMaterial;
@@ -69,6 +70,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         mut range: Interval<R>,
         among: Option<ObjectSet>,
     ) -> Option<(R, usize)> {
+        if among.is_none()
+            && let Some(hierarchy) = &self.hierarchy
+        {
+            return self.closest_in_hierarchy(hierarchy, ray, range);
+        }
         let mut closest = None;
         let mut test = |index: usize| {
             if let Some(object) = self.objects.get(index)
@@ -82,6 +88,32 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             Some(some) => some.for_each(&mut test),
             None => (0..self.objects.len()).for_each(&mut test),
         }
+        closest
+    }
+
+    /// As [`closest_object`](Self::closest_object). Boxes are met in another order than objects stand in the scene.
+    #[inline(never)]
+    fn closest_in_hierarchy(
+        &self,
+        hierarchy: &Hierarchy<'m, R>,
+        ray: &Ray<R>,
+        range: Interval<R>,
+    ) -> Option<(R, usize)> {
+        let mut closest: Option<(R, usize)> = None;
+        hierarchy.walk(ray, range.max, |index| {
+            // An object that stands before the closest one wins if it is as near.
+            let max = match closest {
+                Some((t, other)) if other < index => t,
+                _ => range.max,
+            };
+            if let Some(object) = self.objects.get(index)
+                && let Some(t) = object.shape.intersect(ray, Interval { max, ..range })
+                && closest.is_none_or(|(nearest, _)| t <= nearest)
+            {
+                closest = Some((t, index));
+            }
+            Some(closest.map_or(range.max, |(t, _)| t))
+        });
         closest
     }
 
@@ -134,7 +166,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         };
         let blocked = match among {
             Some(mut some) => some.any(&mut blocks),
-            None => (0..self.objects.len()).any(&mut blocks),
+            None => match &self.hierarchy {
+                Some(hierarchy) => {
+                    hierarchy.walk(ray, range.max, |index| (!blocks(index)).then_some(range.max))
+                }
+                None => (0..self.objects.len()).any(&mut blocks),
+            },
         };
         if blocked {
             return (R::ZERO, false);
