@@ -12,6 +12,7 @@ use embassy_sync::zerocopy_channel::{Channel, Receiver, Sender};
 
 use crate::fault::Fault;
 use crate::frames::Frames;
+use crate::line;
 use crate::picture::{BLACK, CORES, HEIGHT, Line, Prepared};
 
 /// Bytes of stack for the second core: twice what the first was seen to use.
@@ -62,7 +63,7 @@ fn trace(
     loop {
         let renderer = frames.next()?;
         for y in (1..HEIGHT as u32).step_by(CORES) {
-            renderer.line(y, block_on(lines.send()))?;
+            line::trace(&renderer, y, block_on(lines.send()))?;
             lines.send_done();
         }
     }

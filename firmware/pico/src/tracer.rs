@@ -8,6 +8,7 @@ use embassy_sync::zerocopy_channel::Sender;
 
 use crate::fault::Fault;
 use crate::frames::Frames;
+use crate::line;
 use crate::picture::{Band, CORES, HEIGHT, Prepared};
 use crate::second_core::SecondCore;
 
@@ -32,7 +33,7 @@ impl Tracer {
             let renderer = self.frames.next()?;
             for y in (0..HEIGHT as u32).step_by(CORES) {
                 let [first, others @ ..] = bands.send().await;
-                renderer.line(y, first)?;
+                line::trace(&renderer, y, first)?;
                 for line in others {
                     self.second_core.next_line(line).await;
                 }

@@ -5,7 +5,6 @@ use crate::picture::Size;
 /// A board: what it is, and how it is built for and emulated.
 #[derive(Debug)]
 pub(crate) struct Board {
-    /// Name of the program, and of the board's folder in `emulated/src/bin`.
     pub(crate) name: &'static str,
     /// Name of the processor core.
     pub(crate) core: &'static str,
@@ -13,20 +12,38 @@ pub(crate) struct Board {
     pub(crate) description: &'static str,
     /// What the compiler calls the processor.
     pub(crate) target: &'static str,
+    pub(crate) program: Source,
     pub(crate) emulator: Emulator,
-    /// Arguments that make the emulator this board.
-    pub(crate) machine: &'static [&'static str],
     pub(crate) output: Output,
     /// Size of the picture, if none is asked for.
     pub(crate) size: Size,
 }
 
+/// What is built for a board.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source {
+    pub(crate) package: &'static str,
+    /// The program's name in its package.
+    pub(crate) binary: &'static str,
+    pub(crate) features: &'static [&'static str],
+    /// Whether it stands on a hardware abstraction layer. Those have panics, so that of such a program only the
+    /// rendering is held to have none.
+    pub(crate) has_hal: bool,
+}
+
 /// The program that emulates a board.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Emulator {
-    pub(crate) command: &'static str,
-    /// Debian's package that holds it.
-    pub(crate) package: &'static str,
+pub(crate) enum Emulator {
+    /// QEMU.
+    Qemu {
+        command: &'static str,
+        /// Debian's package that holds it.
+        package: &'static str,
+        /// Arguments that make it this board.
+        machine: &'static [&'static str],
+    },
+    /// rp2040js in Node.js, until so many frames have been shown.
+    Rp2040js { frames: u32 },
 }
 
 /// Where a board's picture goes.
@@ -36,16 +53,45 @@ pub(crate) enum Output {
     File,
     /// To a panel of this size, in 16 grays, two pixels a byte.
     Panel(Size),
+    /// To the middle of a panel of this size, frame after frame, as RGB565. The emulator hands out the whole panel
+    /// after each frame.
+    Frames(Size),
 }
 
-const ARM: Emulator = Emulator { command: "qemu-system-arm", package: "qemu-system-arm" };
-const RISCV32: Emulator = Emulator { command: "qemu-system-riscv32", package: "qemu-system-misc" };
+impl Output {
+    /// Bytes of each pixel that is handed out.
+    pub(crate) fn pixel_bytes(self) -> usize {
+        match self {
+            Self::File | Self::Frames(_) => 2,
+            Self::Panel(_) => 1,
+        }
+    }
+}
+
+/// The program that has nothing but the processor under it: each board has a folder in `emulated/src/bin`.
+const fn on_its_own(name: &'static str) -> Source {
+    Source { package: "rayline-emulated", binary: name, features: &[], has_hal: false }
+}
+
+const fn pico(features: &'static [&'static str]) -> Source {
+    Source { package: "rayline-pico", binary: "pico", features, has_hal: true }
+}
+
+const fn arm(machine: &'static [&'static str]) -> Emulator {
+    Emulator::Qemu { command: "qemu-system-arm", package: "qemu-system-arm", machine }
+}
+
+const fn riscv32(machine: &'static [&'static str]) -> Emulator {
+    Emulator::Qemu { command: "qemu-system-riscv32", package: "qemu-system-misc", machine }
+}
 
 const OLED: Size = Size { width: 128, height: 64 };
 /// A common display, for cores with a floating-point unit.
 const QVGA: Size = Size { width: 320, height: 240 };
 /// For cores that compute floating-point numbers in software.
 const SMALL: Size = Size { width: 64, height: 48 };
+/// A quarter of a common display: what the Pico's frames have.
+const QQVGA: Size = Size { width: 160, height: 120 };
 
 /// All boards.
 pub(crate) const BOARDS: &[Board] = &[
@@ -54,8 +100,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M3",
         description: "64 KB of RAM; the picture goes to its OLED panel of 128x64 pixels in 16 grays",
         target: "thumbv7m-none-eabi",
-        emulator: ARM,
-        machine: &["-M", "lm3s6965evb"],
+        program: on_its_own("lm3s6965evb"),
+        emulator: arm(&["-M", "lm3s6965evb"]),
         output: Output::Panel(OLED),
         size: OLED,
     },
@@ -64,8 +110,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M3",
         description: "floating-point numbers in software",
         target: "thumbv7m-none-eabi",
-        emulator: ARM,
-        machine: &["-M", "mps2-an385"],
+        program: on_its_own("mps2-an385"),
+        emulator: arm(&["-M", "mps2-an385"]),
         output: Output::File,
         size: SMALL,
     },
@@ -74,8 +120,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M4F",
         description: "floating-point unit",
         target: "thumbv7em-none-eabihf",
-        emulator: ARM,
-        machine: &["-M", "mps2-an386"],
+        program: on_its_own("mps2-an386"),
+        emulator: arm(&["-M", "mps2-an386"]),
         output: Output::File,
         size: QVGA,
     },
@@ -84,8 +130,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M7",
         description: "floating-point unit",
         target: "thumbv7em-none-eabihf",
-        emulator: ARM,
-        machine: &["-M", "mps2-an500"],
+        program: on_its_own("mps2-an500"),
+        emulator: arm(&["-M", "mps2-an500"]),
         output: Output::File,
         size: QVGA,
     },
@@ -94,8 +140,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M33",
         description: "floating-point unit",
         target: "thumbv8m.main-none-eabihf",
-        emulator: ARM,
-        machine: &["-M", "mps2-an505"],
+        program: on_its_own("mps2-an505"),
+        emulator: arm(&["-M", "mps2-an505"]),
         output: Output::File,
         size: QVGA,
     },
@@ -104,8 +150,8 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M0",
         description: "16 KB of RAM; floating-point numbers in software",
         target: "thumbv6m-none-eabi",
-        emulator: ARM,
-        machine: &["-M", "microbit"],
+        program: on_its_own("microbit"),
+        emulator: arm(&["-M", "microbit"]),
         output: Output::File,
         size: SMALL,
     },
@@ -114,9 +160,29 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "RV32IMAC",
         description: "QEMU's machine virt; floating-point numbers in software",
         target: "riscv32imac-unknown-none-elf",
-        emulator: RISCV32,
-        machine: &["-M", "virt", "-bios", "none"],
+        program: on_its_own("riscv32"),
+        emulator: riscv32(&["-M", "virt", "-bios", "none"]),
         output: Output::File,
         size: SMALL,
+    },
+    Board {
+        name: "pico",
+        core: "Cortex-M0+",
+        description: "Raspberry Pi Pico with a panel of 320x240 pixels; one of its two cores traces",
+        target: "thumbv6m-none-eabi",
+        program: pico(&[]),
+        emulator: Emulator::Rp2040js { frames: 2 },
+        output: Output::Frames(QVGA),
+        size: QQVGA,
+    },
+    Board {
+        name: "pico-dual",
+        core: "2x Cortex-M0+",
+        description: "Raspberry Pi Pico with a panel of 320x240 pixels; both cores trace",
+        target: "thumbv6m-none-eabi",
+        program: pico(&["second-core"]),
+        emulator: Emulator::Rp2040js { frames: 2 },
+        output: Output::Frames(QVGA),
+        size: QQVGA,
     },
 ];

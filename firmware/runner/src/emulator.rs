@@ -3,7 +3,7 @@
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,17 +11,23 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
-use crate::board::{Board, Output};
+use crate::board::{self, Board, Output};
 use crate::picture::Size;
 use crate::qmp::Qmp;
 use crate::screen::Screen;
+use crate::timing::Timing;
+use crate::{qemu, rp2040js};
 
 /// What a program reported.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
-    pub(crate) digest: u64,
+    /// The digest that the program computed, if it does.
+    pub(crate) digest: Option<u64>,
+    /// For one picture.
     pub(crate) instructions: u64,
     pub(crate) stack_bytes: u64,
+    /// Where the emulator knows more than instructions.
+    pub(crate) timing: Option<Timing>,
 }
 
 /// A running emulator; it ends with this value.
@@ -40,7 +46,7 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
     let mut emulator = Emulator::start(board, program, timeout)?;
     let report = emulator.report()?;
     let picture = match board.output {
-        Output::File => emulator.file()?,
+        Output::File | Output::Frames(_) => emulator.file()?,
         Output::Panel(panel) => emulator.screen(panel)?.part(size)?,
     };
     Ok((report, picture))
@@ -49,22 +55,16 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
 impl Emulator {
     fn start(board: &Board, program: &Path, timeout: Duration) -> Result<Self> {
         let folder = tempfile::tempdir()?;
-        let mut process = Command::new(board.emulator.command)
-            .args(board.machine)
-            // One instruction is a nanosecond of the emulator's time.
-            .args(["-icount", "shift=0"])
-            .args(["-display", "none", "-serial", "null", "-monitor", "none"])
-            .args(["-chardev", "stdio,id=report"])
-            .args(["-semihosting-config", "enable=on,target=native,chardev=report"])
-            .args(["-qmp", "unix:qmp,server=on,wait=off"])
-            .arg("-kernel")
-            .arg(program)
-            .current_dir(&folder)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(File::create(folder.path().join("messages"))?)
-            .spawn()
-            .context(board.emulator.command)?;
+        let mut process = match board.emulator {
+            board::Emulator::Qemu { command, machine, .. } => qemu::command(command, machine, program),
+            board::Emulator::Rp2040js { frames } => rp2040js::command(program, frames),
+        }
+        .current_dir(&folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(File::create(folder.path().join("messages"))?)
+        .spawn()
+        .context("the emulator")?;
         let output = process.stdout.take();
         let (sender, lines) = mpsc::channel();
         // Owns the process from here on, so that every error ends it.
@@ -94,10 +94,13 @@ impl Emulator {
             };
             let number = |digits| u64::from_str_radix(digits, 16).with_context(|| format!("{line:?}"));
             match line.split_once(' ') {
-                Some(("digest", digits)) => report.digest = number(digits)?,
+                Some(("digest", digits)) => report.digest = Some(number(digits)?),
                 Some(("instructions", digits)) => report.instructions = number(digits)?,
                 Some(("stack_bytes", digits)) => report.stack_bytes = number(digits)?,
                 Some(("fault", fault)) => bail!("the program stopped: {fault}"),
+                Some((name, digits)) if Timing::has(name) => {
+                    report.timing.get_or_insert_default().set(name, number(digits)?);
+                }
                 None if line == "done" => return Ok(report),
                 _ => bail!("the program says {line:?}"),
             }

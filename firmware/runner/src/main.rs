@@ -2,16 +2,20 @@
 //! computer.
 
 mod board;
+mod calls;
 mod emulator;
 mod host;
 mod picture;
 mod png;
 mod program;
 mod proof;
+mod qemu;
 mod qmp;
 mod record;
+mod rp2040js;
 mod screen;
 mod session;
+mod timing;
 mod toolchain;
 
 use std::fs;
@@ -107,6 +111,9 @@ fn run(arguments: &Arguments) -> Result<bool> {
         records.push(session.run());
     }
     println!("{}", record::table(&records));
+    for pace in records.iter().filter_map(record::Record::pace) {
+        println!("{pace}");
+    }
     if let Some(file) = &arguments.json {
         let json = serde_json::to_string_pretty(&records)? + "\n";
         fs::write(file, json).with_context(|| file.display().to_string())?;

@@ -27,10 +27,17 @@ pub(crate) fn file_for(file: &Path, board: &Board, boards: usize) -> PathBuf {
     file.with_file_name(name)
 }
 
-/// Writes a picture, of bytes as the board hands them out.
+/// Writes a picture, of bytes as the board hands them out: of several frames, the whole panel after the last.
 pub(crate) fn write(file: &Path, size: Size, output: Output, bytes: &[u8]) -> Result<()> {
+    let size = match output {
+        Output::Frames(panel) => panel,
+        Output::File | Output::Panel(_) => size,
+    };
+    let bytes = bytes.chunks(size.pixels() * output.pixel_bytes()).next_back().unwrap_or_default();
     let (color_type, data): (_, Vec<u8>) = match output {
-        Output::File => (png::ColorType::Rgb, bytes.as_chunks::<2>().0.iter().flat_map(rgb888).collect()),
+        Output::File | Output::Frames(_) => {
+            (png::ColorType::Rgb, bytes.as_chunks::<2>().0.iter().flat_map(rgb888).collect())
+        }
         Output::Panel(_) => (
             png::ColorType::Grayscale,
             bytes.iter().map(|gray| Gray8::from(Gray4::new(*gray)).luma()).collect(),

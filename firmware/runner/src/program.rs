@@ -3,9 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
+
+use crate::board::Source;
+use crate::calls::Calls;
 
 /// Parts of the names of functions that every panic goes through.
 const PANICS: [&str; 8] = [
@@ -22,6 +25,9 @@ const PANICS: [&str; 8] = [
 /// Statics in RAM.
 const STATICS: [&str; 5] = [".data", ".sdata", ".bss", ".sbss", ".uninit"];
 
+/// The function that traces a line, in programs that stand on a HAL.
+const RENDERING: &str = "pico::line::trace";
+
 /// What a program takes, and what must not be in it.
 #[derive(Debug)]
 pub(crate) struct Program {
@@ -29,13 +35,13 @@ pub(crate) struct Program {
     pub(crate) text_bytes: u64,
     /// Bytes of RAM for statics.
     pub(crate) static_ram_bytes: u64,
-    /// Functions of panics.
+    /// Functions of panics; where the program stands on a HAL, those that can be reached from rendering.
     pub(crate) panics: Vec<String>,
 }
 
 impl Program {
     /// Reads a linked program.
-    pub(crate) fn read(file: &Path) -> Result<Self> {
+    pub(crate) fn read(file: &Path, source: Source) -> Result<Self> {
         let bytes = fs::read(file).with_context(|| file.display().to_string())?;
         let elf = object::File::parse(&*bytes)?;
         let (mut text_bytes, mut static_ram_bytes) = (0, 0);
@@ -51,14 +57,23 @@ impl Program {
                 static_ram_bytes += section.size();
             }
         }
-        let mut panics = Vec::new();
-        for symbol in elf.symbols() {
+        let is_panic = |name: &String| PANICS.iter().any(|panic| name.contains(panic));
+        let panics = if source.has_hal {
+            Calls::read(&elf)?.below(RENDERING)?.into_iter().map(String::from).filter(is_panic).collect()
+        } else {
             // `#` leaves out the hashes that names carry.
-            let name = format!("{:#}", rustc_demangle::demangle(symbol.name()?));
-            if PANICS.iter().any(|panic| name.contains(panic)) {
-                panics.push(name);
-            }
-        }
+            let names =
+                elf.symbols().map(|symbol| Ok(format!("{:#}", rustc_demangle::demangle(symbol.name()?))));
+            let names: Vec<String> = names.collect::<Result<_>>()?;
+            names.into_iter().filter(is_panic).collect()
+        };
         Ok(Self { text_bytes, static_ram_bytes, panics })
+    }
+
+    /// # Errors
+    /// The panics that the program must not hold.
+    pub(crate) fn check(&self) -> Result<()> {
+        ensure!(self.panics.is_empty(), "the program holds panics: {}", self.panics.join(", "));
+        Ok(())
     }
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::board::Board;
 use crate::picture::Picture;
+use crate::timing::{Rates, Timing};
 
 /// How it went with a board.
 #[derive(Debug)]
@@ -26,6 +27,7 @@ pub(crate) struct Figures {
     pub(crate) text_bytes: u64,
     pub(crate) static_ram_bytes: u64,
     pub(crate) stack_bytes: u64,
+    pub(crate) timing: Option<Timing>,
 }
 
 /// One board's line of the results.
@@ -43,6 +45,8 @@ pub(crate) struct Record {
     text_bytes: Option<u64>,
     static_ram_bytes: Option<u64>,
     stack_bytes: Option<u64>,
+    #[serde(flatten)]
+    rates: Option<Rates>,
     status: String,
     #[serde(skip)]
     verdict: Verdict,
@@ -87,6 +91,7 @@ impl Record {
             text_bytes: figures.map(|figures| figures.text_bytes),
             static_ram_bytes: figures.map(|figures| figures.static_ram_bytes),
             stack_bytes: figures.map(|figures| figures.stack_bytes),
+            rates: figures.and_then(|figures| figures.timing).map(|timing| timing.rates()),
             status,
             verdict,
         }
@@ -104,6 +109,11 @@ impl Record {
             Verdict::Skipped => !all_required,
             Verdict::Failed => false,
         }
+    }
+
+    /// What frames take in time, if that is known, in a line.
+    pub(crate) fn pace(&self) -> Option<String> {
+        self.rates.map(|rates| format!("{}: {rates}", self.board))
     }
 
     fn cells(&self) -> [String; COLUMNS] {
@@ -206,6 +216,7 @@ mod tests {
         text_bytes: 20_000,
         static_ram_bytes: 999,
         stack_bytes: 1_000,
+        timing: None,
     };
 
     #[test]

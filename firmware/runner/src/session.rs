@@ -5,12 +5,12 @@ use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use crate::board::{Board, Output};
-use crate::picture::Picture;
+use crate::board::{Board, Emulator, Output};
+use crate::picture::{Picture, Size};
 use crate::program::Program;
 use crate::record::{Figures, Outcome, Record};
 use crate::toolchain::{self, Toolchain};
-use crate::{emulator, host, png};
+use crate::{emulator, host, png, rp2040js};
 
 /// What is to be done with one board.
 #[derive(Debug)]
@@ -40,14 +40,22 @@ impl Session<'_> {
     /// The compiler, if everything is there that the board needs; else what is missing, in one line.
     fn toolchain(&self) -> Result<Toolchain, String> {
         let size = self.picture.size;
-        if let Output::Panel(panel) = self.board.output
-            && (size.width > panel.width || size.height > panel.height || !size.width.is_multiple_of(2))
-        {
-            return Err(format!("its panel shows at most {panel}, and only even widths"));
+        let fits = |panel: Size| size.width <= panel.width && size.height <= panel.height;
+        match self.board.output {
+            Output::Panel(panel) if !fits(panel) || !size.width.is_multiple_of(2) => {
+                return Err(format!("its panel shows at most {panel}, and only even widths"));
+            }
+            Output::Frames(panel) if !fits(panel) || !size.height.is_multiple_of(2) => {
+                return Err(format!("its panel shows at most {panel}, and two cores trace an even height"));
+            }
+            Output::File | Output::Panel(_) | Output::Frames(_) => {}
         }
-        let emulator = self.board.emulator;
-        if !toolchain::is_on_path(emulator.command) {
-            return Err(format!("no {}: run `apt install {}`", emulator.command, emulator.package));
+        match self.board.emulator {
+            Emulator::Qemu { command, package, .. } if !toolchain::is_on_path(command) => {
+                return Err(format!("no {command}: run `apt install {package}`"));
+            }
+            Emulator::Qemu { .. } => {}
+            Emulator::Rp2040js { .. } => rp2040js::install()?,
         }
         Toolchain::find(self.board.target)
     }
@@ -56,23 +64,24 @@ impl Session<'_> {
         let Self { board, picture, .. } = self;
         self.say("building (the first time takes a minute)");
         let file = toolchain.program(board, picture)?;
-        let program = Program::read(&file)?;
-        ensure!(program.panics.is_empty(), "the program holds panics: {}", program.panics.join(", "));
+        let program = Program::read(&file, board.program)?;
+        program.check()?;
 
         self.say("running");
         let (report, bytes) = emulator::run(board, &file, picture.size, self.timeout)?;
         if let Some(file) = &self.picture_file {
             png::write(file, picture.size, board.output, &bytes)?;
         }
-        let expected = host::render(picture, board.output)?;
+        let expected = host::render(board, picture)?;
         let figures = Figures {
             instructions: report.instructions,
-            digest: report.digest,
+            digest: report.digest.unwrap_or_else(|| host::digest(&bytes)),
             host_digest: host::digest(&expected),
-            pixels_differ: different_pixels(&bytes, &expected, picture.size.pixels())?,
+            pixels_differ: different_pixels(&bytes, &expected, board.output.pixel_bytes())?,
             text_bytes: program.text_bytes,
             static_ram_bytes: program.static_ram_bytes,
             stack_bytes: report.stack_bytes,
+            timing: report.timing,
         };
         Ok(figures)
     }
@@ -83,13 +92,12 @@ impl Session<'_> {
 }
 
 /// How many pixels of a board's picture are not those of the host's.
-fn different_pixels(bytes: &[u8], expected: &[u8], pixels: usize) -> Result<usize> {
+fn different_pixels(bytes: &[u8], expected: &[u8], pixel_bytes: usize) -> Result<usize> {
     ensure!(
         bytes.len() == expected.len(),
         "the board's picture has {} bytes, not {}",
         bytes.len(),
         expected.len()
     );
-    let pixel_bytes = expected.len() / pixels;
     Ok(bytes.chunks(pixel_bytes).zip(expected.chunks(pixel_bytes)).filter(|(a, b)| a != b).count())
 }

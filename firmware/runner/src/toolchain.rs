@@ -63,7 +63,7 @@ impl Toolchain {
     pub(crate) fn build(&self, board: &Board, picture: &Picture, features: &[&str]) -> Result<Built> {
         let mut command = self.cargo(board.target);
         command
-            .args(["build", "--release", "--package", "rayline-emulated", "--bin", board.name])
+            .args(["build", "--release", "--package", board.program.package, "--bin", board.program.binary])
             .args(["--target", board.target, "--manifest-path", WORKSPACE])
             .args(["--message-format", "json-render-diagnostics"])
             .env("RAYLINE_SCENE", picture.scene.name)
@@ -75,6 +75,7 @@ impl Toolchain {
         if let Self::Debian { .. } = self {
             command.arg("-Zbuild-std=core");
         }
+        let features = [board.program.features, features].concat();
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);
         }
