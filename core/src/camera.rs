@@ -143,6 +143,12 @@ impl<R: Real> Viewport<R> {
         Ray { origin: self.camera.eye, direction: direction.polar().0 }
     }
 
+    /// How far a point is in front of the camera, and from it.
+    pub(crate) fn depth(&self, point: Vec3<R::Setup>) -> (R::Setup, R::Setup) {
+        let toward = point - self.camera.eye.to_setup();
+        (toward.dot(self.camera.forward), toward.length())
+    }
+
     /// Width and height of a pixel at distance 1 in the middle of the picture: the largest angle that one is seen at.
     pub(crate) fn pixel(&self) -> R::Setup {
         let (_, half_height) = self.middle;

@@ -95,8 +95,8 @@ pub use math::{Real, Vec3};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
-    Digest, DisplayColor, Dither, DrawError, Frame, Grid, Light16, LineError, Progress, Quantizer, Realtime,
-    RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Transfer,
+    Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Progress,
+    Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Transfer,
 };
 pub use scene::{MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;

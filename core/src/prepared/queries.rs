@@ -6,7 +6,7 @@ use super::{Hit, PreparedScene};
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
-use crate::shape::{Form, Geometry, Intersect};
+use crate::shape::{Form, Geometry, Intersect, Spine};
 
 /// The space that an object is inside of.
 pub(crate) enum Enclosure<R> {
@@ -29,6 +29,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (_, Some(bounds)) => Enclosure::Box(bounds),
             (_, None) => Enclosure::Everywhere,
         }))
+    }
+
+    /// The middle line of each object that has one.
+    pub(crate) fn spines(&self) -> impl Iterator<Item = Option<Spine<R>>> {
+        self.objects.iter().map(|object| object.shape.spine())
     }
 
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in

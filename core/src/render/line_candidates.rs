@@ -23,6 +23,11 @@ pub(super) struct Span {
 impl Span {
     pub(super) const NOWHERE: Self = Self { start: u16::MAX, end: u16::MAX };
     const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
+
+    /// The pixels that are in both.
+    pub(super) fn common(self, other: Self) -> Self {
+        Self { start: self.start.max(other.start), end: self.end.min(other.end) }
+    }
 }
 
 /// The objects that each pixel of one line can show.
@@ -106,6 +111,11 @@ impl<'v, R: Real> Line<'v, R> {
         Self { viewport, width: R::Setup::from_u16(width), y, reach: (bottom - top) * half, start, across }
     }
 
+    /// The heights that count, and `more` above and below.
+    pub(super) fn reach_of_pixels(&self, more: R::Setup) -> (R::Setup, R::Setup) {
+        (self.y - self.reach - more, self.y + self.reach + more)
+    }
+
     /// Where an object can be seen that is inside of this.
     pub(super) fn span(&self, enclosure: Enclosure<R>) -> Span {
         match enclosure {
@@ -165,7 +175,7 @@ impl<'v, R: Real> Line<'v, R> {
     }
 
     /// The pixels whose centers may lie between these two places, and one more on each side.
-    fn pixels(&self, left: R::Setup, right: R::Setup) -> Span {
+    pub(super) fn pixels(&self, left: R::Setup, right: R::Setup) -> Span {
         let pixel = |place: R::Setup, more: i32| {
             let clamped = if place > self.width { self.width } else { place.larger(R::Setup::ZERO) };
             u16::try_from(clamped.floor_to_i32().saturating_add(more).max(0)).unwrap_or(u16::MAX)

@@ -2,7 +2,7 @@
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
 
-use super::{Geometry, Intersect};
+use super::{Geometry, Intersect, Spine};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -189,6 +189,15 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             Aabb::around(self.base + self.axis * height, reach * radius)
         };
         Some(disc(R::ZERO).union(disc(self.length)).padded(R::offset(self.magnitude)))
+    }
+
+    fn spine(&self) -> Option<Spine<R>> {
+        let top_radius = self.base_radius + self.slope * self.length;
+        Some(Spine {
+            from: self.base,
+            to: self.base + self.axis * self.length,
+            radius: self.base_radius.larger(top_radius),
+        })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

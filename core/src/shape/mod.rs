@@ -72,8 +72,24 @@ pub trait Intersect<R: Real> {
     /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
     fn bounds(&self) -> Option<Aabb<R>>;
 
+    /// The middle line of a long shape, so that one that is thin is known to be; `None` where there is none.
+    fn spine(&self) -> Option<Spine<R>> {
+        None
+    }
+
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
+}
+
+/// The middle line of a long shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spine<R> {
+    /// One end.
+    pub from: Vec3<R>,
+    /// The other end.
+    pub to: Vec3<R>,
+    /// No point of the shape is farther from the line between them.
+    pub radius: R,
 }
 
 /// What is known of a shape beforehand.

@@ -98,6 +98,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn spine(&self) -> Option<$crate::shape::Spine<R>> {
+                match self {
+                    $(Self::$Variant(shape) => shape.spine()),+
+                }
+            }
+
             fn surface(&self, ray: &$crate::math::Ray<R>, t: R) -> $crate::Surface<R> {
                 match self {
                     $(Self::$Variant(shape) => shape.surface(ray, t)),+

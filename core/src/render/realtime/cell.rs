@@ -131,11 +131,12 @@ impl Cell {
         }
     }
 
-    /// All points inside, where the sides are known, as fine as they must be.
-    pub(super) fn refine(&mut self, place: &Place, look: &mut impl Look) {
+    /// All points inside, where the sides are known, as fine as they must be. Tells whether all were interpolated
+    /// between the corners.
+    pub(super) fn refine(&mut self, place: &Place, look: &mut impl Look) -> bool {
         if place.is_inside() && self.is_smooth(place.side, look) {
             self.interpolate(place.side);
-            return;
+            return true;
         }
         let side = place.side;
         let mut half = side / 2;
@@ -180,6 +181,7 @@ impl Cell {
             }
             half /= 2;
         }
+        false
     }
 
     /// Traces every pixel that the cell shows and that is not yet traced.
@@ -200,7 +202,7 @@ impl Cell {
         }
     }
 
-    /// The color of the whole cell, if it is all the same.
+    /// The color of the whole cell, if its corners are all the same.
     pub(super) fn uniform(&self, side: usize) -> Option<Sample> {
         let corner = self.get(0, 0);
         let same = |x, y| self.get(x, y).light() == corner.light();
@@ -266,7 +268,9 @@ impl Cell {
 
     /// At the picture's end, every other point of the last column and line is already known from the cell's side.
     fn known_at_end(&self, place: &Place, x: usize, y: usize) -> Option<Sample> {
-        if place.ends_at_column(x) && y.is_multiple_of(2) {
+        if place.ends_at_column(x) && place.ends_at_line(y) {
+            Some(self.get(place.side, place.side))
+        } else if place.ends_at_column(x) && y.is_multiple_of(2) {
             Some(self.get(place.side, y))
         } else if place.ends_at_line(y) && x.is_multiple_of(2) {
             Some(self.get(x, place.side))

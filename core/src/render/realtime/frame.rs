@@ -6,6 +6,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
+use super::budget::{Budget, Detail};
 use super::cell::{Cell, Look, Place};
 use super::seen::Seen;
 use super::strip::{Strip, thin_objects};
@@ -36,6 +37,7 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
     cell: Cell,
+    budget: Budget,
 }
 
 /// The lines between two rows of the grid.
@@ -69,7 +71,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             return Err(LineError::SampleCount { given: buffer.samples.len(), needed });
         }
         let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
-        // Three grid cells: what is as wide or high as that meets several points of the grid.
+        // What is as wide and high as two cells covers a point of the grid wherever it is.
         let thin = thin_objects(&renderer, quality.grid.pixels() as u16 * 2);
         Ok(Self {
             renderer,
@@ -81,6 +83,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             band: None,
             row: None,
             cell: Cell::BLANK,
+            budget: Budget::new(quality.budget_rays),
         })
     }
 
@@ -113,9 +116,14 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
     {
         let mut spent: u32 = 0;
         while !self.lines.is_empty() {
-            let mut band = self.band.unwrap_or_else(|| self.begin());
+            let mut band = match self.band {
+                Some(band) => band,
+                None => self.begin(),
+            };
             while band.left < self.renderer.width() {
-                spent = spent.saturating_add(self.draw_cell(&mut band, probe));
+                let rays = self.draw_cell(&mut band, probe);
+                self.budget.spend(rays);
+                spent = spent.saturating_add(rays);
                 if spent >= budget_rays {
                     break;
                 }
@@ -134,10 +142,11 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
     }
 
     /// The band that holds the next line.
-    fn begin(&self) -> Band {
+    fn begin(&mut self) -> Band {
         let side = self.quality.grid.pixels();
         let top = self.lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(self.renderer.height().saturating_sub(1));
+        self.budget.share(side as u32, self.lines.end.saturating_sub(self.lines.start));
         let strip = Strip::new(&self.renderer, top as u16, bottom as u16);
         Band { top, left: 0, has_top: self.row == Some(top), strip }
     }
@@ -153,7 +162,14 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             side,
         };
         let among = band.strip.map(|strip| strip.between(place.x(0), place.x(side)));
-        let mut look = Tracer { renderer: &self.renderer, among, quality: &self.quality, probe, rays: 0 };
+        let mut look = Tracer {
+            renderer: &self.renderer,
+            among,
+            threshold: self.quality.threshold,
+            detail: self.budget.detail(),
+            probe,
+            rays: 0,
+        };
         let first = band.left as usize / 2;
 
         // The side above: known from the band before, or looked at.
@@ -180,9 +196,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         }
         self.cell.look_at_bottom(&place, &mut look);
         self.cell.look_at_column(&place, side, &mut look);
-        self.cell.refine(&place, &mut look);
-        if among.is_some_and(|among| among.intersects(self.thin)) {
+        let mut smooth = self.cell.refine(&place, &mut look);
+        if look.detail != Detail::Grid && among.is_some_and(|among| among.intersects(self.thin)) {
             self.cell.trace_all(&place, &mut look);
+            smooth = false;
         }
 
         let rays = look.rays;
@@ -192,7 +209,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
                 *sample = self.cell.get(x, side);
             }
         }
-        self.paint(&place);
+        self.paint(&place, smooth);
         self.cell.advance(side);
         band.left += side as u32;
         if band.left >= self.renderer.width() {
@@ -201,11 +218,12 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         rays
     }
 
-    /// Turns the light of a cell into the display's colors.
-    fn paint(&mut self, place: &Place) {
+    /// Turns the light of a cell into the display's colors. A smooth one has nothing that its corners have not.
+    fn paint(&mut self, place: &Place, smooth: bool) {
         let settings = &self.renderer.settings;
         let width = usize::from(self.renderer.width);
-        let all = (settings.dither == Dither::None).then(|| self.cell.uniform(place.side)).flatten();
+        let all =
+            (smooth && settings.dither == Dither::None).then(|| self.cell.uniform(place.side)).flatten();
         let all = all.map(|sample| C::from_light(sample.light(), &Quantizer::new(settings, 0, 0)));
         for y in 0..place.side {
             let line = self.buffer.colors.iter_mut().skip(y * width).take(width).skip(place.left as usize);
@@ -242,7 +260,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
 struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, P> {
     renderer: &'r Renderer<'p, 'm, R, S>,
     among: Option<ObjectSet>,
-    quality: &'r Realtime,
+    threshold: u16,
+    detail: Detail,
     probe: &'w mut P,
     rays: u32,
 }
@@ -259,6 +278,10 @@ impl<R: Real, S: Geometry, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, P>
 
     #[inline]
     fn differ(&self, a: Sample, b: Sample) -> bool {
-        a.differs(b, self.quality.threshold)
+        match self.detail {
+            Detail::Full => a.differs(b, self.threshold),
+            Detail::Coarse => a.differs_in_color(b, self.threshold.saturating_mul(4)),
+            Detail::Grid => false,
+        }
     }
 }

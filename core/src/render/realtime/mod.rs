@@ -1,9 +1,11 @@
 //! Realtime quality: few pixels are traced, the rest is interpolated where nothing can lie in between.
 
+mod budget;
 mod cell;
 mod frame;
 mod sample;
 mod seen;
+mod stadium;
 mod strip;
 
 pub use frame::RealtimeFrame;
@@ -25,6 +27,10 @@ pub struct Realtime {
     /// Neighbors on the grid may differ by this much, in units of 1/65536 of full light and plus a sixteenth of
     /// their own, without a look at what lies between them.
     pub threshold: u16,
+    /// The most rays for a frame; `u32::MAX`: as many as it takes. Where bands of lines take more than their share,
+    /// those below are drawn more coarsely, so that the frame is done in time; but the pixels of the grid are
+    /// always traced. Then what a line looks like depends on those that the same frame has drawn before.
+    pub budget_rays: u32,
 }
 
 /// The distance of the pixels that are always traced.
@@ -58,7 +64,7 @@ impl Default for Realtime {
 impl Realtime {
     /// What measured best: a grid of four pixels and a threshold of 1/32.
     pub const fn new() -> Self {
-        Self { grid: Grid::Four, threshold: 2048 }
+        Self { grid: Grid::Four, threshold: 2048, budget_rays: u32::MAX }
     }
 
     /// How many colors to lend for a picture of this width: a band of lines.

@@ -46,6 +46,11 @@ impl Sample {
         if (self.seen ^ other.seen) & DIGEST != 0 || (self.seen | other.seen) & GLINT != 0 {
             return true;
         }
+        self.differs_in_color(other, threshold)
+    }
+
+    /// Whether the two are of different color.
+    pub(super) fn differs_in_color(self, other: Self, threshold: u16) -> bool {
         let [r, g, b] = self.light;
         let [other_r, other_g, other_b] = other.light;
         let apart = |a: u16, b: u16| {

@@ -3,6 +3,7 @@
 
 use super::super::Renderer;
 use super::super::line_candidates::{Line, Span};
+use super::stadium::Stadium;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::prepared::queries::Enclosure;
@@ -26,11 +27,20 @@ impl Strip {
         if renderer.settings.samples_per_pixel > 1 {
             return None;
         }
+        let scene = renderer.scene;
         let line = Line::strip(&renderer.viewport, renderer.width, top, bottom);
         let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
         let mut objects = 0;
-        for (span, enclosure) in spans.iter_mut().zip(renderer.scene.enclosures()?) {
+        for ((span, enclosure), spine) in spans.iter_mut().zip(scene.enclosures()?).zip(scene.spines()) {
             *span = line.span(enclosure);
+            if let Some(stadium) = spine.and_then(|spine| Stadium::new(&renderer.viewport, &spine)) {
+                // A pixel of room for rounding.
+                let (top, bottom) = line.reach_of_pixels(R::Setup::ONE);
+                *span = match stadium.extent(top, bottom) {
+                    Some((left, right)) => span.common(line.pixels(left, right)),
+                    None => Span::NOWHERE,
+                };
+            }
             objects += 1;
         }
         Some(Self { spans, objects })
@@ -56,8 +66,8 @@ pub(super) fn thin_objects<R: Real, S: Geometry>(
     let mut thin = ObjectSet::NONE;
     let Some(enclosures) = renderer.scene.enclosures() else { return thin };
     let (viewport, limit) = (&renderer.viewport, R::Setup::from_u16(pixels));
-    for (index, enclosure) in enclosures.enumerate() {
-        let is_thin = match enclosure {
+    for (index, (enclosure, spine)) in enclosures.zip(renderer.scene.spines()).enumerate() {
+        let is_small = match enclosure {
             Enclosure::Ball { center, radius } => {
                 let distance = (center.to_setup() - viewport.eye().to_setup()).length();
                 let radius = radius.to_setup();
@@ -68,7 +78,11 @@ pub(super) fn thin_objects<R: Real, S: Geometry>(
                 .is_some_and(|frame| frame.right - frame.left < limit || frame.bottom - frame.top < limit),
             Enclosure::Everywhere => false,
         };
-        if is_thin {
+        let is_narrow = || {
+            let stadium = spine.and_then(|spine| Stadium::new(viewport, &spine));
+            stadium.is_some_and(|stadium| stadium.radius + stadium.radius < limit)
+        };
+        if is_small || is_narrow() {
             thin = thin.with(index);
         }
     }

@@ -1,0 +1,461 @@
+//! Realtime quality: close to the exact picture, for few rays, in any order, and nothing thin is lost.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
+use std::collections::HashMap;
+use std::mem::MaybeUninit;
+use std::ops::Range;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::primitives::Rectangle;
+use rayline::builtin::{CLASSIC, PRISM};
+use rayline::math::Fixed;
+use rayline::shape::{Cylinder, Shape, Sphere};
+use rayline::{
+    Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object, PreparedScene,
+    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Vec3,
+};
+use rayline_simulator::Orbit;
+use rayline_tests::{Picture, with_scene};
+
+/// Hands a renderer of the scene to `use_it`.
+fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<R>) -> T) -> T {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
+    use_it(&Renderer::new(&prepared, settings).expect("legal settings"))
+}
+
+/// A display that keeps every pixel and can fail before any of them.
+struct Screen {
+    size: Size,
+    pixels: Vec<Option<Rgb888>>,
+    pixels_until_failure: Option<usize>,
+}
+
+impl Screen {
+    fn new<R: Real>(renderer: &Renderer<R>) -> Self {
+        let size = Size::new(renderer.width(), renderer.height());
+        let pixels = vec![None; (size.width * size.height) as usize];
+        Self { size, pixels, pixels_until_failure: None }
+    }
+
+    fn picture(&self) -> Picture {
+        let pixel = |pixel: &Option<Rgb888>| {
+            let color = pixel.expect("every pixel is drawn");
+            [color.r(), color.g(), color.b()]
+        };
+        Picture { width: self.size.width, pixels: self.pixels.iter().map(pixel).collect() }
+    }
+}
+
+#[derive(Debug, PartialEq)]
+struct Unplugged;
+
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb888;
+    type Error = Unplugged;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
+        for Pixel(Point { x, y }, color) in pixels {
+            if let Some(left) = &mut self.pixels_until_failure {
+                *left = left.checked_sub(1).ok_or(Unplugged)?;
+            }
+            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Unplugged> {
+        let width = area.size.width;
+        let points = (0..).map(|i| area.top_left + Point::new((i % width) as i32, (i / width) as i32));
+        self.draw_iter(points.zip(colors).map(|(point, color)| Pixel(point, color)))
+    }
+}
+
+/// Memory for one frame.
+struct Memory {
+    colors: Vec<Rgb888>,
+    samples: Vec<Sample>,
+}
+
+impl Memory {
+    fn new<R: Real>(renderer: &Renderer<R>, quality: Realtime) -> Self {
+        let width = renderer.width() as u16;
+        Self {
+            colors: vec![Rgb888::BLACK; quality.colors(width)],
+            samples: vec![Sample::BLANK; quality.samples(width)],
+        }
+    }
+
+    fn lend(&mut self) -> RealtimeBuffer<'_, Rgb888> {
+        RealtimeBuffer { colors: &mut self.colors, samples: &mut self.samples }
+    }
+}
+
+/// The picture in realtime quality, and its rays.
+fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl Probe<R>) -> Picture {
+    let mut screen = Screen::new(renderer);
+    let mut memory = Memory::new(renderer, quality);
+    let mut frame = renderer.realtime_frame(0..renderer.height(), quality, memory.lend()).expect("a frame");
+    while !frame.step_watched(&mut screen, u32::MAX, probe).expect("a step").is_done() {}
+    screen.picture()
+}
+
+fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture {
+    let mut line = vec![Rgb888::BLACK; renderer.width() as usize];
+    let mut pixels = Vec::new();
+    for y in 0..renderer.height() {
+        renderer.line_watched(y, &mut line, probe).expect("a line");
+        pixels.extend(line.iter().map(|color| [color.r(), color.g(), color.b()]));
+    }
+    Picture { width: renderer.width(), pixels }
+}
+
+/// Peak signal to noise ratio in decibels.
+fn psnr(a: &Picture, b: &Picture) -> f64 {
+    assert_eq!((a.width, a.pixels.len()), (b.width, b.pixels.len()));
+    let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
+    let sum: f64 = a.pixels.iter().flatten().zip(b.pixels.iter().flatten()).map(square).sum();
+    10.0 * (255.0 * 255.0 * 3.0 * a.pixels.len() as f64 / sum).log10()
+}
+
+fn all_rays(counts: &RayCounts) -> u64 {
+    counts.camera + counts.shadow + counts.reflected + counts.refracted
+}
+
+/// The table of the module's essay.
+#[test]
+fn close_to_exact_for_few_rays() {
+    println!("scene    | PSNR dB | traced | rays, exact | rays");
+    for (name, least, most) in
+        [("classic", 58.0, 0.21), ("whitted", 51.0, 0.25), ("flake", 43.0, 0.27), ("prism", 46.0, 0.43)]
+    {
+        with_scene(name, |scene, bounces| {
+            let settings = Settings { bounces, ..Settings::new(320, 240) };
+            with_renderer::<f32, _>(scene, settings, |renderer| {
+                let (mut exact_rays, mut rays) = (RayCounts::default(), RayCounts::default());
+                let (a, b) =
+                    (exact(renderer, &mut exact_rays), realtime(renderer, Realtime::new(), &mut rays));
+                let pixels = a.pixels.len() as f64;
+                let (close, traced) = (psnr(&a, &b), rays.camera as f64 / pixels);
+                println!(
+                    "{name:8} | {close:.1} | {traced:.3} | {:.2} | {:.2}",
+                    all_rays(&exact_rays) as f64 / pixels,
+                    all_rays(&rays) as f64 / pixels
+                );
+                assert!(close >= least, "{name}: {close} dB");
+                assert!(traced <= most, "{name}: {traced} traced");
+            });
+        });
+    }
+}
+
+#[test]
+fn a_rotation_does_not_flicker() {
+    for (name, scene, distance, least) in [("classic", &CLASSIC, 16.0, 39.0), ("prism", &PRISM, 9.8, 37.0)] {
+        let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
+        let frames: Vec<f64> = (0..24)
+            .map(|_| {
+                orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
+                let scene = Scene { camera: orbit.camera(), ..*scene };
+                let settings = Settings { bounces: 3, ..Settings::new(160, 120) };
+                with_renderer::<f32, _>(&scene, settings, |renderer| {
+                    psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut ()))
+                })
+            })
+            .collect();
+        let min = frames.iter().copied().fold(f64::INFINITY, f64::min);
+        println!("{name}: {min:.1} dB at least, {frames:.1?}");
+        assert!(min >= least, "{name}: {min} dB");
+    }
+}
+
+/// White light on everything, from everywhere, in front of black.
+fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material]) -> Scene<'s> {
+    Scene {
+        camera: Camera {
+            eye: Vec3::new(0.0, 0.0, 10.0),
+            target: Vec3::new(0.0, 0.0, 0.0),
+            up: Vec3::new(0.0, 1.0, 0.0),
+            vertical_fov: 1.0,
+        },
+        background: LinearRgb::BLACK,
+        objects,
+        materials,
+        lights: &[],
+    }
+}
+
+const GLOWING: Material = Material { ambient: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
+
+#[test]
+fn what_is_thin_is_shown_whole() {
+    // At 160×120, one pixel is 0.091 wide where the objects stand.
+    for angle in 0..24 {
+        let angle = angle as f32 * core::f32::consts::PI / 24.0 + 0.01;
+        let along = Vec3::new(4.0 * angle.cos(), 4.0 * angle.sin(), 0.0);
+        let beside = Vec3::new(0.013, 0.029, 0.0);
+        for radius in [0.03f32, 0.045, 0.09] {
+            let needle = Cylinder { base: beside - along, top: beside + along, radius, capped: true };
+            let bead = Sphere::new(Vec3::new(angle.sin() * 5.0, angle.cos() * 4.0, 0.0), radius);
+            let objects = [Object::new(Shape::Cylinder(needle), 0), Object::new(Shape::Sphere(bead), 0)];
+            let scene = bright(&objects, &[GLOWING]);
+            with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
+                let (exact, mut rays) = (exact(renderer, &mut ()), RayCounts::default());
+                let close = realtime(renderer, Realtime::new(), &mut rays);
+                assert!(exact.pixels.iter().any(|pixel| pixel[0] > 0));
+                assert!(exact == close, "a needle of {radius} at {angle}");
+                assert!(rays.camera < 160 * 120 / 3, "{} of 19200 pixels", rays.camera);
+            });
+        }
+    }
+}
+
+#[test]
+fn glints_are_shown_in_every_frame() {
+    // A mirror as far away as that of `classic`, and a highlight of a few pixels that moves over it.
+    let glossy =
+        Material { diffuse: 0.0, specular: 1.0, shininess: 1425.0, ..Material::matte(LinearRgb::WHITE) };
+    let ball = [Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 3.0)), 0)];
+    for frame in 0..60 {
+        let angle = frame as f32 * 0.011;
+        let position = Vec3::new(30.0 * angle.sin(), 7.0, 30.0 * angle.cos());
+        let lights = [Light::Point { position, color: LinearRgb::WHITE }];
+        let scene = Scene { lights: &lights, ..bright(&ball, core::slice::from_ref(&glossy)) };
+        with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
+            let (exact, close) = (exact(renderer, &mut ()), realtime(renderer, Realtime::new(), &mut ()));
+            let light =
+                |picture: &Picture| picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum::<u32>();
+            let (exact, close) = (light(&exact), light(&close));
+            assert!(exact > 500 && exact.abs_diff(close) * 50 < exact, "{close} of {exact} in frame {frame}");
+        });
+    }
+}
+
+const SMALL: Settings = Settings { bounces: 3, ..Settings::new(61, 43) };
+
+/// Draws some lines on their own.
+fn draw_part(renderer: &Renderer<f32>, quality: Realtime, lines: Range<u32>, screen: &mut Screen) {
+    let mut memory = Memory::new(renderer, quality);
+    let mut frame = renderer.realtime_frame(lines, quality, memory.lend()).expect("a frame");
+    while !frame.step(screen, u32::MAX).expect("a step").is_done() {}
+}
+
+const GRIDS: [Grid; 3] = [Grid::Two, Grid::Four, Grid::Eight];
+
+#[test]
+fn lines_in_any_order_are_the_same_bytes() {
+    for grid in GRIDS {
+        let quality = Realtime { grid, ..Realtime::new() };
+        with_renderer::<f32, _>(&PRISM, SMALL, |renderer| {
+            let expected = realtime(renderer, quality, &mut ());
+            let mut screen = Screen::new(renderer);
+            // 7 and 43 have no common factor.
+            for i in 0..43 {
+                let y = (i * 7 + 5) % 43;
+                draw_part(renderer, quality, y..y + 1, &mut screen);
+            }
+            assert!(screen.picture() == expected);
+            for every in [2, 4] {
+                let mut screen = Screen::new(renderer);
+                let order = Interleave { lines: grid.pixels() as u32, every };
+                for bands in (0..every).map(|frame| order.bands(43, frame)) {
+                    bands.for_each(|band| draw_part(renderer, quality, band, &mut screen));
+                }
+                assert!(screen.picture() == expected);
+            }
+        });
+    }
+}
+
+#[test]
+fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
+    let quality = Realtime::new();
+    with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
+        let expected = realtime(renderer, quality, &mut ());
+        for budget in [0, 1, 7, 50, 10_000] {
+            let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
+            let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
+            let mut lines = 0;
+            loop {
+                let progress = frame.step(&mut screen, budget).expect("a step");
+                // No pixel of `classic` takes more than 40 rays.
+                assert!(progress.rays < budget + 25 * 40 && progress.lines_done >= lines, "{progress:?}");
+                lines = progress.lines_done;
+                if progress.is_done() {
+                    break;
+                }
+            }
+            assert_eq!(lines, 43);
+            assert!(screen.picture() == expected);
+        }
+    });
+}
+
+#[test]
+fn drawing_goes_on_after_a_failing_display() {
+    let quality = Realtime::new();
+    with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
+        let expected = realtime(renderer, quality, &mut ());
+        for failure in [0, 1, 60, 61 * 4, 61 * 5 + 3, 61 * 43 - 1] {
+            // In the same frame, and with the lines that are left in another one.
+            let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
+            screen.pixels_until_failure = Some(failure);
+            let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
+            let error = loop {
+                if let Err(error) = frame.step(&mut screen, 100) {
+                    break error;
+                }
+            };
+            let DrawError::Display { line, error: Unplugged } = error else { panic!("{error}") };
+            assert_eq!(line, failure as u32 / 61 / 4 * 4);
+            screen.pixels_until_failure = None;
+            let mut other =
+                Screen { size: screen.size, pixels: screen.pixels.clone(), pixels_until_failure: None };
+            while !frame.step(&mut screen, 100).expect("a step").is_done() {}
+            assert!(screen.picture() == expected);
+            draw_part(renderer, quality, line..43, &mut other);
+            assert!(other.picture() == expected);
+        }
+    });
+}
+
+/// Counts how often each camera ray is traced.
+#[derive(Default)]
+struct Directions(HashMap<[u32; 3], u32>);
+
+impl Probe<f32> for Directions {
+    fn record(&mut self, event: Event<f32>) {
+        if let Event::Ray { kind: RayKind::Camera, ray, .. } = event {
+            let bits = [ray.direction.x, ray.direction.y, ray.direction.z].map(f32::to_bits);
+            *self.0.entry(bits).or_default() += 1;
+        }
+    }
+}
+
+#[test]
+fn no_pixel_is_traced_twice() {
+    for grid in GRIDS {
+        for (width, height) in [(61, 43), (64, 48), (1, 1), (2, 9), (9, 2), (5, 8), (8, 5), (33, 1), (1, 33)]
+        {
+            for scene in [&CLASSIC, &PRISM] {
+                // Nothing is alike: every pixel is wanted.
+                for threshold in [0, 2048] {
+                    let quality = Realtime { grid, threshold, ..Realtime::new() };
+                    let settings = Settings { bounces: 3, ..Settings::new(width, height) };
+                    with_renderer::<f32, _>(scene, settings, |renderer| {
+                        let mut traced = Directions::default();
+                        realtime(renderer, quality, &mut traced);
+                        let twice = traced.0.values().filter(|count| **count > 1).count();
+                        assert_eq!(twice, 0, "{width}×{height}, {grid:?}, {threshold}, {}", scene.objects.len());
+                        assert!(traced.0.len() <= (width * height) as usize);
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn traced_pixels_are_those_of_the_exact_picture() {
+    // With glints everywhere, every pixel is traced.
+    let glowing = [Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 0.1)), 0)];
+    let scene = bright(&glowing, &[GLOWING]);
+    for (width, height) in [(1, 1), (1, 7), (7, 1), (13, 11), (8, 8)] {
+        for grid in GRIDS {
+            with_renderer::<f32, _>(&scene, Settings::new(width, height), |renderer| {
+                let close = realtime(renderer, Realtime { grid, ..Realtime::new() }, &mut ());
+                assert!(close == exact(renderer, &mut ()), "{width}×{height}, {grid:?}");
+            });
+        }
+    }
+}
+
+#[test]
+fn every_size_is_drawn() {
+    let quality = Realtime::new();
+    for (width, height) in [(0, 0), (0, 9), (9, 0), (1, 1), (3, 2), (65_535, 1), (65_535, 5), (1, 65_535)] {
+        with_renderer::<f32, _>(
+            &CLASSIC,
+            Settings { bounces: 0, ..Settings::new(width, height) },
+            |renderer| {
+                let picture = realtime(renderer, quality, &mut ());
+                assert_eq!(picture.pixels.len(), (width * height) as usize);
+            },
+        );
+    }
+}
+
+#[test]
+fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
+    let quality = Realtime::new();
+    with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
+        let (colors, samples) = (quality.colors(61), quality.samples(61));
+        assert_eq!((colors, samples), (61 * 4, 33));
+        for (given, fewer) in [
+            ((colors - 1, samples), true),
+            ((colors + 61, samples), true),
+            ((colors, samples - 1), false),
+            ((colors, 0), false),
+        ] {
+            let mut memory =
+                Memory { colors: vec![Rgb888::BLACK; given.0], samples: vec![Sample::BLANK; given.1] };
+            let error = renderer.realtime_frame(0..43, quality, memory.lend()).unwrap_err();
+            let expected = if fewer {
+                LineError::BandLength { given: given.0, needed: colors }
+            } else {
+                LineError::SampleCount { given: given.1, needed: samples }
+            };
+            assert_eq!(error, expected);
+        }
+        let mut memory = Memory::new(renderer, quality);
+        let error = renderer.realtime_frame(40..44, quality, memory.lend()).unwrap_err();
+        assert_eq!(error, LineError::NoSuchLine { line: 43, height: 43 });
+    });
+}
+
+#[test]
+fn several_samples_per_pixel_and_other_numbers_are_interpolated_too() {
+    let settings = Settings { samples_per_pixel: 4, bounces: 2, ..Settings::new(80, 60) };
+    with_renderer::<f64, _>(&CLASSIC, settings, |renderer| {
+        let mut rays = RayCounts::default();
+        let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut rays));
+        assert!(close > 40.0 && rays.camera < 80 * 60 * 4, "{close} dB, {} rays", rays.camera);
+    });
+    with_renderer::<Fixed, _>(&CLASSIC, Settings { bounces: 3, ..Settings::new(320, 240) }, |renderer| {
+        let mut rays = RayCounts::default();
+        let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut rays));
+        println!("classic in fixed point: {close:.1} dB, {:.3} traced", rays.camera as f64 / 76_800.0);
+        assert!(close > 50.0, "{close} dB");
+    });
+}
+
+#[test]
+fn a_budget_of_rays_is_kept_and_quality_falls_with_it() {
+    with_renderer::<f32, _>(&CLASSIC, Settings { bounces: 3, ..Settings::new(320, 240) }, |renderer| {
+        let exact = exact(renderer, &mut ());
+        let mut last = f64::INFINITY;
+        for budget_rays in [u32::MAX, 80_000, 50_000, 30_000] {
+            let mut counts = RayCounts::default();
+            let picture = realtime(renderer, Realtime { budget_rays, ..Realtime::new() }, &mut counts);
+            let (rays, close) = (all_rays(&counts), psnr(&exact, &picture));
+            println!("{budget_rays} rays allowed, {rays} traced: {close:.1} dB");
+            assert!(rays <= u64::from(budget_rays) * 21 / 20, "{rays} of {budget_rays}");
+            assert!(close <= last && close > 20.0, "{close} dB with {budget_rays} rays");
+            last = close;
+        }
+    });
+}
