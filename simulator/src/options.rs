@@ -30,9 +30,11 @@ pub struct RenderOptions {
 /// A number system of the core.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Number {
-    /// 32-bit floating point: what boards compute in.
+    /// 32-bit floating point: what boards with an FPU compute in.
     #[default]
     F32,
+    /// Fixed point with 32 bits: what boards without an FPU compute in.
+    Fixed,
     /// 64-bit floating point: the reference.
     F64,
 }
@@ -48,6 +50,7 @@ impl core::fmt::Display for Number {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             Self::F32 => "f32",
+            Self::Fixed => "fixed",
             Self::F64 => "f64",
         })
     }

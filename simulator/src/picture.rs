@@ -8,6 +8,7 @@ use core::mem::MaybeUninit;
 use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
+use rayline::math::Fixed;
 use rayline::{
     DisplayColor, LineError, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, SettingsError,
 };
@@ -77,6 +78,7 @@ pub fn render_watched(
 ) -> Result<Picture, RenderError> {
     match options.number {
         Number::F32 => render_in::<f32>(scene, options, line_done),
+        Number::Fixed => render_in::<Fixed>(scene, options, line_done),
         Number::F64 => render_in::<f64>(scene, options, line_done),
     }
 }

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Write};
 
-use rayline::math::Ray;
+use rayline::math::{Fixed, Ray};
 use rayline::shape::Shape;
 use rayline::{Cut, Event, Hit, LinearRgb, PreparedScene, Probe, RayKind, Real, Renderer, Vec3};
 
@@ -36,6 +36,7 @@ pub fn report_pixel(
 ) -> Result<String, ReportError> {
     match options.number {
         Number::F32 => report_in::<f32>(scene, options, (x, y)),
+        Number::Fixed => report_in::<Fixed>(scene, options, (x, y)),
         Number::F64 => report_in::<f64>(scene, options, (x, y)),
     }
 }
@@ -57,7 +58,8 @@ fn report_in<R: Real>(
 
     let heading =
         format!("pixel ({x}, {y}) of {}x{}, scene {}, in {}\n", size.0, size.1, loaded.name, options.number);
-    let mut tree = Tree { loaded, text: heading, depth: 0, samples: 0, direction: None };
+    let mut tree =
+        Tree { loaded, text: heading, depth: 0, samples: 0, direction: None, unit: 1.0 / prepared.scale() };
     let (light, rays) = renderer.pixel(x, y, &mut tree);
     let mut text = tree.text;
 
@@ -85,6 +87,8 @@ struct Tree<'s> {
     samples: u32,
     /// Of the ray that was traced last.
     direction: Option<Vec3>,
+    /// What the number system's unit of length is in the scene's.
+    unit: f32,
 }
 
 impl Tree<'_> {
@@ -110,16 +114,16 @@ impl Tree<'_> {
         let direction = ray.direction.to_f32();
         self.direction = Some(direction);
         let (origin, toward, share) =
-            (vector(ray.origin.to_f32()), vector(direction), number(throughput.to_f32()));
+            (vector(ray.origin.to_f32() * self.unit), vector(direction), number(throughput.to_f32()));
         self.line(self.depth, format_args!("{name} ray from {origin} toward {toward}, share {share}"));
     }
 
     fn hit<R: Real>(&mut self, hit: &Hit<R>, surface_color: LinearRgb<R>) {
-        let (point, normal) = (hit.surface.point.to_f32(), hit.surface.normal.to_f32());
+        let (point, normal) = (hit.surface.point.to_f32() * self.unit, hit.surface.normal.to_f32());
         let behind = self.direction.is_some_and(|direction| direction.dot(normal) > 0.0);
         let side = if behind { "back" } else { "front" };
         let object = self.object(hit.object);
-        let (distance, point, normal) = (number(hit.t.to_f32()), vector(point), vector(normal));
+        let (distance, point, normal) = (number(hit.t.to_f32() * self.unit), vector(point), vector(normal));
         let surface_color = color(surface_color.to_f32());
         self.line(
             self.depth + 1,

@@ -11,7 +11,7 @@ use embedded_graphics_simulator::sdl2::Keycode;
 use embedded_graphics_simulator::{
     OutputSettings, OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window,
 };
-use rayline::math::{Interval, Ray};
+use rayline::math::{Fixed, Interval, Ray};
 use rayline::{
     Camera, DisplayColor, DrawError, Frame, PreparedScene, Real, Renderer, Scene, SceneError, SettingsError,
 };
@@ -79,6 +79,7 @@ pub fn show_window(
     check_display()?;
     match options.number {
         Number::F32 => options.display.color(View::<f32>::new(scene, options, save)?),
+        Number::Fixed => options.display.color(View::<Fixed>::new(scene, options, save)?),
         Number::F64 => options.display.color(View::<f64>::new(scene, options, save)?),
     }
 }
@@ -227,9 +228,10 @@ fn request(event: SimulatorEvent) -> Option<Request> {
 
 /// How far away the object is that the camera looks at.
 fn distance_ahead<R: Real>(prepared: &PreparedScene<'_, R>, camera: &Camera) -> Option<f32> {
-    let direction = (camera.target.to::<R>() - camera.eye.to()).normalized()?;
-    let ray = Ray { origin: camera.eye.to(), direction };
-    prepared.closest_hit(&ray, Interval::AHEAD).map(|hit| hit.t.to_f32())
+    let unit = prepared.scale();
+    let direction = (camera.target - camera.eye).normalized()?.to();
+    let ray = Ray { origin: (camera.eye * unit).to(), direction };
+    prepared.closest_hit(&ray, Interval::AHEAD).map(|hit| hit.t.to_f32() / unit)
 }
 
 fn display_side(settings: &rayline::Settings) -> u32 {

@@ -82,7 +82,7 @@ fn arguments_that_make_no_sense_are_usage_errors() {
         (&["--size", "0x5"][..], "expected a width and a height from 1 to 65535, such as 320x240"),
         (&["--size", "65536x5"], "expected a width and a height from 1 to 65535, such as 320x240"),
         (&["--bounces", "17"], "17 is not in 0..=16"),
-        (&["--number", "f16"], "possible values: f32, f64"),
+        (&["--number", "f16"], "possible values: f32, fixed, f64"),
         (&["--color", "cmyk"], "possible values: rgb888, rgb565, gray8, gray4, mono"),
         (&["--dither", "noise"], "possible values: none, ordered"),
         (&["--transfer", "gamma"], "possible values: srgb, linear"),

@@ -10,7 +10,7 @@ fn a_pixel_of_glass_sends_rays_both_ways() {
     assert_eq!(lines[0], "pixel (280, 300) of 640x480, scene classic, in f32");
     assert!(lines[1].starts_with("camera ray from (0, 0, 0) toward (-0.0936"));
     assert!(lines[2].starts_with("  hits the front of object 1 (sphere, material 1) at "));
-    assert!(lines.iter().any(|line| line.starts_with("  light 0 toward ")));
+    assert!(lines.iter().any(|line| line.trim_start().starts_with("light 0 toward ")));
     assert!(lines.iter().any(|line| line.starts_with("  refracted ray ") && line.ends_with("share 0.8")));
     assert!(lines.iter().any(|line| line.starts_with("  reflected ray ") && line.ends_with("share 0.1")));
     assert!(lines.iter().any(|line| line.starts_with("    hits the back of object 1 (")));
@@ -33,6 +33,13 @@ fn the_options_of_pictures_hold_for_pixels() {
     assert_eq!(report(&["--samples", "3"]).matches("camera ray").count(), 3);
     assert!(report(&["--color", "mono"]).contains("in mono\n"));
     assert!(report(&["--number", "f64"]).contains(", in f64\n"));
+    // Distances are in the scene's units, whatever the number system's own are.
+    let fixed = report(&["--number", "fixed"]);
+    assert!(
+        fixed.contains(", in fixed\n")
+            && fixed.contains("hits the front of object 1 (sphere, material 1) at")
+    );
+    assert_eq!(first_distance(&fixed), first_distance(&report(&[])), "{fixed}");
 }
 
 #[test]
@@ -63,4 +70,10 @@ fn help_says_when_the_seed_matters_and_what_lines_do() {
     let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("changes nothing unless --samples is above 1"), "{help}");
     assert!(words.contains("into a picture of B-A lines"), "{help}");
+}
+
+/// The distance of the first hit, to two digits after the point.
+fn first_distance(report: &str) -> String {
+    let distance = report.split("distance ").nth(1).unwrap().split(',').next().unwrap();
+    format!("{:.2}", distance.parse::<f64>().unwrap())
 }
