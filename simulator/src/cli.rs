@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Dither, Settings, Transfer};
-use rayline_simulator::{Display, LoadedScene, Number, RenderOptions};
+use rayline_simulator::{Display, LoadedScene, Mode, Number, RenderOptions};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -41,6 +41,9 @@ pub(crate) struct Render {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
+    /// Whether every pixel is traced, or interpolated where its neighbors saw the same
+    #[arg(long, value_name = "MODE", default_value_t, value_enum)]
+    pub(crate) mode: Mode,
     /// How many threads share the lines; the picture is the same for any number [default: one for each
     /// processor]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]

@@ -51,6 +51,7 @@ fn render(arguments: &Render) -> Outcome {
         check_writable(stats)?;
     }
     let options = RenderOptions {
+        mode: arguments.mode,
         lines: arguments.lines.clone(),
         threads: arguments.threads.map_or(0, usize::from),
         ..arguments.look.options(&scene)

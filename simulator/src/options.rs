@@ -21,10 +21,22 @@ pub struct RenderOptions {
     pub number: Number,
     /// The display that the picture is made for.
     pub display: Display,
+    /// Whether every pixel is traced.
+    pub mode: Mode,
     /// The lines to render; `None`: all.
     pub lines: Option<Range<u32>>,
     /// How many threads share the lines; 0: one for each processor. Changes no byte.
     pub threads: usize,
+}
+
+/// Whether every pixel is traced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Mode {
+    /// Every pixel is traced.
+    #[default]
+    Exact,
+    /// Pixels are interpolated where their neighbors saw the same.
+    Realtime,
 }
 
 /// A number system of the core.
@@ -42,7 +54,23 @@ pub enum Number {
 impl RenderOptions {
     /// The whole picture in `f32` for [`Display::Rgb888`], on all processors.
     pub const fn new(settings: Settings) -> Self {
-        Self { settings, number: Number::F32, display: Display::Rgb888, lines: None, threads: 0 }
+        Self {
+            settings,
+            number: Number::F32,
+            display: Display::Rgb888,
+            mode: Mode::Exact,
+            lines: None,
+            threads: 0,
+        }
+    }
+}
+
+impl core::fmt::Display for Mode {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Exact => "exact",
+            Self::Realtime => "realtime",
+        })
     }
 }
 

@@ -15,7 +15,8 @@ use rayline::{
 use rayon::prelude::*;
 
 use crate::display::ForColor;
-use crate::{Number, RenderOptions};
+use crate::realtime::Bands;
+use crate::{Mode, Number, RenderOptions};
 
 /// A picture as a display shows it, and what it took.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -101,8 +102,12 @@ fn render_in<R: Real>(
         rayon::ThreadPoolBuilder::new().num_threads(options.threads).build().map_err(RenderError::Threads)?;
     let (width, height) = (renderer.width(), lines.len() as u32);
     let mut rgb = blank(width, height)?;
-    let job = Lines { renderer: &renderer, first: lines, rgb: &mut rgb, line_done };
-    let rays = pool.install(|| options.display.color(job)).map_err(RenderError::Line)?;
+    let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
+    let rays = pool.install(|| match options.mode {
+        Mode::Exact => options.display.color(Lines { renderer, first: lines, rgb: rgb_lines, line_done }),
+        Mode::Realtime => options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done }),
+    });
+    let rays = rays.map_err(RenderError::Line)?;
     Ok(Picture { width, height, rgb, rays, prepared_bytes })
 }
 

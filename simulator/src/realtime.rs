@@ -1,0 +1,141 @@
+//! Pictures in realtime quality, by several threads.
+//!
+//! Lines are the same in any order, so each thread draws a part of the picture. A part begins with a row of the grid
+//! that the part above has traced too: more threads trace a few more rays.
+
+use core::convert::Infallible;
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Size};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
+use embedded_graphics::primitives::{PointsIter, Rectangle};
+use rayline::{
+    DisplayColor, DrawError, LineError, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
+};
+use rayon::prelude::*;
+
+use crate::display::ForColor;
+
+/// Some lines that are to be drawn in realtime quality.
+pub(crate) struct Bands<'j, 'm, R: Real> {
+    pub(crate) renderer: &'j Renderer<'j, 'm, R>,
+    pub(crate) lines: Range<u32>,
+    pub(crate) rgb: &'j mut [u8],
+    pub(crate) line_done: &'j (dyn Fn() + Sync),
+}
+
+impl<R: Real> ForColor for Bands<'_, '_, R> {
+    type Output = Result<RayCounts, LineError>;
+
+    fn with<C>(self) -> Self::Output
+    where
+        C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
+    {
+        let Self { renderer, lines, rgb, line_done } = self;
+        let quality = Realtime::new();
+        let band = quality.grid.pixels();
+        let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
+        let line_bytes = renderer.width() as usize * 3;
+        let draw = |(index, rgb): (usize, &mut [u8])| {
+            let first = lines.start + (index * part) as u32;
+            let part = first..lines.end.min(first + part as u32);
+            let width = renderer.width() as u16;
+            let mut colors = vec![C::from(BinaryColor::Off); quality.colors(width)];
+            let mut samples = vec![Sample::BLANK; quality.samples(width)];
+            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
+            let mut canvas =
+                Canvas { width: renderer.width(), first, rgb, color: PhantomData::<C>, line_done };
+            let mut rays = RayCounts::default();
+            let mut frame = renderer.realtime_frame(part, quality, buffer)?;
+            loop {
+                match frame.step_watched(&mut canvas, u32::MAX, &mut rays) {
+                    Ok(progress) if progress.is_done() => return Ok(rays),
+                    Ok(_) => {}
+                    Err(DrawError::Display { error, .. }) => match error {},
+                    Err(DrawError::Line(error)) => return Err(error),
+                    // There is no other error.
+                    Err(_) => return Ok(rays),
+                }
+            }
+        };
+        let sum = |mut a: RayCounts, b| {
+            a += b;
+            Ok(a)
+        };
+        // A picture without columns has no bytes to share out, whatever the length of a chunk.
+        rgb.par_chunks_mut((line_bytes * part).max(1))
+            .enumerate()
+            .map(draw)
+            .try_reduce(RayCounts::default, sum)
+    }
+}
+
+/// Lines of a picture as a display.
+struct Canvas<'c, C> {
+    width: u32,
+    /// The line of the picture that the bytes begin with.
+    first: u32,
+    rgb: &'c mut [u8],
+    color: PhantomData<C>,
+    line_done: &'c (dyn Fn() + Sync),
+}
+
+impl<C> OriginDimensions for Canvas<'_, C> {
+    fn size(&self) -> Size {
+        let line_bytes = (self.width as usize * 3).max(1);
+        Size::new(self.width, self.first + (self.rgb.len() / line_bytes) as u32)
+    }
+}
+
+impl<C: DisplayColor + Into<Rgb888>> DrawTarget for Canvas<'_, C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(point, color) in pixels {
+            let place = (point.y as usize - self.first as usize) * self.width as usize + point.x as usize;
+            if let Some(pixel) = self.rgb.get_mut(place * 3..place * 3 + 3) {
+                let color: Rgb888 = color.into();
+                pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        self.draw_iter(area.points().zip(colors).map(|(point, color)| Pixel(point, color)))?;
+        (0..area.size.height).for_each(|_| (self.line_done)());
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rayline::Settings;
+    use rayline::builtin::CLASSIC;
+
+    use crate::{Mode, RenderOptions, render};
+
+    #[test]
+    fn any_number_of_threads_and_any_lines_give_the_same_bytes() {
+        let exact = RenderOptions { threads: 1, ..RenderOptions::new(Settings::new(61, 43)) };
+        let options = RenderOptions { mode: Mode::Realtime, ..exact.clone() };
+        let expected = render(&CLASSIC, &options).unwrap();
+        assert!(expected.rays.camera < render(&CLASSIC, &exact).unwrap().rays.camera);
+        for threads in [2, 3, 50] {
+            let picture = render(&CLASSIC, &RenderOptions { threads, ..options.clone() }).unwrap();
+            assert!(picture.rgb == expected.rgb, "{threads} threads");
+        }
+        for lines in [0..1, 7..43, 13..14] {
+            let bytes = lines.start as usize * 61 * 3..lines.end as usize * 61 * 3;
+            let picture = render(&CLASSIC, &RenderOptions { lines: Some(lines), ..options.clone() }).unwrap();
+            assert!(picture.rgb == expected.rgb[bytes]);
+        }
+    }
+}
