@@ -1,7 +1,7 @@
 // The chip: rp2040js, to which a second core is added.
 //
-// rp2040js takes the cycles of each instruction from the datasheet. Code is fetched from flash without waiting, as from
-// a cache that always has it.
+// rp2040js takes the cycles of each instruction from the datasheet. Nothing waits for memory: neither for flash, which the
+// program therefore keeps out of its inner loops, nor where both cores and DMA want the same bank of RAM.
 
 import { RP2040 } from 'rp2040js';
 

@@ -22,8 +22,8 @@ const PANICS: [&str; 8] = [
     "len_mismatch_fail",
 ];
 
-/// Statics in RAM.
-const STATICS: [&str; 5] = [".data", ".sdata", ".bss", ".sbss", ".uninit"];
+/// Statics in RAM, and code that was copied there.
+const STATICS: [&str; 6] = [".data", ".data.code", ".sdata", ".bss", ".sbss", ".uninit"];
 
 /// The function that traces a line, in programs that stand on a HAL.
 const RENDERING: &str = "pico::line::trace";

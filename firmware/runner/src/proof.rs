@@ -48,6 +48,6 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     };
     let panics = read(&file)?.panics;
     ensure!(!panics.is_empty(), "{name}: the panic of the twin was not found");
-    println!("{name}: with a panic handler that links, its symbols are found: {}", panics.join(", "));
+    println!("{name}: a panic in a twin that links is found: {}", panics.join(", "));
     Ok(())
 }
