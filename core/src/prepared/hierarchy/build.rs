@@ -168,6 +168,8 @@ struct Bin<F> {
 impl<F: Real> Bin<F> {
     const EMPTY: Self = Self { bounds: None, count: 0 };
 
+    // Not inlined, as the next: in preparation size counts more than time.
+    #[inline(never)]
     fn union(self, other: Self) -> Self {
         let bounds = match (self.bounds, other.bounds) {
             (Some(a), Some(b)) => Some(a.union(b)),
@@ -177,6 +179,7 @@ impl<F: Real> Bin<F> {
     }
 
     /// The share of rays that come through, times the number of objects that they test.
+    #[inline(never)]
     fn cost(self) -> F {
         self.bounds.map_or(F::ZERO, |bounds| {
             let Vec3 { x, y, z } = bounds.max - bounds.min;
