@@ -360,7 +360,7 @@ fn no_pixel_is_traced_twice() {
                         let mut traced = Directions::default();
                         realtime(renderer, quality, &mut traced);
                         let twice = traced.0.values().filter(|count| **count > 1).count();
-                        assert_eq!(twice, 0, "{width}×{height}, {grid:?}, {threshold}, {}", scene.objects.len());
+                        assert_eq!(twice, 0, "{width}×{height}, {grid:?}, {threshold}");
                         assert!(traced.0.len() <= (width * height) as usize);
                     });
                 }

@@ -1,4 +1,36 @@
 //! Realtime quality: few pixels are traced, the rest is interpolated where nothing can lie in between.
+//!
+//! Every fourth pixel of every fourth line is traced. Between two that differ, the one in the middle is traced too, and
+//! so on down to the pixel; between two that do not, light is interpolated, in integers (Akimoto, Mase and Suenaga,
+//! "Pixel-Selected Ray Tracing", IEEE CG&A 1991; Whitted, "An Improved Illumination Model for Shaded Display", CACM
+//! 1980, refines in the same way below the pixel). Two pixels differ if their colors do, or what they saw: which objects,
+//! in which order, which cells of a texture, which lights were in the way. Of that they keep a digest of 14 bits, so
+//! a sample takes 8 bytes. What is seen by rays of less than 1/16 does not count, or every faint reflection would be
+//! traced; color alone decides there.
+//!
+//! Two kinds of things lie between the points of the grid and leave no mark on them:
+//! - *Thin objects.* Where each object can be seen is known before the first ray, as for exact lines. Cells that an
+//!   object less than two cells wide or high can reach are traced in full. This ends at 32 objects, and it does not
+//!   know the thin parts of large flat shapes: those may lose a tip.
+//! - *Small highlights.* A pixel from which one can be seen at all, at 2⁻²⁴ of its strength, differs from every other.
+//!   That is about 1.7 times as wide as what shows of it.
+//!
+//! A cell needs its four corners, and every other point of its sides; those depend on their own row or column of the
+//! picture alone, not on what is found inside. So a band of lines needs nothing of the others: the row of samples that
+//! it hands to the one below only saves tracing it again, and lines are the same bytes in any order.
+//!
+//! Measured at 320×240 against the exact picture in 8-bit sRGB (tests/tests/realtime.rs prints this table):
+//!
+//! | scene | PSNR | traced pixels | rays a pixel | exact |
+//! |---|---|---|---|---|
+//! | classic | 59.9 dB | 0.205 | 0.93 | 2.29 |
+//! | whitted | 55.4 dB | 0.249 | 1.97 | 4.67 |
+//! | flake | 43.4 dB | 0.270 | 1.60 | 4.57 |
+//! | prism | 46.3 dB | 0.427 | 2.72 | 5.21 |
+//!
+//! Of 24 frames around `classic` at 160×120, where everything is smaller, the worst has 40.5 dB; around `prism` 37.7 dB.
+//! A grid of eight traces 0.170 of `classic` for 50.7 dB, and loses more small things: 37.6 dB in the worst frame. The
+//! threshold matters little: at 1/256 `classic` has 63.0 dB for 0.219, at 1/8 53.4 dB for 0.194.
 
 mod budget;
 mod cell;
