@@ -18,9 +18,13 @@ const STRIDE = 64;
 export class Chip {
   constructor(program) {
     this.mcu = new RP2040();
-    // Of what it has not modelled it warns; a program that needs it does not get far.
-    const log = (name, message) => console.error(`${name}: ${message}`);
-    this.mcu.logger = { debug() {}, info: (_, message) => message === 'SEV' && this.wake(), warn: log, error: log };
+    // Of what it has not modelled it warns, each time; a program that needs it does not get far.
+    const told = new Set();
+    const tell = (name, message) => {
+      if (!told.has(message)) console.error(`${name}: ${message}`);
+      told.add(message);
+    };
+    this.mcu.logger = { debug() {}, info: (_, message) => message === 'SEV' && this.wake(), warn: tell, error: tell };
     for (const { address, bytes } of program.pieces) this.mcu.flash.set(bytes, address - FLASH);
     const { core } = this.mcu;
     core.VTOR = VECTORS;
