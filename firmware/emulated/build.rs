@@ -1,4 +1,4 @@
-//! Chooses scene and size of the picture, and gives each board its memory layout.
+//! Chooses scene, size and number system of the picture, and gives each board its memory layout.
 
 use std::env;
 use std::error::Error;
@@ -7,6 +7,7 @@ use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     rayline_choice::write("64x48")?;
+    rayline_choice::write_number()?;
 
     // Every board is a folder with its main.rs and memory.x.
     let boards = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("src").join("bin");

@@ -39,6 +39,22 @@ pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Writes the number system that the program computes in into `number.rs` in the build's output folder:
+/// `RAYLINE_NUMBER` is `f32` or `fixed`, and `f32` where it is not given.
+///
+/// # Errors
+/// A variable that names no number system; or a folder that cannot be written to.
+pub fn write_number() -> Result<(), Box<dyn Error>> {
+    let number = match variable("RAYLINE_NUMBER").as_deref() {
+        None | Some("f32") => "f32",
+        Some("fixed") => "rayline::math::Fixed",
+        Some(other) => return Err(format!("{other:?} is not f32 or fixed").into()),
+    };
+    let text = format!("/// The number system that the program computes in.\npub type Number = {number};\n");
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("number.rs"), text)?;
+    Ok(())
+}
+
 /// An environment variable that the program depends on.
 fn variable(name: &str) -> Option<String> {
     println!("cargo:rerun-if-env-changed={name}");

@@ -5,7 +5,7 @@ use rayline::{Digest, DisplayColor, PreparedScene, Renderer};
 
 use crate::InstructionCounter;
 use crate::fpu;
-use crate::picture::{HEIGHT, Memory, SCENE, SETTINGS, WIDTH};
+use crate::picture::{HEIGHT, Memory, Number, SCENE, SETTINGS, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 
@@ -61,7 +61,7 @@ pub fn run<C: DisplayColor + ToBytes<Bytes: AsRef<[u8]>>>(
     if fpu::flushes_to_zero() {
         return Err(Fault::FlushToZero);
     }
-    let scene = PreparedScene::<f32, _>::new(SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
+    let scene = PreparedScene::<Number, _>::new(SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
     let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
     let mut digest = Digest::new();
     let mut instructions = 0;

@@ -4,28 +4,25 @@ use anyhow::Result;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
+use rayline::math::Fixed;
 use rayline::{Digest, DisplayColor, PreparedScene, Real, Renderer};
-use rayline_show::{Number, Orbit};
+use rayline_show::Orbit;
 
 use crate::board::{Board, Emulator, Output};
-use crate::picture::{Picture, Size};
+use crate::picture::{Number, Picture, Size};
 
 /// The bytes of a picture's pixels, line by line, as the board's emulator hands them out.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
     match (board.output, board.emulator) {
-        (Output::Panel(_), _) => render_as::<f32, _>(picture, 0, Gray4::BLACK),
+        (Output::Panel(_), _) => render_frame(picture, 0, Gray4::BLACK),
         (Output::Frames(panel), Emulator::Rp2040js { frames }) => {
             let mut bytes = Vec::new();
             for frame in 0..frames {
-                bytes.extend(centered(
-                    &render_as::<Number, _>(picture, frame, Rgb565::BLACK)?,
-                    picture.size,
-                    panel,
-                ));
+                bytes.extend(centered(&render_frame(picture, frame, Rgb565::BLACK)?, picture.size, panel));
             }
             Ok(bytes)
         }
-        (Output::File | Output::Frames(_), _) => render_as::<f32, _>(picture, 0, Rgb565::BLACK),
+        (Output::File | Output::Frames(_), _) => render_frame(picture, 0, Rgb565::BLACK),
     }
 }
 
@@ -37,6 +34,16 @@ pub(crate) fn digest(bytes: &[u8]) -> u64 {
 }
 
 /// A frame in the board's number system.
+fn render_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
+where
+    C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,
+{
+    match picture.number {
+        Number::F32 => render_as::<f32, _>(picture, frame, black),
+        Number::Fixed => render_as::<Fixed, _>(picture, frame, black),
+    }
+}
+
 fn render_as<R: Real, C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
 where
     C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,

@@ -29,7 +29,7 @@ use clap::builder::PossibleValuesParser;
 use rayline::builtin;
 
 use crate::board::{BOARDS, Board};
-use crate::picture::{Request, Size};
+use crate::picture::{Number, Request, Size};
 
 /// Renders a scene on emulated boards, and checks picture, panics and sizes against this computer.
 ///
@@ -52,6 +52,10 @@ struct Arguments {
     /// How often light may be mirrored or refracted; by default as often as the scene is meant to be seen.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(rayline::limits::MAX_BOUNCES)))]
     bounces: Option<u8>,
+
+    /// The number system to compute in; the Pico's program always computes in fixed point.
+    #[arg(long, value_name = "TYPE", default_value = "f32")]
+    number: Number,
 
     /// Writes the board's picture; with several boards, the name of each is added to the file's.
     #[arg(long, value_name = "FILE.png")]
@@ -90,7 +94,7 @@ fn main() -> ExitCode {
 /// Runs all boards; tells whether none failed.
 fn run(arguments: &Arguments) -> Result<bool> {
     let boards = chosen(&arguments.boards);
-    let request = Request::new(&arguments.scene, arguments.size, arguments.bounces)?;
+    let request = Request::new(&arguments.scene, arguments.size, arguments.bounces, arguments.number)?;
     if arguments.prove_no_panic {
         return proof::prove(&boards, &request, arguments.all_required);
     }

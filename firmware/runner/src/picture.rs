@@ -1,4 +1,4 @@
-//! What is rendered: scene, size and bounces.
+//! What is rendered: scene, size, bounces and number system.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,7 +7,7 @@ use anyhow::{Context, Error, Result};
 use rayline::Settings;
 use rayline::builtin::{self, Builtin};
 
-use crate::board::Board;
+use crate::board::{Board, Emulator};
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,19 +41,38 @@ impl FromStr for Size {
     }
 }
 
+/// The number system that a program computes in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Number {
+    /// 32-bit floating point, in software where there is no FPU.
+    F32,
+    /// Fixed point with 32 bits.
+    Fixed,
+}
+
+impl Number {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
 /// What the user wants to see, on any board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request {
     scene: &'static Builtin,
     size: Option<Size>,
     bounces: Option<u8>,
+    number: Number,
 }
 
 impl Request {
-    pub(crate) fn new(scene: &str, size: Option<Size>, bounces: Option<u8>) -> Result<Self> {
+    pub(crate) fn new(scene: &str, size: Option<Size>, bounces: Option<u8>, number: Number) -> Result<Self> {
         let scene =
             builtin::ALL.iter().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
-        Ok(Self { scene, size, bounces })
+        Ok(Self { scene, size, bounces, number })
     }
 
     /// The picture that this board renders.
@@ -62,6 +81,10 @@ impl Request {
             scene: self.scene,
             size: self.size.unwrap_or(board.size),
             bounces: self.bounces.unwrap_or(self.scene.bounces),
+            number: match board.emulator {
+                Emulator::Qemu { .. } => self.number,
+                Emulator::Rp2040js { .. } => Number::Fixed,
+            },
         }
     }
 }
@@ -72,6 +95,7 @@ pub(crate) struct Picture {
     pub(crate) scene: &'static Builtin,
     pub(crate) size: Size,
     pub(crate) bounces: u8,
+    pub(crate) number: Number,
 }
 
 impl Picture {

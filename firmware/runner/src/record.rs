@@ -38,6 +38,7 @@ pub(crate) struct Record {
     scene: &'static str,
     width: u16,
     height: u16,
+    number: &'static str,
     instructions: Option<u64>,
     instructions_per_pixel: Option<f64>,
     digest: Option<String>,
@@ -82,6 +83,7 @@ impl Record {
             scene: picture.scene.name,
             width: picture.size.width,
             height: picture.size.height,
+            number: picture.number.name(),
             instructions: figures.map(|figures| figures.instructions),
             // To a tenth.
             instructions_per_pixel: figures
@@ -129,6 +131,7 @@ impl Record {
             self.core.into(),
             self.scene.into(),
             format!("{}x{}", self.width, self.height),
+            self.number.into(),
             count(self.instructions_per_pixel.map(|count| count.round() as u64)),
             bytes(self.text_bytes),
             bytes(self.static_ram_bytes),
@@ -138,13 +141,14 @@ impl Record {
     }
 }
 
-const COLUMNS: usize = 9;
+const COLUMNS: usize = 10;
 
 const HEADINGS: [(&str, Align); COLUMNS] = [
     ("board", Align::Left),
     ("core", Align::Left),
     ("scene", Align::Left),
     ("size", Align::Right),
+    ("number", Align::Left),
     ("instr/pixel", Align::Right),
     ("flash", Align::Right),
     ("RAM", Align::Right),
@@ -201,11 +205,11 @@ fn with_commas(number: u64) -> String {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::picture::{Number, Request};
 
     fn record(outcome: Outcome) -> Record {
         let board = &BOARDS[0];
-        Record::new(board, &Request::new("classic", None, None).unwrap().on(board), outcome)
+        Record::new(board, &Request::new("classic", None, None, Number::F32).unwrap().on(board), outcome)
     }
 
     const FIGURES: Figures = Figures {
@@ -224,6 +228,7 @@ mod tests {
         let json = serde_json::to_value(record(Outcome::Ran(FIGURES))).unwrap();
         let expected = serde_json::json!({
             "board": "lm3s6965evb", "core": "Cortex-M3", "scene": "classic", "width": 128, "height": 64,
+            "number": "f32",
             "instructions": 8_192_000, "instructions_per_pixel": 1000.0,
             "digest": "00000000000000ab", "host_digest": "00000000000000ab",
             "text_bytes": 20_000, "static_ram_bytes": 999, "stack_bytes": 1_000, "status": "ok",
@@ -253,7 +258,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[2],
-            "| lm3s6965evb | Cortex-M3 | classic | 128x64 |       1,000 | 20,000 B | 999 B | 1,000 B | yes       |"
+            "| lm3s6965evb | Cortex-M3 | classic | 128x64 | f32    |       1,000 | 20,000 B | 999 B | 1,000 B | yes       |"
         );
         assert!(lines.iter().all(|line| line.len() == lines[0].len()));
     }
