@@ -9,6 +9,7 @@ mod core_picture;
 mod picture;
 mod povray;
 mod scenes;
+mod screen;
 pub mod textbook;
 
 pub use comparison::{Comparison, assert_alike};
@@ -16,6 +17,7 @@ pub use core_picture::{core_picture, ray_counts};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
 pub use scenes::{scene_names, settings, with_scene};
+pub use screen::{Screen, Unplugged};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -4,9 +4,8 @@
 
 use std::mem::MaybeUninit;
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::draw_target::DrawTargetExt;
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
@@ -16,6 +15,7 @@ use rayline::{
     Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer, Scene,
     Settings, SettingsError, Transfer, Vec3,
 };
+use rayline_tests::{Screen, Unplugged};
 
 /// Hands a renderer of the scene to `use_it`.
 fn with_renderer<T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<f32>) -> T) -> T {
@@ -33,61 +33,6 @@ fn picture(renderer: &Renderer<f32>) -> Vec<Rgb888> {
         renderer.line(y, line).expect("a line");
     }
     pixels
-}
-
-/// A display that keeps every pixel, counts calls, and can fail before any of them.
-struct Screen {
-    size: Size,
-    pixels: Vec<Option<Rgb888>>,
-    windows: Vec<Rectangle>,
-    pixels_until_failure: Option<usize>,
-}
-
-impl Screen {
-    fn new(renderer: &Renderer<f32>) -> Self {
-        let size = Size::new(renderer.width(), renderer.height());
-        let count = (size.width * size.height) as usize;
-        Self { size, pixels: vec![None; count], windows: Vec::new(), pixels_until_failure: None }
-    }
-
-    fn picture(&self) -> Vec<Rgb888> {
-        self.pixels.iter().map(|pixel| pixel.expect("every pixel is drawn")).collect()
-    }
-}
-
-#[derive(Debug, PartialEq)]
-struct Unplugged;
-
-impl OriginDimensions for Screen {
-    fn size(&self) -> Size {
-        self.size
-    }
-}
-
-impl DrawTarget for Screen {
-    type Color = Rgb888;
-    type Error = Unplugged;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
-        for Pixel(Point { x, y }, color) in pixels {
-            if let Some(left) = &mut self.pixels_until_failure {
-                *left = left.checked_sub(1).ok_or(Unplugged)?;
-            }
-            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
-        }
-        Ok(())
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Unplugged> {
-        self.windows.push(*area);
-        let width = area.size.width;
-        let points = (0..).map(|i| area.top_left + Point::new((i % width) as i32, (i / width) as i32));
-        self.draw_iter(points.zip(colors).map(|(point, color)| Pixel(point, color)))
-    }
 }
 
 #[test]

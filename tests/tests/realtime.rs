@@ -6,11 +6,8 @@ use std::collections::HashMap;
 use std::mem::MaybeUninit;
 use std::ops::Range;
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::geometry::OriginDimensions;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics::primitives::Rectangle;
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{Cylinder, Shape, Sphere};
@@ -19,7 +16,7 @@ use rayline::{
     Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Vec3,
 };
 use rayline_simulator::Orbit;
-use rayline_tests::{Picture, with_scene};
+use rayline_tests::{Picture, Screen, Unplugged, with_scene};
 
 /// Hands a renderer of the scene to `use_it`.
 fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<R>) -> T) -> T {
@@ -28,61 +25,10 @@ fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, use_it: impl FnO
     use_it(&Renderer::new(&prepared, settings).expect("legal settings"))
 }
 
-/// A display that keeps every pixel and can fail before any of them.
-struct Screen {
-    size: Size,
-    pixels: Vec<Option<Rgb888>>,
-    pixels_until_failure: Option<usize>,
-}
-
-impl Screen {
-    fn new<R: Real>(renderer: &Renderer<R>) -> Self {
-        let size = Size::new(renderer.width(), renderer.height());
-        let pixels = vec![None; (size.width * size.height) as usize];
-        Self { size, pixels, pixels_until_failure: None }
-    }
-
-    fn picture(&self) -> Picture {
-        let pixel = |pixel: &Option<Rgb888>| {
-            let color = pixel.expect("every pixel is drawn");
-            [color.r(), color.g(), color.b()]
-        };
-        Picture { width: self.size.width, pixels: self.pixels.iter().map(pixel).collect() }
-    }
-}
-
-#[derive(Debug, PartialEq)]
-struct Unplugged;
-
-impl OriginDimensions for Screen {
-    fn size(&self) -> Size {
-        self.size
-    }
-}
-
-impl DrawTarget for Screen {
-    type Color = Rgb888;
-    type Error = Unplugged;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
-        for Pixel(Point { x, y }, color) in pixels {
-            if let Some(left) = &mut self.pixels_until_failure {
-                *left = left.checked_sub(1).ok_or(Unplugged)?;
-            }
-            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
-        }
-        Ok(())
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Unplugged> {
-        let width = area.size.width;
-        let points = (0..).map(|i| area.top_left + Point::new((i % width) as i32, (i / width) as i32));
-        self.draw_iter(points.zip(colors).map(|(point, color)| Pixel(point, color)))
-    }
+/// What a screen shows.
+fn picture_on(screen: &Screen) -> Picture {
+    let pixels = screen.picture().iter().map(|color| [color.r(), color.g(), color.b()]).collect();
+    Picture { width: screen.size().width, pixels }
 }
 
 /// Memory for one frame.
@@ -111,7 +57,7 @@ fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl
     let mut memory = Memory::new(renderer, quality);
     let mut frame = renderer.realtime_frame(0..renderer.height(), quality, memory.lend()).expect("a frame");
     while !frame.step_watched(&mut screen, u32::MAX, probe).expect("a step").is_done() {}
-    screen.picture()
+    picture_on(&screen)
 }
 
 fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture {
@@ -268,14 +214,14 @@ fn lines_in_any_order_are_the_same_bytes() {
                 let y = (i * 7 + 5) % 43;
                 draw_part(renderer, quality, y..y + 1, &mut screen);
             }
-            assert!(screen.picture() == expected);
+            assert!(picture_on(&screen) == expected);
             for every in [2, 4] {
                 let mut screen = Screen::new(renderer);
                 let order = Interleave { lines: grid.pixels() as u32, every };
                 for bands in (0..every).map(|frame| order.bands(43, frame)) {
                     bands.for_each(|band| draw_part(renderer, quality, band, &mut screen));
                 }
-                assert!(screen.picture() == expected);
+                assert!(picture_on(&screen) == expected);
             }
         });
     }
@@ -300,7 +246,7 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
                 }
             }
             assert_eq!(lines, 43);
-            assert!(screen.picture() == expected);
+            assert!(picture_on(&screen) == expected);
         }
     });
 }
@@ -323,12 +269,12 @@ fn drawing_goes_on_after_a_failing_display() {
             let DrawError::Display { line, error: Unplugged } = error else { panic!("{error}") };
             assert_eq!(line, failure as u32 / 61 / 4 * 4);
             screen.pixels_until_failure = None;
-            let mut other =
-                Screen { size: screen.size, pixels: screen.pixels.clone(), pixels_until_failure: None };
+            let mut other = screen.clone();
+            other.pixels_until_failure = None;
             while !frame.step(&mut screen, 100).expect("a step").is_done() {}
-            assert!(screen.picture() == expected);
+            assert!(picture_on(&screen) == expected);
             draw_part(renderer, quality, line..43, &mut other);
-            assert!(other.picture() == expected);
+            assert!(picture_on(&other) == expected);
         }
     });
 }

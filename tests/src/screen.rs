@@ -1,0 +1,71 @@
+//! A display for tests.
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::Rectangle;
+use rayline::{Real, Renderer};
+
+/// A display that keeps every pixel and every window, and can fail before any pixel.
+#[derive(Clone, Debug)]
+pub struct Screen {
+    /// Its size; the number of its pixels.
+    pub size: Size,
+    /// The pixels that were drawn, line by line.
+    pub pixels: Vec<Option<Rgb888>>,
+    /// The areas that were filled, in their order.
+    pub windows: Vec<Rectangle>,
+    /// It fails once so many pixels have been drawn.
+    pub pixels_until_failure: Option<usize>,
+}
+
+impl Screen {
+    /// A blank screen of the picture's size.
+    pub fn new<R: Real>(renderer: &Renderer<R>) -> Self {
+        let size = Size::new(renderer.width(), renderer.height());
+        let count = (size.width * size.height) as usize;
+        Self { size, pixels: vec![None; count], windows: Vec::new(), pixels_until_failure: None }
+    }
+
+    /// All pixels, which must have been drawn.
+    pub fn picture(&self) -> Vec<Rgb888> {
+        self.pixels.iter().map(|pixel| pixel.expect("every pixel is drawn")).collect()
+    }
+}
+
+/// What a [`Screen`] fails with.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Unplugged;
+
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb888;
+    type Error = Unplugged;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
+        for Pixel(Point { x, y }, color) in pixels {
+            if let Some(left) = &mut self.pixels_until_failure {
+                *left = left.checked_sub(1).ok_or(Unplugged)?;
+            }
+            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Unplugged> {
+        self.windows.push(*area);
+        let width = area.size.width;
+        let points = (0..).map(|i| area.top_left + Point::new((i % width) as i32, (i / width) as i32));
+        self.draw_iter(points.zip(colors).map(|(point, color)| Pixel(point, color)))
+    }
+}
