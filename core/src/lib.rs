@@ -46,6 +46,23 @@
 //! `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`, `render`,
 //! `builtin`.
 //!
+//! # Number systems
+//!
+//! A scene is described in `f32` and prepared for one of these; `R` in signatures is always that ([`Real`]).
+//!
+//! | type | for |
+//! |---|---|
+//! | `f32` | chips with an FPU, and the desktop |
+//! | [`Fixed`](math::Fixed) | chips without: ten times as fast there as `f32` in software |
+//! | `f64` | the reference that the others are held to |
+//!
+//! # Exact and realtime
+//!
+//! [`Renderer::draw`] traces every pixel. What makes it fast never changes a byte: each line knows which objects it can show,
+//! each light what can stand in its way, and more than 32 objects lie in a hierarchy of boxes.
+//! [`Renderer::draw_realtime`] traces a grid of pixels, more where neighbors differ in what they saw, and interpolates the rest; see
+//! [`Realtime`] for what that gains and costs.
+//!
 //! # Conventions
 //!
 //! Coordinates are right-handed, in any unit. Angles are in radians. Colors are linear light with the primaries
