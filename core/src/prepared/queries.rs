@@ -24,10 +24,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// What each object is inside of, if the scene has sets of candidates.
     pub(crate) fn enclosures(&self) -> Option<impl Iterator<Item = Enclosure<R>>> {
         self.candidates?;
-        Some(self.objects.iter().map(|object| match (object.shape.form(), object.shape.bounds()) {
-            (Form::Ball { center, radius }, _) => Enclosure::Ball { center, radius },
-            (_, Some(bounds)) => Enclosure::Box(bounds),
-            (_, None) => Enclosure::Everywhere,
+        Some(self.objects.iter().map(|object| match object.shape.form() {
+            Form::Ball { center, radius } => Enclosure::Ball { center, radius },
+            _ => object.shape.bounds().map_or(Enclosure::Everywhere, Enclosure::Box),
         }))
     }
 
