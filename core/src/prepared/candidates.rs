@@ -209,6 +209,12 @@ impl<'m, R: Real> Candidates<'m, R> {
         }
     }
 
+    /// Whether a ray goes into a ball, so that [`leaving`](Self::leaving) holds only as long as it is inside.
+    pub(crate) fn comes_out_again(&self, from: Departure) -> bool {
+        // Of all objects, only a ball has other sets for its two sides.
+        !from.outward && self.leaving.get(from.object).is_some_and(|[inward, outward]| inward != outward)
+    }
+
     /// What can stand between a surface and a light.
     #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {

@@ -48,15 +48,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that leaves a surface.
     pub(crate) fn closest_hit_leaving(&self, ray: &Ray<R>, from: Departure) -> Option<Hit<R>> {
-        let among = self.candidates.map(|candidates| candidates.leaving(from));
-        let closest = self.closest_object(ray, Interval::AHEAD, among);
-        // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
-        let closest = closest.or_else(|| match self.candidates {
-            Some(candidates) if !from.outward => {
-                self.closest_object(ray, Interval::AHEAD, Some(candidates.all()))
-            }
-            _ => None,
-        });
+        let Some(candidates) = &self.candidates else { return self.closest_hit(ray, Interval::AHEAD) };
+        let closest = self.closest_object(ray, Interval::AHEAD, Some(candidates.leaving(from)));
+        if closest.is_none() && candidates.comes_out_again(from) {
+            // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
+            return self.closest_hit_among(ray, Some(candidates.all()));
+        }
         self.hit(ray, closest)
     }
 
