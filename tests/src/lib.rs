@@ -8,6 +8,7 @@ mod comparison;
 mod core_picture;
 mod picture;
 mod povray;
+mod random;
 mod scenes;
 mod screen;
 pub mod textbook;
@@ -16,6 +17,7 @@ pub use comparison::{Comparison, assert_alike};
 pub use core_picture::{core_picture, ray_counts};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
+pub use random::{shapes, vectors};
 pub use scenes::{scene_names, settings, with_scene};
 pub use screen::{Screen, Unplugged};
 

@@ -11,12 +11,12 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::builtin::{self, CLASSIC, PRISM};
 use rayline::math::Fixed;
-use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::shape::{Cone, Polygon, Shape, Sphere};
 use rayline::{
     Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer,
     Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
-use rayline_tests::{Picture, core_picture};
+use rayline_tests::{Picture, core_picture, shapes, vectors};
 
 /// What pictures in fixed point are held to.
 const BAR_DB: f64 = 40.0;
@@ -278,7 +278,7 @@ fn number() -> BoxedStrategy<f32> {
 }
 
 fn vector() -> BoxedStrategy<Vec3> {
-    [number(), number(), number()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
+    vectors(&number())
 }
 
 fn color() -> BoxedStrategy<LinearRgb> {
@@ -286,25 +286,7 @@ fn color() -> BoxedStrategy<LinearRgb> {
 }
 
 fn shape() -> BoxedStrategy<Shape<'static>> {
-    prop_oneof![
-        (vector(), number()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
-        (vector(), vector()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
-        ([vector(), vector(), vector()], proptest::option::of([vector(), vector(), vector()]))
-            .prop_map(|(vertices, normals)| Shape::Triangle(Triangle { vertices, normals })),
-        (vector(), vector(), vector()).prop_map(|(corner, right, up)| {
-            Shape::Polygon(Polygon::new(
-                vec![corner, corner + right, corner + right + up, corner + up].leak(),
-            ))
-        }),
-        (vector(), vector(), number(), number(), any::<bool>()).prop_map(
-            |(base, top, base_radius, top_radius, capped)| {
-                Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
-            }
-        ),
-        (vector(), vector(), number(), any::<bool>())
-            .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
-    ]
-    .boxed()
+    shapes(&number())
 }
 
 fn material() -> BoxedStrategy<Material> {

@@ -11,6 +11,7 @@ use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
 };
+use rayline_tests::{shapes, vectors};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -239,7 +240,7 @@ fn number() -> BoxedStrategy<f32> {
 }
 
 fn vector() -> BoxedStrategy<Vec3> {
-    [number(), number(), number()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
+    vectors(&number())
 }
 
 fn share() -> BoxedStrategy<f32> {
@@ -251,20 +252,7 @@ fn light_color() -> BoxedStrategy<LinearRgb> {
 }
 
 fn shape() -> BoxedStrategy<Shape<'static>> {
-    prop_oneof![
-        (vector(), number()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
-        (vector(), vector()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
-        ([vector(), vector(), vector()], proptest::option::of([vector(), vector(), vector()]))
-            .prop_map(|(vertices, normals)| Shape::Triangle(Triangle { vertices, normals })),
-        (vector(), vector(), number(), number(), any::<bool>()).prop_map(
-            |(base, top, base_radius, top_radius, capped)| {
-                Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
-            }
-        ),
-        (vector(), vector(), number(), any::<bool>())
-            .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
-    ]
-    .boxed()
+    shapes(&number())
 }
 
 fn material() -> BoxedStrategy<Material> {

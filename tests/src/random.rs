@@ -1,0 +1,38 @@
+//! Random parts of scenes.
+
+use proptest::prelude::*;
+use rayline::Vec3;
+use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+
+/// Points and directions of such coordinates.
+pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
+    [number.clone(), number.clone(), number.clone()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
+}
+
+/// Shapes of all kinds, of such coordinates and lengths; not all are legal.
+pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
+    let vector = vectors(number);
+    prop_oneof![
+        (vector.clone(), number.clone())
+            .prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
+        (vector.clone(), vector.clone()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
+        (
+            [vector.clone(), vector.clone(), vector.clone()],
+            proptest::option::of([vector.clone(), vector.clone(), vector.clone()])
+        )
+            .prop_map(|(vertices, normals)| Shape::Triangle(Triangle { vertices, normals })),
+        (vector.clone(), vector.clone(), vector.clone()).prop_map(|(corner, right, up)| {
+            Shape::Polygon(Polygon::new(
+                vec![corner, corner + right, corner + right + up, corner + up].leak(),
+            ))
+        }),
+        (vector.clone(), vector.clone(), number.clone(), number.clone(), any::<bool>()).prop_map(
+            |(base, top, base_radius, top_radius, capped)| {
+                Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
+            }
+        ),
+        (vector.clone(), vector.clone(), number.clone(), any::<bool>())
+            .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
+    ]
+    .boxed()
+}
