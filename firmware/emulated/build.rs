@@ -1,4 +1,4 @@
-//! Chooses scene, size and number system of the picture, and gives each board its memory layout.
+//! Chooses scene, size, number system and mode of the picture, and gives each board its memory layout.
 
 use std::env;
 use std::error::Error;
@@ -8,6 +8,7 @@ use std::path::Path;
 fn main() -> Result<(), Box<dyn Error>> {
     rayline_choice::write("64x48")?;
     rayline_choice::write_number()?;
+    rayline_choice::write_mode()?;
 
     // Every board is a folder with its main.rs and memory.x.
     let boards = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("src").join("bin");

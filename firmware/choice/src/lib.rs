@@ -1,4 +1,4 @@
-//! For build scripts: the scene and the size of the picture that a program for a board renders.
+//! For build scripts: what picture a program for a board renders, and how.
 //!
 //! `RAYLINE_SCENE` names a built-in scene, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
 //! one is not given, it is `classic`, what the program's author chose, and as many bounces as the scene is meant to
@@ -52,6 +52,25 @@ pub fn write_number() -> Result<(), Box<dyn Error>> {
     };
     let text = format!("/// The number system that the program computes in.\npub type Number = {number};\n");
     fs::write(Path::new(&env::var("OUT_DIR")?).join("number.rs"), text)?;
+    Ok(())
+}
+
+/// Writes how the picture is drawn into `mode.rs` in the build's output folder: `RAYLINE_MODE` is `exact` or `realtime`,
+/// and `exact` where it is not given.
+///
+/// # Errors
+/// A variable that names no mode; or a folder that cannot be written to.
+pub fn write_mode() -> Result<(), Box<dyn Error>> {
+    let quality = match variable("RAYLINE_MODE").as_deref() {
+        None | Some("exact") => "None",
+        Some("realtime") => "Some(rayline::Realtime::new())",
+        Some(other) => return Err(format!("{other:?} is not exact or realtime").into()),
+    };
+    let text = format!(
+        "/// Realtime quality, if the picture is drawn in it.\n\
+         pub const QUALITY: Option<rayline::Realtime> = {quality};\n"
+    );
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("mode.rs"), text)?;
     Ok(())
 }
 

@@ -1,5 +1,8 @@
 //! The main program of boards without a display: the picture goes to a file of the host, as RGB565.
 
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::prelude::RgbColor;
@@ -7,19 +10,19 @@ use semihosting::fd::{AsFd, BorrowedFd};
 use semihosting::fs::File;
 use semihosting::{process, sys};
 
-use crate::picture::{Memory, WIDTH};
+use crate::picture::{Buffer, HEIGHT, Memory, WIDTH};
 use crate::{Fault, InstructionCounter, program, report};
 
 /// Renders the picture into the file `picture` and tells what it took.
 pub fn main(counter: impl InstructionCounter) -> ! {
     static mut MEMORY: Memory = Memory::new();
-    static mut LINE: [Rgb565; WIDTH] = [Rgb565::BLACK; WIDTH];
-    let (memory, line) = (&raw mut MEMORY, &raw mut LINE);
+    static mut BUFFER: Buffer<Rgb565> = Buffer::new(Rgb565::BLACK);
+    let (memory, buffer) = (&raw mut MEMORY, &raw mut BUFFER);
     // SAFETY: nothing else can name the two, and a function that does not return is not called again; no interrupt
     // calls it.
     #[allow(unsafe_code)]
-    let (memory, line) = unsafe { (&mut *memory, &mut *line) };
-    match render(memory, line, &counter) {
+    let (memory, buffer) = unsafe { (&mut *memory, &mut *buffer) };
+    match render(memory, buffer, &counter) {
         Ok(()) => process::exit(0),
         Err(fault) => report::fail(fault),
     }
@@ -27,29 +30,53 @@ pub fn main(counter: impl InstructionCounter) -> ! {
 
 fn render(
     memory: &mut Memory,
-    line: &mut [Rgb565; WIDTH],
+    buffer: &mut Buffer<Rgb565>,
     counter: &impl InstructionCounter,
 ) -> Result<(), Fault> {
     let file = File::create(c"picture").map_err(|_| Fault::Output)?;
     // Borrowed once: borrowing asserts that the file is open, and here the compiler sees that it is.
-    let file = file.as_fd();
-    program::run(memory, line, counter, |_, line| write(file, line))?.tell()
+    let mut picture = PictureFile { file: file.as_fd() };
+    program::run(memory, buffer, counter, &mut picture)?.tell()
 }
 
-/// Writes a line, in pieces for which the stack has room.
-fn write(file: BorrowedFd<'_>, line: &[Rgb565; WIDTH]) -> Result<(), Fault> {
-    for piece in line.chunks(32) {
-        let mut bytes = [0; 64];
-        for (pair, color) in bytes.chunks_exact_mut(2).zip(piece) {
-            if let [low, high] = pair {
-                [*low, *high] = color.to_le_bytes();
+/// A file that is drawn on once, from left to right and from top to bottom.
+#[derive(Debug)]
+struct PictureFile<'f> {
+    file: BorrowedFd<'f>,
+}
+
+impl OriginDimensions for PictureFile<'_> {
+    fn size(&self) -> Size {
+        Size::new(WIDTH as u32, HEIGHT as u32)
+    }
+}
+
+impl DrawTarget for PictureFile<'_> {
+    type Color = Rgb565;
+    type Error = Fault;
+
+    /// Writes the colors in the order in which they come, in pieces for which the stack has room.
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Fault>
+    where
+        I: IntoIterator<Item = Pixel<Rgb565>>,
+    {
+        let mut pixels = pixels.into_iter();
+        loop {
+            let mut bytes = [0; 64];
+            let mut filled = 0;
+            for pair in bytes.as_chunks_mut::<2>().0 {
+                let Some(Pixel(_, color)) = pixels.next() else { break };
+                *pair = color.to_le_bytes();
+                filled += 2;
+            }
+            if filled == 0 {
+                return Ok(());
+            }
+            let (bytes, _) = bytes.split_at_checked(filled).ok_or(Fault::Output)?;
+            match sys::write(self.file, bytes) {
+                Ok(written) if written == bytes.len() => {}
+                _ => return Err(Fault::Output),
             }
         }
-        let (bytes, _) = bytes.split_at_checked(2 * piece.len()).ok_or(Fault::Output)?;
-        match sys::write(file, bytes) {
-            Ok(written) if written == bytes.len() => {}
-            _ => return Err(Fault::Output),
-        }
     }
-    Ok(())
 }

@@ -1,8 +1,8 @@
-//! The program that every emulated board runs: it renders a built-in scene, line by line, and reports the digest
-//! of its pixels, the instructions that its lines took, and the stack that was used.
+//! The program that every emulated board runs: it renders a built-in scene and reports the digest of its pixels, the
+//! instructions that rendering took, and the stack that was used.
 //!
 //! A board is a folder in `src/bin` with its memory layout and a `main` that says how to count instructions and
-//! where the picture goes. Scene and size are chosen when the program is built, see `build.rs`.
+//! where the picture goes. Scene, size, number system and mode are chosen when the program is built, see `build.rs`.
 //!
 //! Everything that the program says goes through [`report`]; it holds no panic, and a linker that finds one
 //! refuses it, see `panic`.
@@ -12,6 +12,7 @@
 pub mod file;
 mod fpu;
 mod instructions;
+mod meter;
 mod panic;
 pub mod picture;
 pub mod program;

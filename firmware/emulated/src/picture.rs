@@ -1,9 +1,11 @@
-//! The picture: scene, size, bounces and number system, chosen when the program is built.
+//! The picture: scene, size, bounces, number system and mode, chosen when the program is built.
 
-use rayline::{Scene, Settings, Workspace};
+use embedded_graphics::prelude::PixelColor;
+use rayline::{Sample, Scene, Settings, Workspace};
 
 include!(concat!(env!("OUT_DIR"), "/picture.rs"));
 include!(concat!(env!("OUT_DIR"), "/number.rs"));
+include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 
 /// The scene, in flash.
 pub const SCENE: &Scene<'static> = BUILTIN.scene;
@@ -13,3 +15,31 @@ pub type Memory = Workspace<{ SCENE.bytes::<Number>() }>;
 
 /// How the picture is rendered.
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
+
+/// Colors that are drawn at once: a line, or the band of lines that realtime quality needs.
+const COLORS: usize = match QUALITY {
+    None => WIDTH,
+    Some(quality) => quality.colors(WIDTH as u16),
+};
+
+/// Samples that realtime quality needs.
+const SAMPLES: usize = match QUALITY {
+    None => 0,
+    Some(quality) => quality.samples(WIDTH as u16),
+};
+
+/// Memory for what is being drawn.
+#[derive(Debug)]
+pub struct Buffer<C> {
+    /// A line or several, whole.
+    pub colors: [C; COLORS],
+    /// What is known of one line.
+    pub samples: [Sample; SAMPLES],
+}
+
+impl<C: PixelColor> Buffer<C> {
+    /// Filled with one color.
+    pub const fn new(color: C) -> Self {
+        Self { colors: [color; COLORS], samples: [Sample::BLANK; SAMPLES] }
+    }
+}

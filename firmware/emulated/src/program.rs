@@ -1,11 +1,15 @@
 //! The program itself: renders the picture, and counts what that takes.
 
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::ToBytes;
-use rayline::{Digest, DisplayColor, PreparedScene, Renderer};
+use embedded_graphics::primitives::Rectangle;
+use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
 
 use crate::InstructionCounter;
 use crate::fpu;
-use crate::picture::{HEIGHT, Memory, Number, SCENE, SETTINGS, WIDTH};
+use crate::meter::Meter;
+use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 
@@ -18,8 +22,8 @@ pub enum Fault {
     Scene,
     /// The settings were refused.
     Settings,
-    /// The line buffer does not fit the picture.
-    Line,
+    /// The buffer does not fit the picture.
+    Buffer,
     /// The display or the file failed.
     Output,
     /// The host does not take what the program tells.
@@ -37,7 +41,7 @@ impl Fault {
             Self::FlushToZero => "the floating-point unit flushes small numbers to zero (FPSCR.FZ)",
             Self::Scene => "the scene was refused",
             Self::Settings => "the settings were refused",
-            Self::Line => "the line buffer does not fit the picture",
+            Self::Buffer => "the buffer does not fit the picture",
             Self::Output => "the picture could not be put out",
             Self::Host => "the host does not listen",
             Self::Stack => "the stack is too small",
@@ -46,36 +50,55 @@ impl Fault {
     }
 }
 
-/// Renders the picture into `line`, line after line, and hands each to `show`. Counted are the instructions of
-/// rendering alone.
+/// Renders the picture on a display that is as large as the picture. Counted are the instructions of rendering alone.
 ///
 /// # Errors
 /// What went wrong.
-pub fn run<C: DisplayColor + ToBytes<Bytes: AsRef<[u8]>>>(
+pub fn run<D>(
     memory: &mut Memory,
-    line: &mut [C; WIDTH],
+    buffer: &mut Buffer<D::Color>,
     counter: &impl InstructionCounter,
-    mut show: impl FnMut(u32, &[C; WIDTH]) -> Result<(), Fault>,
-) -> Result<Figures, Fault> {
+    display: &mut D,
+) -> Result<Figures, Fault>
+where
+    D: DrawTarget<Color: DisplayColor + ToBytes<Bytes: AsRef<[u8]>>>,
+{
     let stack = PaintedStack::paint();
     if fpu::flushes_to_zero() {
         return Err(Fault::FlushToZero);
     }
     let scene = PreparedScene::<Number, _>::new(SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
     let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
-    let mut digest = Digest::new();
-    let mut instructions = 0;
-    for y in 0..HEIGHT as u32 {
-        let before = counter.now();
-        renderer.line(y, line).map_err(|_| Fault::Line)?;
-        instructions += counter.now() - before;
-        for color in &*line {
-            digest.update(color.to_le_bytes().as_ref());
+    let mut meter = Meter::new(counter, display);
+    meter.resume();
+    match QUALITY {
+        None => draw_exact(&renderer, &mut meter, &mut buffer.colors)?,
+        Some(quality) => {
+            let buffer = RealtimeBuffer { colors: &mut buffer.colors, samples: &mut buffer.samples };
+            renderer.draw_realtime(quality, &mut meter, buffer).map_err(|error| match error {
+                DrawError::Display { .. } => Fault::Output,
+                _ => Fault::Buffer,
+            })?;
         }
-        show(y, line)?;
     }
+    meter.pause();
+    let (instructions, digest) = (meter.instructions(), meter.digest());
     #[cfg(feature = "twin")]
     let instructions = instructions + u64::from(crate::panic::reachable_panic());
     let stack_bytes = stack.used().ok_or(Fault::Stack)?;
-    Ok(Figures { digest: digest.value(), instructions, stack_bytes })
+    Ok(Figures { digest, instructions, stack_bytes })
+}
+
+/// Draws line by line: the way that spends nothing on anything but pixels.
+fn draw_exact<D: DrawTarget<Color: DisplayColor>>(
+    renderer: &Renderer<'_, '_, Number>,
+    display: &mut D,
+    line: &mut [D::Color],
+) -> Result<(), Fault> {
+    for y in 0..HEIGHT as u32 {
+        renderer.line(y, line).map_err(|_| Fault::Buffer)?;
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(WIDTH as u32, 1));
+        display.fill_contiguous(&area, line.iter().copied()).map_err(|_| Fault::Output)?;
+    }
+    Ok(())
 }

@@ -12,7 +12,7 @@ use crate::Fault;
 pub struct Figures {
     /// Digest of the picture.
     pub digest: u64,
-    /// Instructions that its lines took.
+    /// Instructions that rendering it took.
     pub instructions: u64,
     /// Bytes of stack that were used.
     pub stack_bytes: u32,

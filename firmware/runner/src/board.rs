@@ -1,6 +1,6 @@
 //! The boards that the program runs on.
 
-use crate::picture::Size;
+use crate::picture::{Mode, Size};
 
 /// A board: what it is, and how it is built for and emulated.
 #[derive(Debug)]
@@ -19,6 +19,17 @@ pub(crate) struct Board {
     pub(crate) size: Size,
 }
 
+impl Board {
+    /// Makes sure that the board's program can draw in a mode.
+    pub(crate) fn draws(&self, mode: Mode) -> Result<(), String> {
+        if self.program.modes.contains(&mode) {
+            return Ok(());
+        }
+        let modes: Vec<&str> = self.program.modes.iter().map(|mode| mode.name()).collect();
+        Err(format!("its program draws only in mode {}", modes.join(" or ")))
+    }
+}
+
 /// What is built for a board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Source {
@@ -29,6 +40,8 @@ pub(crate) struct Source {
     /// Whether it stands on a hardware abstraction layer. Those have panics, so that of such a program only the
     /// rendering is held to have none.
     pub(crate) has_hal: bool,
+    /// How it can draw.
+    pub(crate) modes: &'static [Mode],
 }
 
 /// The program that emulates a board.
@@ -70,11 +83,17 @@ impl Output {
 
 /// The program that has nothing but the processor under it: each board has a folder in `emulated/src/bin`.
 const fn on_its_own(name: &'static str) -> Source {
-    Source { package: "rayline-emulated", binary: name, features: &[], has_hal: false }
+    Source {
+        package: "rayline-emulated",
+        binary: name,
+        features: &[],
+        has_hal: false,
+        modes: &[Mode::Exact, Mode::Realtime],
+    }
 }
 
 const fn pico(features: &'static [&'static str]) -> Source {
-    Source { package: "rayline-pico", binary: "pico", features, has_hal: true }
+    Source { package: "rayline-pico", binary: "pico", features, has_hal: true, modes: &[Mode::Exact] }
 }
 
 const fn arm(machine: &'static [&'static str]) -> Emulator {

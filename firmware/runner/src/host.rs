@@ -1,28 +1,33 @@
 //! The same picture, rendered by this computer.
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Size as Dimensions};
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
 use rayline::math::Fixed;
-use rayline::{Digest, DisplayColor, PreparedScene, Real, Renderer};
+use rayline::{
+    Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
+};
 use rayline_show::Orbit;
 
 use crate::board::{Board, Emulator, Output};
-use crate::picture::{Number, Picture, Size};
+use crate::picture::{Mode, Number, Picture, Size};
 
 /// The bytes of a picture's pixels, line by line, as the board's emulator hands them out.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
     match (board.output, board.emulator) {
-        (Output::Panel(_), _) => render_frame(picture, 0, Gray4::BLACK),
+        (Output::Panel(_), _) => bytes_of_frame(picture, 0, Gray4::BLACK),
         (Output::Frames(panel), Emulator::Rp2040js { frames }) => {
             let mut bytes = Vec::new();
             for frame in 0..frames {
-                bytes.extend(centered(&render_frame(picture, frame, Rgb565::BLACK)?, picture.size, panel));
+                bytes.extend(centered(&bytes_of_frame(picture, frame, Rgb565::BLACK)?, picture.size, panel));
             }
             Ok(bytes)
         }
-        (Output::File | Output::Frames(_), _) => render_frame(picture, 0, Rgb565::BLACK),
+        (Output::File | Output::Frames(_), _) => bytes_of_frame(picture, 0, Rgb565::BLACK),
     }
 }
 
@@ -33,34 +38,80 @@ pub(crate) fn digest(bytes: &[u8]) -> u64 {
     digest.value()
 }
 
-/// A frame in the board's number system.
-fn render_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
+/// A frame in the picture's number system and mode.
+fn bytes_of_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
 where
     C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,
 {
-    match picture.number {
-        Number::F32 => render_as::<f32, _>(picture, frame, black),
-        Number::Fixed => render_as::<Fixed, _>(picture, frame, black),
-    }
+    let canvas = match picture.number {
+        Number::F32 => render_frame::<f32, _>(picture, frame, black)?,
+        Number::Fixed => render_frame::<Fixed, _>(picture, frame, black)?,
+    };
+    Ok(canvas.colors.iter().flat_map(|color| color.to_le_bytes().as_ref().to_vec()).collect())
 }
 
-fn render_as<R: Real, C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
-where
-    C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,
-{
+/// A frame in the picture's mode, and in any number system.
+pub(crate) fn render_frame<R: Real, C: DisplayColor>(
+    picture: &Picture,
+    frame: u32,
+    black: C,
+) -> Result<Canvas<C>> {
     let mut memory = vec![std::mem::MaybeUninit::uninit(); picture.scene.scene.bytes::<R>()];
     let mut scene = PreparedScene::<R, _>::new(picture.scene.scene, &mut memory)?;
     scene.set_camera(&Orbit::around(picture.scene.scene).camera(frame))?;
     let renderer = Renderer::new(&scene, picture.settings())?;
-    let mut line = vec![black; usize::from(picture.size.width)];
-    let mut bytes = Vec::new();
-    for y in 0..u32::from(picture.size.height) {
-        renderer.line(y, &mut line)?;
-        for color in &line {
-            bytes.extend_from_slice(color.to_le_bytes().as_ref());
+    let mut canvas = Canvas { size: picture.size, colors: Vec::new(), rays: 0 };
+    let mut counts = RayCounts::default();
+    match picture.mode {
+        Mode::Exact => {
+            let mut line = vec![black; usize::from(picture.size.width)];
+            for y in 0..renderer.height() {
+                renderer.line_watched(y, &mut line, &mut counts)?;
+                canvas.colors.extend_from_slice(&line);
+            }
+        }
+        Mode::Realtime => {
+            let quality = Realtime::new();
+            let mut colors = vec![black; quality.colors(picture.size.width)];
+            let mut samples = vec![Sample::BLANK; quality.samples(picture.size.width)];
+            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
+            let mut frame = renderer.realtime_frame(0..renderer.height(), quality, buffer)?;
+            while !frame
+                .step_watched(&mut canvas, u32::MAX, &mut counts)
+                .ok()
+                .context("the realtime picture")?
+                .is_done()
+            {}
         }
     }
-    Ok(bytes)
+    canvas.rays = counts.camera + counts.shadow + counts.reflected + counts.refracted;
+    Ok(canvas)
+}
+
+/// A picture that is drawn from left to right and from top to bottom.
+#[derive(Debug)]
+pub(crate) struct Canvas<C> {
+    size: Size,
+    /// What was drawn so far.
+    pub(crate) colors: Vec<C>,
+    /// The rays that this took.
+    pub(crate) rays: u64,
+}
+
+impl<C> OriginDimensions for Canvas<C> {
+    fn size(&self) -> Dimensions {
+        Dimensions::new(self.size.width.into(), self.size.height.into())
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Canvas<C> {
+    type Color = C;
+    type Error = std::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        self.colors.extend(pixels.into_iter().map(|Pixel(_, color)| color));
+        Ok(())
+    }
 }
 
 /// A black panel with a picture of RGB565 in the middle.

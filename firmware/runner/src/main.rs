@@ -11,10 +11,12 @@ mod program;
 mod proof;
 mod qemu;
 mod qmp;
+mod quality;
 mod record;
 mod rp2040js;
 mod screen;
 mod session;
+mod table;
 mod timing;
 mod toolchain;
 
@@ -23,13 +25,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 use rayline::builtin;
 
 use crate::board::{BOARDS, Board};
-use crate::picture::{Number, Request, Size};
+use crate::picture::{Mode, Number, Request, Size};
 
 /// Renders a scene on emulated boards, and checks picture, panics and sizes against this computer.
 ///
@@ -56,6 +58,10 @@ struct Arguments {
     /// The number system to compute in; the Pico's program always computes in fixed point.
     #[arg(long, value_name = "TYPE", default_value = "f32")]
     number: Number,
+
+    /// How to draw.
+    #[arg(long, value_name = "MODE", default_value = "exact")]
+    mode: Mode,
 
     /// Writes the board's picture; with several boards, the name of each is added to the file's.
     #[arg(long, value_name = "FILE.png")]
@@ -94,7 +100,14 @@ fn main() -> ExitCode {
 /// Runs all boards; tells whether none failed.
 fn run(arguments: &Arguments) -> Result<bool> {
     let boards = chosen(&arguments.boards);
-    let request = Request::new(&arguments.scene, arguments.size, arguments.bounces, arguments.number)?;
+    let Arguments { size, bounces, number, mode, .. } = *arguments;
+    let request = Request { size, bounces, number, mode, ..Request::new(&arguments.scene)? };
+    if !arguments.boards.is_empty() {
+        // Asked for by name, it is no board to skip.
+        for board in &boards {
+            board.draws(mode).map_err(|reason| anyhow!("{}: {reason}", board.name))?;
+        }
+    }
     if arguments.prove_no_panic {
         return proof::prove(&boards, &request, arguments.all_required);
     }
@@ -114,7 +127,7 @@ fn run(arguments: &Arguments) -> Result<bool> {
         };
         records.push(session.run());
     }
-    println!("{}", record::table(&records));
+    print!("{}", record::table(&records));
     for pace in records.iter().filter_map(record::Record::pace) {
         println!("{pace}");
     }

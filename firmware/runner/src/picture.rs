@@ -1,4 +1,4 @@
-//! What is rendered: scene, size, bounces and number system.
+//! What is rendered: scene, size, bounces, number system and mode.
 
 use std::fmt;
 use std::str::FromStr;
@@ -59,20 +59,42 @@ impl Number {
     }
 }
 
+/// How the picture is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Mode {
+    /// Every pixel is traced.
+    Exact,
+    /// Pixels are traced where neighbors differ, and interpolated elsewhere.
+    Realtime,
+}
+
+impl Mode {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Realtime => "realtime",
+        }
+    }
+}
+
 /// What the user wants to see, on any board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request {
-    scene: &'static Builtin,
-    size: Option<Size>,
-    bounces: Option<u8>,
-    number: Number,
+    pub(crate) scene: &'static Builtin,
+    /// By default what the board can render in a second or so.
+    pub(crate) size: Option<Size>,
+    /// By default as often as the scene is meant to be seen.
+    pub(crate) bounces: Option<u8>,
+    pub(crate) number: Number,
+    pub(crate) mode: Mode,
 }
 
 impl Request {
-    pub(crate) fn new(scene: &str, size: Option<Size>, bounces: Option<u8>, number: Number) -> Result<Self> {
+    /// A built-in scene, exact and in f32.
+    pub(crate) fn new(scene: &str) -> Result<Self> {
         let scene =
             builtin::ALL.iter().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
-        Ok(Self { scene, size, bounces, number })
+        Ok(Self { scene, size: None, bounces: None, number: Number::F32, mode: Mode::Exact })
     }
 
     /// The picture that this board renders.
@@ -85,6 +107,7 @@ impl Request {
                 Emulator::Qemu { .. } => self.number,
                 Emulator::Rp2040js { .. } => Number::Fixed,
             },
+            mode: self.mode,
         }
     }
 }
@@ -96,6 +119,7 @@ pub(crate) struct Picture {
     pub(crate) size: Size,
     pub(crate) bounces: u8,
     pub(crate) number: Number,
+    pub(crate) mode: Mode,
 }
 
 impl Picture {

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::board::Board;
 use crate::picture::Picture;
+use crate::table::{Align, Table, with_commas};
 use crate::timing::{Rates, Timing};
 
 /// How it went with a board.
@@ -28,6 +29,8 @@ pub(crate) struct Figures {
     pub(crate) static_ram_bytes: u64,
     pub(crate) stack_bytes: u64,
     pub(crate) timing: Option<Timing>,
+    pub(crate) rays: u64,
+    pub(crate) psnr_db: Option<f64>,
 }
 
 /// One board's line of the results.
@@ -39,6 +42,10 @@ pub(crate) struct Record {
     width: u16,
     height: u16,
     number: &'static str,
+    mode: &'static str,
+    rays: Option<u64>,
+    /// What the picture lost, see [`Quality`](crate::quality::Quality).
+    psnr_db: Option<f64>,
     instructions: Option<u64>,
     instructions_per_pixel: Option<f64>,
     digest: Option<String>,
@@ -84,6 +91,10 @@ impl Record {
             width: picture.size.width,
             height: picture.size.height,
             number: picture.number.name(),
+            mode: picture.mode.name(),
+            rays: figures.map(|figures| figures.rays),
+            // To a hundredth.
+            psnr_db: figures.and_then(|figures| figures.psnr_db).map(|psnr| (psnr * 100.0).round() / 100.0),
             instructions: figures.map(|figures| figures.instructions),
             // To a tenth.
             instructions_per_pixel: figures
@@ -118,7 +129,7 @@ impl Record {
         self.rates.map(|rates| format!("{}: {rates}", self.board))
     }
 
-    fn cells(&self) -> [String; COLUMNS] {
+    fn cells(&self) -> [String; HEADINGS.len()] {
         let count = |count: Option<u64>| count.map_or("-".into(), with_commas);
         let bytes = |bytes: Option<u64>| bytes.map_or("-".into(), |bytes| with_commas(bytes) + " B");
         let verdict = match self.verdict {
@@ -132,6 +143,8 @@ impl Record {
             self.scene.into(),
             format!("{}x{}", self.width, self.height),
             self.number.into(),
+            self.mode.into(),
+            self.psnr_db.map_or("-".into(), |psnr| format!("{psnr:.1} dB")),
             count(self.instructions_per_pixel.map(|count| count.round() as u64)),
             bytes(self.text_bytes),
             bytes(self.static_ram_bytes),
@@ -141,14 +154,14 @@ impl Record {
     }
 }
 
-const COLUMNS: usize = 10;
-
-const HEADINGS: [(&str, Align); COLUMNS] = [
+const HEADINGS: [(&str, Align); 12] = [
     ("board", Align::Left),
     ("core", Align::Left),
     ("scene", Align::Left),
     ("size", Align::Right),
     ("number", Align::Left),
+    ("mode", Align::Left),
+    ("PSNR", Align::Right),
     ("instr/pixel", Align::Right),
     ("flash", Align::Right),
     ("RAM", Align::Right),
@@ -156,60 +169,24 @@ const HEADINGS: [(&str, Align); COLUMNS] = [
     ("digest ok", Align::Left),
 ];
 
-#[derive(Clone, Copy)]
-enum Align {
-    Left,
-    Right,
-}
-
-/// All results as a table in Markdown, aligned for the eye.
-pub(crate) fn table(records: &[Record]) -> String {
-    let rows: Vec<[String; COLUMNS]> = records.iter().map(Record::cells).collect();
-    let mut widths = HEADINGS.map(|(heading, _)| heading.len());
-    for row in &rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = cell.len().max(*width);
-        }
+/// All results as a table.
+pub(crate) fn table(records: &[Record]) -> Table {
+    let mut table = Table::new(HEADINGS);
+    for record in records {
+        table.push(record.cells());
     }
-    let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
-    let aligned = |cells: &mut dyn Iterator<Item = &str>| {
-        let cells = cells.zip(widths).zip(HEADINGS).map(|((cell, width), (_, align))| match align {
-            Align::Left => format!("{cell:<width$}"),
-            Align::Right => format!("{cell:>width$}"),
-        });
-        line(cells.collect())
-    };
-    let rule = widths.iter().zip(HEADINGS).map(|(width, (_, align))| match align {
-        Align::Left => "-".repeat(*width),
-        Align::Right => "-".repeat(width - 1) + ":",
-    });
-    let mut lines = vec![aligned(&mut HEADINGS.iter().map(|(heading, _)| *heading)), line(rule.collect())];
-    lines.extend(rows.iter().map(|row| aligned(&mut row.iter().map(String::as_str))));
-    lines.join("\n")
-}
-
-/// 1234567 as 1,234,567.
-fn with_commas(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
+    table
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::{Number, Request};
+    use crate::picture::Request;
 
     fn record(outcome: Outcome) -> Record {
         let board = &BOARDS[0];
-        Record::new(board, &Request::new("classic", None, None, Number::F32).unwrap().on(board), outcome)
+        Record::new(board, &Request::new("classic").unwrap().on(board), outcome)
     }
 
     const FIGURES: Figures = Figures {
@@ -221,6 +198,8 @@ mod tests {
         static_ram_bytes: 999,
         stack_bytes: 1_000,
         timing: None,
+        rays: 20_000,
+        psnr_db: Some(41.256),
     };
 
     #[test]
@@ -228,7 +207,7 @@ mod tests {
         let json = serde_json::to_value(record(Outcome::Ran(FIGURES))).unwrap();
         let expected = serde_json::json!({
             "board": "lm3s6965evb", "core": "Cortex-M3", "scene": "classic", "width": 128, "height": 64,
-            "number": "f32",
+            "number": "f32", "mode": "exact", "rays": 20_000, "psnr_db": 41.26,
             "instructions": 8_192_000, "instructions_per_pixel": 1000.0,
             "digest": "00000000000000ab", "host_digest": "00000000000000ab",
             "text_bytes": 20_000, "static_ram_bytes": 999, "stack_bytes": 1_000, "status": "ok",
@@ -253,13 +232,15 @@ mod tests {
     }
 
     #[test]
-    fn the_table_is_aligned() {
-        let text = table(&[record(Outcome::Ran(FIGURES)), record(Outcome::Skipped(String::new()))]);
+    fn the_table_has_a_row_for_each_board() {
+        let text =
+            table(&[record(Outcome::Ran(FIGURES)), record(Outcome::Skipped(String::new()))]).to_string();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[2],
-            "| lm3s6965evb | Cortex-M3 | classic | 128x64 | f32    |       1,000 | 20,000 B | 999 B | 1,000 B | yes       |"
+            "| lm3s6965evb | Cortex-M3 | classic | 128x64 | f32    | exact | 41.3 dB |       1,000 | 20,000 B | 999 B | \
+             1,000 B | yes       |"
         );
-        assert!(lines.iter().all(|line| line.len() == lines[0].len()));
+        assert_eq!(lines.len(), 4);
     }
 }

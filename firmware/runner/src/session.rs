@@ -8,6 +8,7 @@ use anyhow::{Result, ensure};
 use crate::board::{Board, Emulator, Output};
 use crate::picture::{Picture, Size};
 use crate::program::Program;
+use crate::quality::Quality;
 use crate::record::{Figures, Outcome, Record};
 use crate::toolchain::{self, Toolchain};
 use crate::{emulator, host, png, rp2040js};
@@ -39,6 +40,7 @@ impl Session<'_> {
 
     /// The compiler, if everything is there that the board needs; else what is missing, in one line.
     fn toolchain(&self) -> Result<Toolchain, String> {
+        self.board.draws(self.picture.mode)?;
         let size = self.picture.size;
         let fits = |panel: Size| size.width <= panel.width && size.height <= panel.height;
         match self.board.output {
@@ -73,6 +75,7 @@ impl Session<'_> {
             png::write(file, picture.size, board.output, &bytes)?;
         }
         let expected = host::render(board, picture)?;
+        let quality = Quality::of(picture)?;
         let figures = Figures {
             instructions: report.instructions,
             digest: report.digest.unwrap_or_else(|| host::digest(&bytes)),
@@ -82,6 +85,8 @@ impl Session<'_> {
             static_ram_bytes: program.static_ram_bytes,
             stack_bytes: report.stack_bytes,
             timing: report.timing,
+            rays: quality.rays,
+            psnr_db: quality.psnr_db,
         };
         Ok(figures)
     }

@@ -70,6 +70,7 @@ impl Toolchain {
             .env("RAYLINE_SIZE", picture.size.to_string())
             .env("RAYLINE_BOUNCES", picture.bounces.to_string())
             .env("RAYLINE_NUMBER", picture.number.name())
+            .env("RAYLINE_MODE", picture.mode.name())
             // Those are meant for this computer.
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS");

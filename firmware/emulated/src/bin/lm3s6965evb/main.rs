@@ -10,25 +10,23 @@ mod ssi;
 use cortex_m::{Peripherals, asm};
 use cortex_m_rt::entry;
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::GrayColor;
-use embedded_graphics::primitives::Rectangle;
-use rayline_emulated::picture::{Memory, WIDTH};
+use rayline_emulated::picture::{Buffer, Memory};
 use rayline_emulated::{Fault, InstructionCounter, SysTick, program, report};
 use rayline_ssd0323::Ssd0323;
 
 #[entry]
 fn main() -> ! {
     static mut MEMORY: Memory = Memory::new();
-    static mut LINE: [Gray4; WIDTH] = [Gray4::BLACK; WIDTH];
+    static mut BUFFER: Buffer<Gray4> = Buffer::new(Gray4::BLACK);
     // SAFETY: nothing else in this program uses a peripheral of the core.
     #[allow(unsafe_code)]
     let core = unsafe { Peripherals::steal() };
     board::set_clock();
     // The clock runs at 25 MHz: a period of 40 ns.
     let counter = SysTick::start(core.SYST, 80);
-    match show(MEMORY, LINE, &counter) {
+    match show(MEMORY, BUFFER, &counter) {
         // The picture stays on the panel, where the host looks at it.
         Ok(()) => loop {
             asm::wfi();
@@ -39,15 +37,11 @@ fn main() -> ! {
 
 fn show(
     memory: &mut Memory,
-    line: &mut [Gray4; WIDTH],
+    buffer: &mut Buffer<Gray4>,
     counter: &impl InstructionCounter,
 ) -> Result<(), Fault> {
     let (bus, data_command) = board::panel();
     let mut panel = Ssd0323::new(bus, data_command).map_err(|_| Fault::Output)?;
     panel.clear(Gray4::BLACK).map_err(|_| Fault::Output)?;
-    let figures = program::run(memory, line, counter, |y, line| {
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(WIDTH as u32, 1));
-        panel.fill_contiguous(&area, line.iter().copied()).map_err(|_| Fault::Output)
-    })?;
-    figures.tell()
+    program::run(memory, buffer, counter, &mut panel)?.tell()
 }
