@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Dither, Settings, Transfer};
-use rayline_simulator::{Display, LoadedScene, Mode, Number, RenderOptions};
+use rayline_simulator::{Bench, Display, LoadedScene, Mode, Number, RenderOptions};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -30,6 +30,11 @@ pub(crate) enum Command {
     Pixel(Pixel),
     /// Show a scene in a window: arrow keys orbit, + and - come closer and go away, S saves, Q quits
     Window(Window),
+    /// Measure how fast pictures are, and print tables in Markdown
+    ///
+    /// The built-in scenes, exact and in realtime quality, in all number systems; then, where POV-Ray 3.7 is installed,
+    /// three scenes by Rayline and POV-Ray in turn, on one thread each. Leave the machine alone meanwhile.
+    Bench(BenchArgs),
 }
 
 #[derive(Debug, Args)]
@@ -76,6 +81,16 @@ pub(crate) struct Window {
     pub(crate) scene: SceneArgs,
     #[command(flatten)]
     pub(crate) look: Look,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// How often each picture is rendered; the median counts
+    #[arg(long, value_name = "N", default_value_t = Bench::FULL.runs as u16, value_parser = value_parser!(u16).range(1..=999))]
+    pub(crate) runs: u16,
+    /// Small pictures, once each: shows that it works, not how fast
+    #[arg(long, conflicts_with = "runs")]
+    pub(crate) quick: bool,
 }
 
 #[derive(Debug, Args)]

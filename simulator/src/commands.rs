@@ -9,11 +9,11 @@ use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayline::builtin;
 use rayline_simulator::{
-    LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, Stats, check_writable,
+    Bench, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, Stats, check_writable,
     half_blocks, render_watched, report_pixel, write_file,
 };
 
-use crate::cli::{Cli, Command, Pixel, Render, Window};
+use crate::cli::{BenchArgs, Cli, Command, Pixel, Render, Window};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -24,6 +24,7 @@ pub(crate) fn run(cli: Cli) -> Outcome {
         Some(Command::Scenes) => scenes(),
         Some(Command::Pixel(arguments)) => pixel(&arguments),
         Some(Command::Window(arguments)) => window(&arguments),
+        Some(Command::Bench(arguments)) => bench(&arguments),
     }
 }
 
@@ -112,6 +113,29 @@ fn window(arguments: &Window) -> Outcome {
         arguments.scene.source.display()
     )
     .into())
+}
+
+fn bench(arguments: &BenchArgs) -> Outcome {
+    let bench = match arguments.quick {
+        true => Bench::QUICK,
+        false => Bench { runs: usize::from(arguments.runs), ..Bench::FULL },
+    };
+    // What is going on is shown on the terminal of the standard error output, or nowhere if that is none.
+    let spinner = ProgressBar::new_spinner();
+    let say = |what: &str| {
+        spinner.set_message(what.to_owned());
+        spinner.tick();
+    };
+    let table = bench.builtin_scenes(&say)?;
+    spinner.suspend(|| writeln!(io::stdout(), "{table}"))?;
+    let directory = tempfile::tempdir()?;
+    let table = bench.beside_povray(directory.path(), &say)?;
+    spinner.finish_and_clear();
+    match table {
+        Some(table) => write!(io::stdout(), "{table}")?,
+        None => writeln!(io::stdout(), "POV-Ray is not installed: nothing to compare with.")?,
+    }
+    Ok(())
 }
 
 /// Renders a picture with a progress bar, and takes the time.

@@ -4,11 +4,13 @@
 //! - [`nff`] reads scene files, and [`LoadedScene`] finds a scene by name or file;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`report_pixel`] tells all that happened to one pixel;
+//! - [`Bench`] measures how fast pictures are, and [`povray`] has another renderer draw them;
 //! - [`half_blocks`] shows a picture in a terminal;
 //! - [`Orbit`] moves a camera around what it looks at.
 //!
 //! The program `rayline` is a thin shell around these.
 
+mod bench;
 mod display;
 mod file;
 mod loaded;
@@ -24,6 +26,7 @@ mod terminal;
 #[cfg(feature = "window")]
 mod window;
 
+pub use bench::{Bench, BenchError};
 pub use display::Display;
 pub use file::{FileError, PictureFile, check_writable, write_file};
 pub use loaded::{LoadError, LoadedScene};

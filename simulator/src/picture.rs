@@ -33,6 +33,16 @@ pub struct Picture {
     pub prepared_bytes: usize,
 }
 
+impl Picture {
+    /// The peak signal to noise ratio in decibels, with another picture of the same size for the signal; `None` where the
+    /// two are the same.
+    pub fn psnr(&self, reference: &Self) -> Option<f64> {
+        let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
+        let sum: f64 = self.rgb.iter().zip(&reference.rgb).map(square).sum();
+        (sum > 0.0).then(|| 10.0 * (255.0 * 255.0 * self.rgb.len() as f64 / sum).log10())
+    }
+}
+
 /// Why there is no picture.
 #[derive(Debug)]
 #[non_exhaustive]

@@ -5,5 +5,6 @@
 
 mod bench;
 mod errors;
+mod measurements;
 mod pictures;
 mod reports;

@@ -1,4 +1,4 @@
-//! Scenes in the language of POV-Ray 3.7, the independent judge of pictures.
+//! Scenes in the language of POV-Ray.
 //!
 //! POV-Ray computes what the core computes, where it is told so:
 //!
