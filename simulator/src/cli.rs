@@ -85,7 +85,7 @@ pub(crate) struct Window {
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// How often each picture is rendered; the median counts
+    /// How often each picture is rendered
     #[arg(long, value_name = "N", default_value_t = Bench::FULL.runs as u16, value_parser = value_parser!(u16).range(1..=999))]
     pub(crate) runs: u16,
     /// Small pictures, once each: shows that it works, not how fast

@@ -1,7 +1,8 @@
 //! How fast pictures are: tables in Markdown.
 //!
 //! Times are of whole pictures, from the scene's description on: the scene is prepared, then traced. What is compared is
-//! measured in turn, so that a machine that slows down slows all of it, and the median counts.
+//! measured in turn, so that a machine that slows down slows all of it. One thread beside POV-Ray's is measured by the
+//! processor's time, which POV-Ray reports as well and other programs disturb less; all others by the clock.
 
 mod builtin;
 mod rival;

@@ -1,9 +1,9 @@
 //! Rayline beside POV-Ray: the same scenes, the same pictures, one thread each.
 
 use std::path::Path;
-use std::time::Instant;
 
 use bumpalo::Bump;
+use cpu_time::ProcessTime;
 use rayline::{Settings, Transfer};
 
 use super::table::Table;
@@ -47,7 +47,7 @@ pub(super) fn measure(
         let mut alike = f64::NAN;
         for run in 0..bench.runs {
             say(&format!("{name} beside POV-Ray, {} of {}", run + 1, bench.runs));
-            let start = Instant::now();
+            let start = ProcessTime::now();
             let own = render(&scene, &options)?;
             ours.push(start.elapsed().as_secs_f64());
             let povray = povray::render(&scene, &settings, directory, name).map_err(BenchError::Povray)?;
@@ -69,13 +69,14 @@ pub(super) fn measure(
     }
     Ok(Some(format!(
         "Rayline (f32, exact; preparing and tracing) and POV-Ray (tracing alone) at {side}x{side} on one thread each: \
-         medians of {} pictures in turn. Pixels are alike where no channel differs by more than 2 of 255.\n\n{table}",
+         medians of the processor's time for {} pictures in turn. \
+         Pixels are alike where no channel differs by more than 2 of 255.\n\n{table}",
         bench.runs
     )))
 }
 
 fn seconds(picture: &PovrayPicture, step: &'static str) -> Result<f64, BenchError> {
-    picture.seconds(step).ok_or(BenchError::NoTime(step))
+    picture.cpu_seconds(step).ok_or(BenchError::NoTime(step))
 }
 
 /// The share of pixels, 0 to 1, whose channels all are within 2 of 255.

@@ -77,10 +77,11 @@ impl PovrayPicture {
         self.line(label)?.trim_start_matches([':', ' ']).split(' ').next()?.parse().ok()
     }
 
-    /// The seconds that the report tells for a step: `Parse Time`, `Bounding Time` or `Trace Time`.
-    pub fn seconds(&self, label: &str) -> Option<f64> {
-        // Such as `Trace Time:       0 hours  0 minutes  0 seconds (0.625 seconds)`.
-        self.line(label)?.split('(').nth(1)?.split(' ').next()?.parse().ok()
+    /// The processor's seconds that the report tells for a step: `Parse Time`, `Bounding Time` or `Trace Time`.
+    pub fn cpu_seconds(&self, label: &str) -> Option<f64> {
+        // On the line behind: `using 1 thread(s) with 0.625 CPU-seconds total`.
+        let mut lines = self.report.lines().skip_while(|line| !line.trim_start().starts_with(label));
+        lines.nth(1)?.split(" with ").nth(1)?.split(' ').next()?.parse().ok()
     }
 
     fn line(&self, label: &str) -> Option<&str> {
@@ -129,7 +130,7 @@ Render Time:
         assert_eq!(picture.count("Rays"), Some(416_885));
         assert_eq!(picture.count("Shadow Ray Tests"), Some(914_576));
         assert_eq!(picture.count("Photons"), None);
-        assert_eq!(picture.seconds("Trace Time"), Some(62.625));
-        assert_eq!(picture.seconds("Parse Time"), None);
+        assert_eq!(picture.cpu_seconds("Trace Time"), Some(62.5));
+        assert_eq!(picture.cpu_seconds("Parse Time"), None);
     }
 }
