@@ -12,8 +12,6 @@ use crate::math::Vec3;
 use crate::scene::{Object, Scene};
 use crate::shape::{Polygon, Shape, Sphere};
 
-const SPHERES: usize = 1 + 9 + 81;
-
 /// Where the nine children touch a parent whose own place on its parent is at the opposite of +z: three above,
 /// 120° apart, and six around the equator, 60° apart.
 const DIRECTIONS: [[f32; 3]; 9] = [
@@ -49,17 +47,19 @@ const FLOOR: [Vec3; 4] = [
     Vec3::new(12.0, -12.0, -0.5),
 ];
 
-const fn objects() -> [Object<Shape<'static>>; SPHERES + 1] {
-    let mut objects = [Object::new(Shape::Polygon(Polygon::new(&FLOOR)), 0); SPHERES + 1];
-    let mut spheres = [(Vec3::new(0.0, 0.0, 0.0), 0.5, [0.0, 0.0, 1.0]); SPHERES];
+/// The floor, and behind it as many balls as there is room for, the largest first.
+const fn objects<const OBJECTS: usize>() -> [Object<Shape<'static>>; OBJECTS] {
+    let mut objects = [Object::new(Shape::Polygon(Polygon::new(&FLOOR)), 0); OBJECTS];
+    let mut spheres = [(Vec3::new(0.0, 0.0, 0.0), 0.5, [0.0, 0.0, 1.0]); OBJECTS];
+    let count = OBJECTS - 1;
     let mut child = 1;
     let mut i = 0;
-    while i < SPHERES {
+    while i < count {
         let (center, radius, axis) = spheres[i];
         objects[i + 1] = Object::new(Shape::Sphere(Sphere::new(center, radius)), 1);
-        // The first ten are parents.
+        // The first are parents, as long as there is room for children.
         let mut k = 0;
-        while k < DIRECTIONS.len() && child < SPHERES {
+        while k < DIRECTIONS.len() && child < count {
             let outward = turned(DIRECTIONS[k], axis);
             let distance = radius * (4.0 / 3.0);
             let [x, y, z] = outward;
@@ -73,35 +73,51 @@ const fn objects() -> [Object<Shape<'static>>; SPHERES + 1] {
     objects
 }
 
-static OBJECTS: [Object<Shape<'static>>; SPHERES + 1] = objects();
+static TWO_SIZES: [Object<Shape<'static>>; 1 + 10] = objects();
+static THREE_SIZES: [Object<Shape<'static>>; 1 + 91] = objects();
+static FOUR_SIZES: [Object<Shape<'static>>; 1 + 820] = objects();
 
 const fn light(x: f32, y: f32, z: f32) -> Light {
     // Three lights that together have unit power.
     Light::Point { position: Vec3::new(x, y, z), color: LinearRgb::gray(0.577_350_26) }
 }
 
+/// The sphereflake of 10 mirroring balls over a floor.
+pub static FLAKE_10: Scene<'static> = scene(&TWO_SIZES);
+
 /// The sphereflake of 91 mirroring balls over a floor.
-pub static FLAKE: Scene<'static> = Scene {
-    camera: Camera {
-        eye: Vec3::new(2.1, 1.3, 1.7),
-        target: Vec3::new(0.0, 0.0, 0.0),
-        up: Vec3::new(0.0, 0.0, 1.0),
-        vertical_fov: 45f32.to_radians(),
-    },
-    background: LinearRgb::new(0.078, 0.361, 0.753),
-    objects: &OBJECTS,
-    materials: &[
-        Material { diffuse: 0.8, ..Material::matte(LinearRgb::new(1.0, 0.75, 0.33)) },
-        Material {
-            diffuse: 0.5,
-            specular: 0.5,
-            shininess: 3.0827,
-            reflectance: 0.5,
-            ..Material::matte(LinearRgb::new(1.0, 0.9, 0.7))
+pub static FLAKE: Scene<'static> = scene(&THREE_SIZES);
+
+/// The sphereflake of 820 mirroring balls over a floor.
+pub static FLAKE_820: Scene<'static> = scene(&FOUR_SIZES);
+
+const fn scene(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
+    Scene {
+        camera: Camera {
+            eye: Vec3::new(2.1, 1.3, 1.7),
+            target: Vec3::new(0.0, 0.0, 0.0),
+            up: Vec3::new(0.0, 0.0, 1.0),
+            vertical_fov: 45f32.to_radians(),
         },
-    ],
-    lights: &[light(4.0, 3.0, 2.0), light(1.0, -4.0, 4.0), light(-3.0, 1.0, 5.0)],
-};
+        background: LinearRgb::new(0.078, 0.361, 0.753),
+        objects,
+        materials: &MATERIALS,
+        lights: &LIGHTS,
+    }
+}
+
+static MATERIALS: [Material; 2] = [
+    Material { diffuse: 0.8, ..Material::matte(LinearRgb::new(1.0, 0.75, 0.33)) },
+    Material {
+        diffuse: 0.5,
+        specular: 0.5,
+        shininess: 3.0827,
+        reflectance: 0.5,
+        ..Material::matte(LinearRgb::new(1.0, 0.9, 0.7))
+    },
+];
+
+static LIGHTS: [Light; 3] = [light(4.0, 3.0, 2.0), light(1.0, -4.0, 4.0), light(-3.0, 1.0, 5.0)];
 
 #[cfg(test)]
 mod tests {
@@ -109,20 +125,23 @@ mod tests {
 
     #[test]
     fn every_ball_touches_a_larger_one_and_none_overlap() {
-        let spheres: Vec<Sphere> = OBJECTS
-            .iter()
-            .filter_map(|object| match object.shape {
-                Shape::Sphere(sphere) => Some(sphere),
-                _ => None,
-            })
-            .collect();
-        assert_eq!(spheres.len(), SPHERES);
-        let gap = |a: &Sphere, b: &Sphere| (a.center - b.center).length() - a.radius - b.radius;
-        for (i, small) in spheres.iter().enumerate().skip(1) {
-            let parent = &spheres[(i - 1) / 9];
-            assert!(gap(small, parent).abs() < 1e-5, "{i} does not touch its parent");
-            for other in &spheres[..i] {
-                assert!(gap(small, other) > -1e-5, "{i} overlaps another ball");
+        for (scene, count) in [(&FLAKE_10, 10), (&FLAKE, 91), (&FLAKE_820, 820)] {
+            let spheres: Vec<Sphere> = scene
+                .objects
+                .iter()
+                .filter_map(|object| match object.shape {
+                    Shape::Sphere(sphere) => Some(sphere),
+                    _ => None,
+                })
+                .collect();
+            assert_eq!(spheres.len(), count);
+            let gap = |a: &Sphere, b: &Sphere| (a.center - b.center).length() - a.radius - b.radius;
+            for (i, small) in spheres.iter().enumerate().skip(1) {
+                let parent = &spheres[(i - 1) / 9];
+                assert!(gap(small, parent).abs() < 1e-5, "{i} does not touch its parent");
+                for other in &spheres[..i] {
+                    assert!(gap(small, other) > -1e-5, "{i} overlaps another ball");
+                }
             }
         }
     }

@@ -6,7 +6,7 @@ mod prism;
 mod whitted;
 
 pub use classic::CLASSIC;
-pub use flake::FLAKE;
+pub use flake::{FLAKE, FLAKE_10, FLAKE_820};
 pub use prism::PRISM;
 pub use whitted::WHITTED;
 
@@ -25,7 +25,7 @@ pub struct Builtin {
     pub bounces: u8,
 }
 
-/// All scenes of this module.
+/// Scenes to look at.
 pub static ALL: [Builtin; 4] = [
     Builtin {
         name: "classic",
@@ -45,5 +45,27 @@ pub static ALL: [Builtin; 4] = [
         description: "a glass prism among shapes of each kind",
         scene: &PRISM,
         bounces: 5,
+    },
+];
+
+/// The same with more and more objects, to measure how time grows with their number.
+pub static GROWTH: [Builtin; 3] = [
+    Builtin {
+        name: "flake-10",
+        description: "the sphereflake: 10 mirroring balls",
+        scene: &FLAKE_10,
+        bounces: 4,
+    },
+    Builtin {
+        name: "flake-91",
+        description: "the sphereflake: 91 mirroring balls",
+        scene: &FLAKE,
+        bounces: 4,
+    },
+    Builtin {
+        name: "flake-820",
+        description: "the sphereflake: 820 mirroring balls",
+        scene: &FLAKE_820,
+        bounces: 4,
     },
 ];

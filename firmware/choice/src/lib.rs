@@ -2,12 +2,15 @@
 //!
 //! `RAYLINE_SCENE` names a built-in scene, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
 //! one is not given, it is `classic`, what the program's author chose, and as many bounces as the scene is meant to
-//! be seen with.
+//! be seen with. `RAYLINE_NUMBER` and `RAYLINE_MODE` choose among what a program offers, see [`write_number`] and
+//! [`write_mode`].
 
 use std::env;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
+
+use rayline::builtin;
 
 /// Writes the constants of the picture into `picture.rs` in the build's output folder.
 ///
@@ -16,10 +19,7 @@ use std::path::Path;
 pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
     let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
     let size = variable("RAYLINE_SIZE").unwrap_or_else(|| usual_size.into());
-    let index = rayline::builtin::ALL
-        .iter()
-        .position(|builtin| builtin.name == name)
-        .ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
+    let builtin = path(&name).ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
     let (width, height) = size.split_once('x').ok_or_else(|| format!("{size:?} is not such as 320x240"))?;
     let (width, height): (u16, u16) = (width.parse()?, height.parse()?);
     let bounces = match variable("RAYLINE_BOUNCES") {
@@ -27,7 +27,7 @@ pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
         None => "BUILTIN.bounces".into(),
     };
     let picture = format!(
-        "const BUILTIN: rayline::builtin::Builtin = rayline::builtin::ALL[{index}];\n\
+        "const BUILTIN: rayline::builtin::Builtin = {builtin};\n\
          /// Width of the picture in pixels.\n\
          pub const WIDTH: usize = {width};\n\
          /// Height of the picture in pixels.\n\
@@ -37,6 +37,14 @@ pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
     );
     fs::write(Path::new(&env::var("OUT_DIR")?).join("picture.rs"), picture)?;
     Ok(())
+}
+
+/// Where the library has the built-in scene of this name.
+fn path(name: &str) -> Option<String> {
+    [("ALL", &builtin::ALL[..]), ("GROWTH", &builtin::GROWTH)].into_iter().find_map(|(list, builtins)| {
+        let index = builtins.iter().position(|builtin| builtin.name == name)?;
+        Some(format!("rayline::builtin::{list}[{index}]"))
+    })
 }
 
 /// Writes the number system that the program computes in into `number.rs` in the build's output folder:

@@ -1,6 +1,7 @@
 //! `cargo boards`: builds the program for each board, runs it in the board's emulator, and checks it against this
 //! computer.
 
+mod bench;
 mod board;
 mod calls;
 mod emulator;
@@ -28,7 +29,6 @@ use std::time::Duration;
 use anyhow::{Context, Result, anyhow};
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
-use rayline::builtin;
 
 use crate::board::{BOARDS, Board};
 use crate::picture::{Mode, Number, Request, Size};
@@ -44,7 +44,7 @@ struct Arguments {
     boards: Vec<String>,
 
     /// The built-in scene to render.
-    #[arg(long, default_value = "classic", value_parser = PossibleValuesParser::new(builtin::ALL.iter().map(|b| b.name)))]
+    #[arg(long, default_value = "classic", value_parser = PossibleValuesParser::new(picture::scenes().map(|scene| scene.name)))]
     scene: String,
 
     /// Size of the picture, such as 320x240; by default as large as the board can render in a second or so.
@@ -83,6 +83,19 @@ struct Arguments {
     /// panic is found if it does.
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     prove_no_panic: bool,
+
+    /// Measures what each kind of processor takes, and prints the tables with the targets.
+    #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "picture", "json", "prove_no_panic"])]
+    bench: bool,
+
+    /// Writes what `--bench` measured to firmware/boards.json.
+    #[arg(long, requires = "bench")]
+    update: bool,
+
+    /// Fails if instructions or flash have risen by more than 2 % over firmware/boards.json. That holds for one
+    /// compiler, which it names; with another, nothing is compared.
+    #[arg(long, requires = "bench", conflicts_with = "update")]
+    check: bool,
 }
 
 fn main() -> ExitCode {
@@ -99,6 +112,15 @@ fn main() -> ExitCode {
 
 /// Runs all boards; tells whether none failed.
 fn run(arguments: &Arguments) -> Result<bool> {
+    let timeout = Duration::from_secs(arguments.timeout);
+    if arguments.bench {
+        let action = match (arguments.update, arguments.check) {
+            (true, _) => bench::Action::Update,
+            (_, true) => bench::Action::Check,
+            _ => bench::Action::Show,
+        };
+        return bench::run(action, timeout, arguments.all_required);
+    }
     let boards = chosen(&arguments.boards);
     let Arguments { size, bounces, number, mode, .. } = *arguments;
     let request = Request { size, bounces, number, mode, ..Request::new(&arguments.scene)? };
@@ -123,7 +145,7 @@ fn run(arguments: &Arguments) -> Result<bool> {
             board,
             picture: request.on(board),
             picture_file: arguments.picture.as_ref().map(|file| png::file_for(file, board, boards.len())),
-            timeout: Duration::from_secs(arguments.timeout),
+            timeout,
         };
         records.push(session.run());
     }

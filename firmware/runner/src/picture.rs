@@ -77,6 +77,11 @@ impl Mode {
     }
 }
 
+/// All scenes that programs can be built for.
+pub(crate) fn scenes() -> impl Iterator<Item = &'static Builtin> {
+    builtin::ALL.iter().chain(&builtin::GROWTH)
+}
+
 /// What the user wants to see, on any board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request {
@@ -92,8 +97,7 @@ pub(crate) struct Request {
 impl Request {
     /// A built-in scene, exact and in f32.
     pub(crate) fn new(scene: &str) -> Result<Self> {
-        let scene =
-            builtin::ALL.iter().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
+        let scene = scenes().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
         Ok(Self { scene, size: None, bounces: None, number: Number::F32, mode: Mode::Exact })
     }
 
@@ -120,6 +124,12 @@ pub(crate) struct Picture {
     pub(crate) bounces: u8,
     pub(crate) number: Number,
     pub(crate) mode: Mode,
+}
+
+impl fmt::Display for Picture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {} {}", self.scene.name, self.size, self.number.name(), self.mode.name())
+    }
 }
 
 impl Picture {

@@ -36,23 +36,23 @@ pub(crate) struct Figures {
 /// One board's line of the results.
 #[derive(Debug, Serialize)]
 pub(crate) struct Record {
-    board: &'static str,
+    pub(crate) board: &'static str,
     core: &'static str,
-    scene: &'static str,
-    width: u16,
-    height: u16,
-    number: &'static str,
-    mode: &'static str,
-    rays: Option<u64>,
+    pub(crate) scene: &'static str,
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+    pub(crate) number: &'static str,
+    pub(crate) mode: &'static str,
+    pub(crate) rays: Option<u64>,
     /// What the picture lost, see [`Quality`](crate::quality::Quality).
-    psnr_db: Option<f64>,
-    instructions: Option<u64>,
+    pub(crate) psnr_db: Option<f64>,
+    pub(crate) instructions: Option<u64>,
     instructions_per_pixel: Option<f64>,
     digest: Option<String>,
     host_digest: Option<String>,
-    text_bytes: Option<u64>,
-    static_ram_bytes: Option<u64>,
-    stack_bytes: Option<u64>,
+    pub(crate) text_bytes: Option<u64>,
+    pub(crate) static_ram_bytes: Option<u64>,
+    pub(crate) stack_bytes: Option<u64>,
     #[serde(flatten)]
     rates: Option<Rates>,
     status: String,
@@ -113,6 +113,11 @@ impl Record {
     /// How it went, in a line.
     pub(crate) fn status(&self) -> &str {
         &self.status
+    }
+
+    /// Whether it ran, and its picture is right.
+    pub(crate) fn is_right(&self) -> bool {
+        self.verdict == Verdict::Right
     }
 
     /// Whether this is no failure. A board that was skipped is one if all are required.

@@ -2,6 +2,7 @@
 //! the core library from its source.
 
 use std::env;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -57,6 +58,16 @@ impl Toolchain {
                 missing.join(" ")
             )),
         }
+    }
+
+    /// The compiler's name and version, and where its core library comes from: programs depend on both.
+    pub(crate) fn name(&self) -> Result<String> {
+        let (rustc, core) = match self {
+            Self::Installed => (installed_rustc(), ""),
+            Self::Debian { rustc, .. } => (rustc.into(), ", core library from source"),
+        };
+        let output = Command::new(rustc).arg("--version").output()?;
+        Ok(format!("{}{core}", String::from_utf8(output.stdout)?.trim()))
     }
 
     /// Builds the program of a board.
@@ -130,10 +141,15 @@ pub(crate) fn is_on_path(command: &str) -> bool {
         .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(command).is_file()))
 }
 
+/// The compiler in use.
+fn installed_rustc() -> OsString {
+    env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())
+}
+
 /// Whether the compiler in use has the target's core library.
 fn has_target(target: &str) -> bool {
     let libraries = || -> Result<String> {
-        let output = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
+        let output = Command::new(installed_rustc())
             .args(["--print", "target-libdir", "--target", target])
             .output()?;
         ensure!(output.status.success());

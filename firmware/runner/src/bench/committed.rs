@@ -1,0 +1,140 @@
+//! The counts that are kept with the source: none may rise unseen.
+
+use std::fmt::Write;
+use std::fs;
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use super::measured::Measured;
+
+/// Where they are kept.
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../boards.json");
+
+/// A count may rise or fall by so many percent without a word.
+const TOLERANCE: u64 = 2;
+
+/// What was measured, and with which compiler: counts hold for one alone.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Committed {
+    pub(super) compiler: String,
+    pub(super) measured: Vec<Measured>,
+}
+
+/// What a comparison came to.
+#[derive(Debug, Default, PartialEq)]
+struct Comparison {
+    risen: String,
+    fallen: String,
+}
+
+impl Committed {
+    pub(super) fn read() -> Result<Self> {
+        let text = fs::read_to_string(FILE).context("firmware/boards.json")?;
+        serde_json::from_str(&text).context("firmware/boards.json")
+    }
+
+    pub(super) fn write(&self) -> Result<()> {
+        fs::write(FILE, serde_json::to_string_pretty(self)? + "\n").context("firmware/boards.json")
+    }
+
+    /// Tells whether no count of what was measured now has risen, and says what has changed.
+    pub(super) fn check(&self, compiler: &str, now: &[Measured]) -> bool {
+        if compiler != self.compiler {
+            eprintln!(
+                "not compared: firmware/boards.json holds for {}, and this is {compiler}",
+                self.compiler
+            );
+            return true;
+        }
+        let Comparison { risen, fallen } = self.compare(now);
+        if !risen.is_empty() {
+            eprintln!(
+                "more than firmware/boards.json allows (`cargo boards --bench --update` accepts it):\n{risen}"
+            );
+        }
+        if !fallen.is_empty() {
+            eprintln!("better than firmware/boards.json: run `cargo boards --bench --update`:\n{fallen}");
+        }
+        risen.is_empty()
+    }
+
+    /// What has risen and fallen, a line each.
+    fn compare(&self, now: &[Measured]) -> Comparison {
+        let mut comparison = Comparison::default();
+        for now in now {
+            let name = now.name();
+            let Some(before) = self.measured.iter().find(|before| before.name() == name) else {
+                _ = writeln!(comparison.risen, "  {name}: not in the table");
+                continue;
+            };
+            let counts = [
+                ("instructions", before.instructions, now.instructions),
+                ("bytes of flash", before.text_bytes, now.text_bytes),
+            ];
+            for (what, before, now) in counts {
+                let list = match now * 100 {
+                    risen if risen > before * (100 + TOLERANCE) => &mut comparison.risen,
+                    fallen if fallen < before * (100 - TOLERANCE) => &mut comparison.fallen,
+                    _ => continue,
+                };
+                let change = (now as f64 / before as f64 - 1.0) * 100.0;
+                _ = writeln!(list, "  {name}: {now} {what}, {change:+.1} % of {before}");
+            }
+        }
+        comparison
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::measured::tests::measured;
+    use super::*;
+
+    fn committed() -> Committed {
+        let measured = vec![measured("microbit", "classic", "fixed", "exact", 10_000)];
+        Committed { compiler: "rustc 1.96.0".into(), measured }
+    }
+
+    fn now(instructions: u64, text_bytes: u64) -> Vec<Measured> {
+        vec![Measured { text_bytes, ..measured("microbit", "classic", "fixed", "exact", instructions) }]
+    }
+
+    #[test]
+    fn two_percent_are_free() {
+        for (instructions, bytes) in [(10_000, 40_000), (10_200, 40_800), (9_800, 39_200)] {
+            assert_eq!(committed().compare(&now(instructions, bytes)), Comparison::default());
+        }
+    }
+
+    #[test]
+    fn a_rise_fails() {
+        for (instructions, bytes) in [(10_201, 40_000), (10_000, 40_801)] {
+            let now = now(instructions, bytes);
+            assert!(!committed().check("rustc 1.96.0", &now));
+            assert!(committed().compare(&now).risen.contains("microbit classic 10x10 fixed exact: "));
+        }
+        let unknown = [measured("microbit", "classic", "fixed", "realtime", 1)];
+        assert!(!committed().check("rustc 1.96.0", &unknown));
+    }
+
+    #[test]
+    fn a_fall_is_told() {
+        let comparison = committed().compare(&now(9_000, 40_000));
+        assert_eq!(
+            comparison.fallen,
+            "  microbit classic 10x10 fixed exact: 9000 instructions, -10.0 % of 10000\n"
+        );
+        assert!(committed().check("rustc 1.96.0", &now(9_000, 40_000)));
+    }
+
+    #[test]
+    fn another_compiler_is_not_compared() {
+        assert!(committed().check("rustc 1.97.0", &now(20_000, 40_000)));
+    }
+
+    #[test]
+    fn the_table_with_the_source_can_be_read() {
+        assert!(!Committed::read().unwrap().measured.is_empty());
+    }
+}
