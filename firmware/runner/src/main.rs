@@ -8,6 +8,7 @@ mod emulator;
 mod host;
 mod picture;
 mod png;
+mod profile;
 mod program;
 mod proof;
 mod qemu;
@@ -84,8 +85,13 @@ struct Arguments {
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     prove_no_panic: bool,
 
+    /// Shows which functions a board's instructions go to, and which lines, for this scene, number and mode; the
+    /// picture has 80x60 pixels if no --size is given.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["boards", "picture", "json", "prove_no_panic"], value_parser = PossibleValuesParser::new(BOARDS.iter().map(|board| board.name)))]
+    profile: Option<String>,
+
     /// Measures what each kind of processor takes, and prints the tables with the targets.
-    #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "picture", "json", "prove_no_panic"])]
+    #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "picture", "json", "prove_no_panic", "profile"])]
     bench: bool,
 
     /// Writes what `--bench` measured to firmware/boards.json.
@@ -130,6 +136,12 @@ fn run(arguments: &Arguments) -> Result<bool> {
             board.draws(mode).map_err(|reason| anyhow!("{}: {reason}", board.name))?;
         }
     }
+    if let Some(board) = arguments.profile.as_ref().and_then(|name| find(name)) {
+        board.draws(mode).map_err(|reason| anyhow!("{}: {reason}", board.name))?;
+        let picture = Request { size: size.or(Some(profile::SIZE)), ..request }.on(board);
+        profile::run(board, picture, timeout)?;
+        return Ok(true);
+    }
     if arguments.prove_no_panic {
         return proof::prove(&boards, &request, arguments.all_required);
     }
@@ -165,5 +177,9 @@ fn chosen(names: &[String]) -> Vec<&'static Board> {
     if names.is_empty() {
         return BOARDS.iter().collect();
     }
-    names.iter().filter_map(|name| BOARDS.iter().find(|board| board.name == name)).collect()
+    names.iter().filter_map(|name| find(name)).collect()
+}
+
+fn find(name: &str) -> Option<&'static Board> {
+    BOARDS.iter().find(|board| board.name == name)
 }

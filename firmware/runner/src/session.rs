@@ -39,7 +39,7 @@ impl Session<'_> {
     }
 
     /// The compiler, if everything is there that the board needs; else what is missing, in one line.
-    fn toolchain(&self) -> Result<Toolchain, String> {
+    pub(crate) fn toolchain(&self) -> Result<Toolchain, String> {
         self.board.draws(self.picture.mode)?;
         let size = self.picture.size;
         let fits = |panel: Size| size.width <= panel.width && size.height <= panel.height;

@@ -33,6 +33,19 @@ pub(crate) enum Built {
     Refused(String),
 }
 
+impl Built {
+    /// The program, which must have been built.
+    fn linked(self) -> Result<PathBuf> {
+        match self {
+            Built::Linked(file) => Ok(file),
+            Built::Refused(reason) if reason.contains(PANIC) => {
+                bail!("a panic can be reached: the linker misses `{PANIC}`")
+            }
+            Built::Refused(reason) => bail!("the program was not built:\n{}", reason.trim_end()),
+        }
+    }
+}
+
 impl Toolchain {
     /// Finds a compiler for a target, or tells in one line what to install.
     pub(crate) fn find(target: &str) -> Result<Self, String> {
@@ -72,7 +85,16 @@ impl Toolchain {
 
     /// Builds the program of a board.
     pub(crate) fn build(&self, board: &Board, picture: &Picture, features: &[&str]) -> Result<Built> {
-        let mut command = self.cargo(board.target);
+        self.build_by(self.cargo(board.target), board, picture, features)
+    }
+
+    fn build_by(
+        &self,
+        mut command: Command,
+        board: &Board,
+        picture: &Picture,
+        features: &[&str],
+    ) -> Result<Built> {
         command
             .args(["build", "--release", "--package", board.program.package, "--bin", board.program.binary])
             .args(["--target", board.target, "--manifest-path", WORKSPACE])
@@ -106,13 +128,14 @@ impl Toolchain {
 
     /// Builds the program of a board, which must succeed.
     pub(crate) fn program(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
-        match self.build(board, picture, &[])? {
-            Built::Linked(file) => Ok(file),
-            Built::Refused(reason) if reason.contains(PANIC) => {
-                bail!("a panic can be reached: the linker misses `{PANIC}`")
-            }
-            Built::Refused(reason) => bail!("the program was not built:\n{}", reason.trim_end()),
-        }
+        self.build(board, picture, &[])?.linked()
+    }
+
+    /// As [`program`](Self::program), with tables that tell which line each instruction comes from.
+    pub(crate) fn program_with_lines(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
+        let mut command = self.cargo(board.target);
+        command.env("CARGO_PROFILE_RELEASE_DEBUG", "line-tables-only");
+        self.build_by(command, board, picture, &[])?.linked()
     }
 
     fn cargo(&self, target: &str) -> Command {
