@@ -136,6 +136,7 @@ impl Record {
 
     fn cells(&self) -> [String; HEADINGS.len()] {
         let count = |count: Option<u64>| count.map_or("-".into(), with_commas);
+        let pixels = f64::from(self.width) * f64::from(self.height);
         let bytes = |bytes: Option<u64>| bytes.map_or("-".into(), |bytes| with_commas(bytes) + " B");
         let verdict = match self.verdict {
             Verdict::Right => "yes",
@@ -150,7 +151,8 @@ impl Record {
             self.number.into(),
             self.mode.into(),
             self.psnr_db.map_or("-".into(), |psnr| format!("{psnr:.1} dB")),
-            count(self.instructions_per_pixel.map(|count| count.round() as u64)),
+            // Of what was measured: a number that is rounded already would be rounded twice.
+            count(self.instructions.map(|count| (count as f64 / pixels).round() as u64)),
             bytes(self.text_bytes),
             bytes(self.static_ram_bytes),
             bytes(self.stack_bytes),

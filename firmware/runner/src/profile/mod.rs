@@ -15,7 +15,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, anyhow, bail};
 use object::{Object, ObjectSection};
 
-use crate::board::{Board, Emulator};
+use crate::board::{BOARDS, Board, Emulator};
 use crate::picture::{Picture, Size};
 use crate::qemu;
 use crate::session::Session;
@@ -26,6 +26,12 @@ use trace::{Marks, Trace};
 
 /// Size of the picture, if none is asked for: every instruction is a line of text.
 pub(crate) const SIZE: Size = Size { width: 80, height: 60 };
+
+/// The boards whose instructions can be followed: QEMU writes them down.
+pub(crate) fn boards() -> impl Iterator<Item = &'static str> {
+    let is_qemu = |board: &&Board| matches!(board.emulator, Emulator::Qemu { .. });
+    BOARDS.iter().filter(is_qemu).map(|board| board.name)
+}
 
 /// Builds a board's program with line tables, traces it, and prints where its instructions go.
 pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) -> Result<()> {
