@@ -1,5 +1,5 @@
 //! A Raspberry Pi Pico (RP2040) with a panel of 320x240 pixels: a camera goes around a ray-traced scene, frame after
-//! frame. DMA sends one band of lines to the panel while the next is traced.
+//! frame. Both cores trace bands of lines while DMA sends those that are done to the panel.
 //!
 //! # Wiring
 //!
@@ -21,7 +21,7 @@
 //! `cargo boards pico` runs this very program in an emulator. For a Pico with a debug probe, from this folder:
 //!
 //! ```sh
-//! cargo build --release --target thumbv6m-none-eabi --features second-core
+//! RAYLINE_MODE=realtime cargo build --release --target thumbv6m-none-eabi --features second-core
 //! probe-rs run --chip RP2040 ../target/thumbv6m-none-eabi/release/pico
 //! ```
 //!
@@ -30,21 +30,22 @@
 //!
 //! # Panics
 //!
-//! The HAL has panics. Tracing has none: `cargo boards --prove-no-panic pico` follows every call from `line::trace`.
+//! The HAL has panics. Tracing has none: `cargo boards --prove-no-panic pico` follows every call from `tracer::step`.
 
 #![no_std]
 #![no_main]
 
+mod band;
 mod fault;
-mod frames;
-mod line;
+mod job;
 mod panel;
 mod panel_color;
 mod panic;
 // The build script writes its constants for any program, so they are more public than here is use for.
 #[allow(unreachable_pub)]
 mod picture;
-#[cfg_attr(not(feature = "second-core"), path = "no_second_core.rs")]
+mod quality;
+#[cfg(feature = "second-core")]
 mod second_core;
 mod tracer;
 
@@ -57,13 +58,14 @@ use embassy_futures::select::{Either, select};
 use embassy_rp::gpio::{Level, Output};
 use embassy_rp::spi::Spi;
 use embassy_rp::{bind_interrupts, dma, peripherals};
-use embassy_sync::blocking_mutex::raw::NoopRawMutex;
-use embassy_sync::zerocopy_channel::Channel;
 use rayline::PreparedScene;
 
+use band::Band;
 use fault::Fault;
+use job::{BANDS, Schedule, TO_TRACE};
 use panel::{Panel, Pins};
-use picture::{Band, Memory, SCENE};
+use picture::{SCENE, Workspace};
+use quality::Memory;
 use tracer::Tracer;
 
 bind_interrupts!(struct Interrupts {
@@ -72,8 +74,9 @@ bind_interrupts!(struct Interrupts {
 
 #[entry]
 fn main() -> ! {
+    static mut WORKSPACE: Workspace = Workspace::new();
     static mut MEMORY: Memory = Memory::new();
-    static mut BANDS: [Band; 2] = [picture::BLACK; 2];
+    static mut BANDS_OF_LINES: [Band; BANDS] = [Band::BLACK; BANDS];
     let p = embassy_rp::init(Default::default());
     let mut light = Output::new(p.PIN_25, Level::Low);
     let bus = Spi::new_txonly(p.SPI0, p.PIN_18, p.PIN_19, p.DMA_CH0, Interrupts, panel::bus());
@@ -85,11 +88,13 @@ fn main() -> ! {
     let Err(_) = run(
         bus,
         pins,
-        move || {
-            let scene = PreparedScene::new(SCENE, MEMORY.lend())?;
-            Ok(Tracer::new(scene, second_core::start(p.CORE1, scene)?))
+        || {
+            let scene = PreparedScene::new(SCENE, WORKSPACE.lend())?;
+            #[cfg(feature = "second-core")]
+            second_core::start(p.CORE1, scene)?;
+            Ok(Tracer::new(scene, MEMORY))
         },
-        BANDS,
+        BANDS_OF_LINES,
     );
     light.set_high();
     loop {
@@ -102,14 +107,15 @@ fn run(
     bus: panel::Bus,
     pins: Pins,
     tracer: impl FnOnce() -> Result<Tracer, Fault>,
-    bands: &mut [Band; 2],
+    bands: &'static mut [Band; BANDS],
 ) -> Result<Infallible, Fault> {
     let panel = Panel::new(bus, pins)?;
-    let tracer = tracer()?;
-    // One band is sent while the next is traced.
-    let mut bands = Channel::<NoopRawMutex, Band>::new(bands);
-    let (mut traced, mut to_send) = bands.split();
-    match block_on(select(panel.show(&mut to_send), tracer.trace(&mut traced))) {
+    let mut schedule = Schedule::new();
+    for (number, band) in bands.iter_mut().enumerate() {
+        TO_TRACE.try_send(schedule.next(number, band)).map_err(|_| Fault::Line)?;
+    }
+    // One band is sent while others are traced.
+    match block_on(select(panel.show(schedule), tracer()?.trace())) {
         Either::First(ended) | Either::Second(ended) => ended,
     }
 }

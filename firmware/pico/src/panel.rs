@@ -6,8 +6,6 @@ use embassy_rp::clocks::clk_sys_freq;
 use embassy_rp::gpio::Output;
 use embassy_rp::peripherals::SPI0;
 use embassy_rp::spi::{Async, Config, Spi};
-use embassy_sync::blocking_mutex::raw::NoopRawMutex;
-use embassy_sync::zerocopy_channel::Receiver;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::RgbColor;
@@ -22,7 +20,8 @@ use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use zerocopy::IntoBytes;
 
 use crate::fault::Fault;
-use crate::picture::{Band, CORES, HEIGHT, WIDTH};
+use crate::job::{BANDS, Job, Schedule, TO_TRACE, TRACED};
+use crate::picture::{HEIGHT, WIDTH};
 
 const PANEL_WIDTH: usize = 320;
 const PANEL_HEIGHT: usize = 240;
@@ -80,17 +79,18 @@ impl Panel {
         Ok(Self { bus, pins })
     }
 
-    /// Sends bands for ever, frame after frame.
-    pub(crate) async fn show(
-        mut self,
-        bands: &mut Receiver<'_, NoopRawMutex, Band>,
-    ) -> Result<Infallible, Fault> {
+    /// Sends bands for ever, frame after frame, and hands each out again with the lines that come next.
+    pub(crate) async fn show(mut self, mut schedule: Schedule) -> Result<Infallible, Fault> {
+        // Those that were traced before their turn.
+        let mut early: [Option<Job>; BANDS] = [const { None }; BANDS];
         loop {
-            self.begin()?;
-            for _ in (0..HEIGHT).step_by(CORES) {
-                let band = bands.receive().await;
-                self.bus.write(band.as_bytes()).await.map_err(|_| Fault::Panel)?;
-                bands.receive_done();
+            for turn in 0..BANDS {
+                let Job { band, lines, number, .. } = in_turn(turn, &mut early).await;
+                if lines.start == 0 {
+                    self.begin()?;
+                }
+                self.bus.write(band.drawn().as_bytes()).await.map_err(|_| Fault::Panel)?;
+                TO_TRACE.send(schedule.next(number, band)).await;
             }
         }
     }
@@ -102,6 +102,19 @@ impl Panel {
         SpiBus::flush(&mut self.bus).map_err(|_| Fault::Panel)?;
         self.pins.data.set_high();
         Ok(())
+    }
+}
+
+/// The band whose turn it is, as soon as it is traced.
+async fn in_turn(turn: usize, early: &mut [Option<Job>; BANDS]) -> Job {
+    loop {
+        if let Some(job) = early.get_mut(turn).and_then(Option::take) {
+            return job;
+        }
+        let job = TRACED.receive().await;
+        if let Some(place) = early.get_mut(job.number) {
+            *place = Some(job);
+        }
     }
 }
 

@@ -1,46 +1,67 @@
-//! The first core's part of every frame.
+//! What either core does: traces band after band.
 
 use core::convert::Infallible;
 
 use embassy_futures::yield_now;
-use embassy_sync::blocking_mutex::raw::NoopRawMutex;
-use embassy_sync::zerocopy_channel::Sender;
+use rayline::Renderer;
+use rayline_show::Orbit;
 
+use crate::band::Band;
 use crate::fault::Fault;
-use crate::frames::Frames;
-use crate::line;
-use crate::picture::{Band, CORES, HEIGHT, Prepared};
-use crate::second_core::SecondCore;
+use crate::job::{TO_TRACE, TRACED};
+use crate::picture::{Prepared, SCENE, SETTINGS};
+use crate::quality::{Memory, Tracing};
 
-/// Traces the first line of every band. The other, if there is one, comes from the second core.
+/// Rays between two looks at whether the panel waits for a band: about a millisecond.
+const RAYS: u32 = 64;
+
+/// Traces bands. Each core has its own, and what they trace is the same.
 #[derive(Debug)]
 pub(crate) struct Tracer {
-    frames: Frames,
-    second_core: SecondCore,
+    scene: Prepared,
+    orbit: Orbit,
+    memory: &'static mut Memory,
 }
 
 impl Tracer {
-    pub(crate) fn new(scene: Prepared, second_core: SecondCore) -> Self {
-        Self { frames: Frames::new(scene), second_core }
+    pub(crate) fn new(scene: Prepared, memory: &'static mut Memory) -> Self {
+        Self { scene, orbit: Orbit::around(SCENE), memory }
     }
 
-    /// Traces bands for ever, frame after frame.
-    pub(crate) async fn trace(
-        mut self,
-        bands: &mut Sender<'_, NoopRawMutex, Band>,
-    ) -> Result<Infallible, Fault> {
+    /// Traces for ever, frame after frame.
+    pub(crate) async fn trace(mut self) -> Result<Infallible, Fault> {
+        let mut job = TO_TRACE.receive().await;
         loop {
-            let renderer = self.frames.next()?;
-            for y in (0..HEIGHT as u32).step_by(CORES) {
-                let [first, others @ ..] = bands.send().await;
-                line::trace(&renderer, y, first)?;
-                for line in others {
-                    self.second_core.next_line(line).await;
+            let frame = job.frame;
+            self.scene.set_camera(&self.orbit.camera(frame))?;
+            let renderer = Renderer::new(&self.scene, SETTINGS)?;
+            while job.frame == frame {
+                job.band.clear();
+                let mut tracing = self.memory.begin(&renderer, job.lines.clone())?;
+                while !step(&mut tracing, job.band)? {
+                    // Here the first core gives the panel a band, if it waits for one.
+                    yield_now().await;
                 }
-                bands.send_done();
-                // Here the panel is given the band, if it is not busy with the one before.
-                yield_now().await;
+                TRACED.send(job).await;
+                job = TO_TRACE.receive().await;
             }
         }
     }
+}
+
+/// Traces a little more of a band; tells whether it is complete. A function of its own: `cargo boards` looks at all that
+/// it calls, and finds no panic.
+#[inline(never)]
+fn step(tracing: &mut Tracing<'_, '_>, band: &mut Band) -> Result<bool, Fault> {
+    #[cfg(feature = "twin-linked")]
+    reachable_panic();
+    tracing.step(band, RAYS)
+}
+
+/// A panic that the compiler cannot rule out.
+#[cfg(feature = "twin-linked")]
+fn reachable_panic() {
+    let numbers = [1, 2, 3];
+    #[allow(clippy::indexing_slicing)]
+    core::hint::black_box(numbers[core::hint::black_box(2)]);
 }

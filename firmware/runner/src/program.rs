@@ -26,7 +26,7 @@ const PANICS: [&str; 8] = [
 const STATICS: [&str; 6] = [".data", ".data.code", ".sdata", ".bss", ".sbss", ".uninit"];
 
 /// The function that traces a line, in programs that stand on a HAL.
-const RENDERING: &str = "pico::line::trace";
+const RENDERING: &str = "pico::tracer::step";
 
 /// What a program takes, and what must not be in it.
 #[derive(Debug)]

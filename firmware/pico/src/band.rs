@@ -1,0 +1,60 @@
+//! A band of lines as a display, for the core to draw on.
+
+use core::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Size};
+use embedded_graphics::primitives::Rectangle;
+
+use crate::panel_color::PanelColor;
+use crate::picture::{HEIGHT, LINES, WIDTH};
+
+/// Some lines of the picture, drawn from the first to the last.
+#[derive(Debug)]
+pub(crate) struct Band {
+    pixels: [PanelColor; WIDTH * LINES],
+    drawn: usize,
+}
+
+impl Band {
+    /// Without light.
+    pub(crate) const BLACK: Self = Self { pixels: [PanelColor::BLACK; WIDTH * LINES], drawn: 0 };
+
+    /// Forgets what was drawn.
+    pub(crate) fn clear(&mut self) {
+        self.drawn = 0;
+    }
+
+    /// What was drawn.
+    pub(crate) fn drawn(&self) -> &[PanelColor] {
+        self.pixels.get(..self.drawn).unwrap_or(&self.pixels)
+    }
+}
+
+impl OriginDimensions for Band {
+    fn size(&self) -> Size {
+        Size::new(WIDTH as u32, HEIGHT as u32)
+    }
+}
+
+impl DrawTarget for Band {
+    type Color = PanelColor;
+    type Error = Infallible;
+
+    /// Draws nothing: pictures come in whole lines.
+    fn draw_iter<I: IntoIterator<Item = Pixel<PanelColor>>>(&mut self, _: I) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, _: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = PanelColor>,
+    {
+        for (pixel, color) in self.pixels.iter_mut().skip(self.drawn).zip(colors) {
+            *pixel = color;
+            self.drawn += 1;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,70 @@
+//! How bands are traced: in exact or in realtime quality, chosen when the program is built.
+
+use core::ops::Range;
+
+use rayline::shape::Shape;
+use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
+use rayline_show::Number;
+
+use crate::band::Band;
+use crate::fault::Fault;
+use crate::panel_color::PanelColor;
+use crate::picture::{QUALITY, WIDTH};
+
+const COLORS: usize = match QUALITY {
+    None => WIDTH,
+    Some(quality) => quality.colors(WIDTH as u16),
+};
+const SAMPLES: usize = match QUALITY {
+    None => 0,
+    Some(quality) => quality.samples(WIDTH as u16),
+};
+
+/// What a core needs to trace lines.
+#[derive(Debug)]
+pub(crate) struct Memory {
+    colors: [PanelColor; COLORS],
+    samples: [Sample; SAMPLES],
+}
+
+/// Lines that are being traced.
+#[derive(Debug)]
+pub(crate) enum Tracing<'r, 'b> {
+    Exact(Frame<'r, 'static, 'b, Number, Shape<'static>, PanelColor>),
+    Realtime(RealtimeFrame<'r, 'static, 'b, Number, Shape<'static>, PanelColor>),
+}
+
+impl Memory {
+    pub(crate) const fn new() -> Self {
+        Self { colors: [PanelColor::BLACK; COLORS], samples: [Sample::BLANK; SAMPLES] }
+    }
+
+    /// Begins to trace some lines.
+    pub(crate) fn begin<'r, 'b>(
+        &'b mut self,
+        renderer: &Renderer<'r, 'static, Number>,
+        lines: Range<u32>,
+    ) -> Result<Tracing<'r, 'b>, LineError> {
+        let Self { colors, samples } = self;
+        Ok(match QUALITY {
+            None => Tracing::Exact(renderer.frame(lines, colors)?),
+            Some(quality) => {
+                let buffer = RealtimeBuffer { colors, samples };
+                Tracing::Realtime(renderer.realtime_frame(lines, quality, buffer)?)
+            }
+        })
+    }
+}
+
+impl Tracing<'_, '_> {
+    /// Spends about so many rays; tells whether the band is complete.
+    pub(crate) fn step(&mut self, band: &mut Band, rays: u32) -> Result<bool, Fault> {
+        // The program holds the code of one quality alone, because the compiler knows which it is.
+        let progress = match (QUALITY, self) {
+            (None, Self::Exact(frame)) => frame.step(band, rays),
+            (Some(Realtime { .. }), Self::Realtime(frame)) => frame.step(band, rays),
+            (_, Self::Exact(_) | Self::Realtime(_)) => return Err(Fault::Line),
+        };
+        Ok(progress.map_err(|_| Fault::Line)?.is_done())
+    }
+}
