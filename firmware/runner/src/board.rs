@@ -93,7 +93,13 @@ const fn on_its_own(name: &'static str) -> Source {
 }
 
 const fn pico(features: &'static [&'static str]) -> Source {
-    Source { package: "rayline-pico", binary: "pico", features, has_hal: true, modes: &[Mode::Exact] }
+    Source {
+        package: "rayline-pico",
+        binary: "pico",
+        features,
+        has_hal: true,
+        modes: &[Mode::Exact, Mode::Realtime],
+    }
 }
 
 const fn arm(machine: &'static [&'static str]) -> Emulator {

@@ -47,8 +47,8 @@ impl Session<'_> {
             Output::Panel(panel) if !fits(panel) || !size.width.is_multiple_of(2) => {
                 return Err(format!("its panel shows at most {panel}, and only even widths"));
             }
-            Output::Frames(panel) if !fits(panel) || !size.height.is_multiple_of(2) => {
-                return Err(format!("its panel shows at most {panel}, and two cores trace an even height"));
+            Output::Frames(panel) if !fits(panel) => {
+                return Err(format!("its panel shows at most {panel}"));
             }
             Output::File | Output::Panel(_) | Output::Frames(_) => {}
         }

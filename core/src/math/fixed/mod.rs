@@ -34,11 +34,14 @@
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
 //! | power | see [`power`](self::power) |
 
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+mod armv6m;
 mod linear;
 mod newton;
 mod power;
 mod product;
 mod wide;
+mod zeros;
 
 pub use linear::FixedLinear;
 pub use wide::FixedProduct;
@@ -47,7 +50,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Real;
 use newton::{recip, rsqrt};
-use product::product;
+use product::{product, scaled};
+use zeros::{even_zeros, zeros};
 
 /// Bits after the point.
 const FRACTION: u32 = 24;
@@ -108,9 +112,8 @@ impl Neg for Fixed {
 impl Mul for Fixed {
     type Output = Self;
     #[inline(always)]
-    #[allow(clippy::suspicious_arithmetic_impl)] // the shift brings the point back
     fn mul(self, other: Self) -> Self {
-        Self((product(self.0, other.0) >> FRACTION) as i32)
+        Self(scaled(self.0, other.0))
     }
 }
 
@@ -131,7 +134,7 @@ impl Div for Fixed {
 #[inline(always)]
 fn inverse(divisor: Fixed) -> (u32, i32) {
     let digits = divisor.0.unsigned_abs();
-    let zeros = digits.leading_zeros() & 31;
+    let zeros = zeros(digits) & 31;
     (zeros, recip(digits << zeros).min(i32::MAX as u32) as i32)
 }
 
@@ -222,6 +225,12 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
+        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+        {
+            let ([ax, ay, az], [bx, by, bz]) = (a, b);
+            Self(armv6m::dot3(ax.0, ay.0, az.0, bx.0, by.0, bz.0))
+        }
+        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
         Self((FixedProduct::dot3(a, b).bits() >> FRACTION) as i32)
     }
 
@@ -242,9 +251,7 @@ impl Real for Fixed {
     #[inline(always)]
     fn polar_with(vector: [Self; 3], other: Self) -> ([Self; 3], Self, Self) {
         let squared = FixedProduct::dot3(vector, vector).bits() as u64;
-        // length² = digits · 2⁻ᶻᵉʳᵒˢ with an even number of zeros; digits in [1/4, 1).
-        let zeros = squared.leading_zeros() & 62;
-        let digits = ((squared << zeros) >> 32) as u32;
+        let (zeros, digits) = even_zeros(squared);
         let inverse = rsqrt(digits).min(i32::MAX as u32);
         let half = zeros >> 1;
         let length = (product::upper(digits, inverse) << 1) >> (half.saturating_sub(1) & 31);

@@ -5,7 +5,8 @@
 //! 1e-5. Rejected: squarings for the whole part of the exponent and square roots for the rest, 20 products for a
 //! shininess of 1425 where this takes seven.
 
-use super::product::{product, upper};
+use super::product::{product, unsigned_product, upper};
+use super::zeros::zeros;
 
 /// Around the middle c of each 64th part of [1/2, 1): 1/c in units of 2⁻³¹, and -log₂ c in units of 2⁻²⁷.
 static LOG: [(u32, u32); 64] = {
@@ -63,7 +64,7 @@ const fn log2(x: f64) -> f64 {
 /// -log₂ of a number below 1 that is given in units of 2⁻²⁴ and not 0; in units of 2⁻²⁷.
 #[inline]
 fn negative_log2(base: u32) -> u32 {
-    let zeros = base.leading_zeros();
+    let zeros = zeros(base);
     let x = base << (zeros & 31);
     let (inverse, log) = LOG.get((x >> 25 & 63) as usize).copied().unwrap_or((0, 0));
     // x = c (1 + z), |z| < 2⁻⁷, in units of 2⁻³¹; ln(1 + z) = z - z²/2 + z³/3.
@@ -86,7 +87,7 @@ pub(super) fn power(base: u32, mantissa: u32, shift: u32) -> u32 {
         return if mantissa == 0 { 1 << 24 } else { 0 };
     }
     // log · exponent in units of 2⁻³².
-    let log = u64::from(negative_log2(base)).wrapping_mul(u64::from(mantissa));
+    let log = unsigned_product(negative_log2(base), mantissa);
     let bits = match shift.checked_sub(5) {
         Some(shift) => log >> shift.min(63),
         None => log.saturating_mul(1 << 5u32.wrapping_sub(shift)),

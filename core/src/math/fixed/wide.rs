@@ -2,8 +2,11 @@
 
 use core::ops::{Add, Sub};
 
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+use super::armv6m;
 use super::newton::rsqrt;
 use super::product::{product, upper};
+use super::zeros::even_zeros;
 use super::{FRACTION, Fixed, inverse};
 use crate::math::real::Product;
 
@@ -28,8 +31,10 @@ impl FixedProduct {
     #[inline(always)]
     pub(super) fn dot3(a: [Fixed; 3], b: [Fixed; 3]) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (a, b);
-        let sum = product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0));
-        Self(sum)
+        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+        return Self(armv6m::dot3_wide(ax.0, ay.0, az.0, bx.0, by.0, bz.0));
+        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+        Self(product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0)))
     }
 
     /// The square root.
@@ -38,10 +43,7 @@ impl FixedProduct {
         if self.0 <= 0 {
             return Fixed(0);
         }
-        let bits = self.0 as u64;
-        // bits = digits · 2⁻ᶻᵉʳᵒˢ with an even number of zeros; digits in [1/4, 1).
-        let zeros = bits.leading_zeros() & 62;
-        let digits = ((bits << zeros) >> 32) as u32;
+        let (zeros, digits) = even_zeros(self.0 as u64);
         let root = upper(digits, rsqrt(digits)) << 1;
         // A positive number has at least one zero in front; with one alone the root is above what there is.
         match (zeros >> 1).checked_sub(1) {
