@@ -72,6 +72,22 @@ pub(crate) struct Viewport<R: Real> {
     middle: (R::Setup, R::Setup),
 }
 
+/// A function that is linear over the picture: `middle + u · right + v · down`, where u runs from -1 on the left to 1 on
+/// the right, and v from -1 at the top to 1 at the bottom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Affine<T> {
+    pub(crate) middle: T,
+    pub(crate) right: T,
+    pub(crate) down: T,
+}
+
+impl<T> Affine<T> {
+    /// The same function, followed by a linear one.
+    pub(crate) fn map<U>(self, mut linear: impl FnMut(T) -> U) -> Affine<U> {
+        Affine { middle: linear(self.middle), right: linear(self.right), down: linear(self.down) }
+    }
+}
+
 /// A rectangle of the picture, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rect<N> {
@@ -109,6 +125,22 @@ impl<R: Real> Viewport<R> {
             shift,
             middle: (number(width) * R::Setup::from_f32(0.5), number(height) * R::Setup::from_f32(0.5)),
         }
+    }
+
+    /// The directions of its rays, of any length.
+    pub(crate) fn directions(&self) -> Affine<Vec3<R::Setup>> {
+        let camera = &self.camera;
+        let (half_width, half_height) = self.middle;
+        Affine {
+            middle: camera.forward,
+            right: camera.right * (camera.half_height * half_width / half_height),
+            down: -(camera.up * camera.half_height),
+        }
+    }
+
+    /// Half the width and half the height, in pixels.
+    pub(crate) fn half_size(&self) -> (R::Setup, R::Setup) {
+        self.middle
     }
 
     /// Where all rays begin.

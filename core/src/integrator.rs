@@ -24,6 +24,26 @@ pub(crate) struct Bounds<R> {
     pub(crate) cutoff: R,
 }
 
+/// What is known of a camera ray before it is traced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sight<'k> {
+    /// The objects that it can meet; `None`: any.
+    pub(crate) among: Option<ObjectSet>,
+    /// What can shade what it meets.
+    pub(crate) shades: Option<&'k Shades>,
+}
+
+/// What can stand between a place of one object and the first lights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shades {
+    /// Position of the object.
+    pub(crate) receiver: usize,
+    pub(crate) among: [ObjectSet; LIGHTS],
+}
+
+/// How many lights [`Shades`] are known of.
+pub(crate) const LIGHTS: usize = 4;
+
 /// The rays that one pixel may still spend.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayBudget(pub(crate) u32);
@@ -53,23 +73,20 @@ struct PendingRay<R> {
     from: Option<Departure>,
 }
 
-/// The light that comes to the origin of `ray` from where it points, if it can meet none but the objects
-/// `among`.
+/// The light that comes to the origin of a camera ray from where it points.
 pub(crate) fn radiance<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
     ray: Ray<R>,
-    among: Option<ObjectSet>,
+    sight: Sight<'_>,
     bounds: &Bounds<R>,
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
     let mut light = LinearRgb::BLACK;
     let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
-    let mut next =
-        Some(PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: None });
-    while let Some(PendingRay { ray, throughput, bounces, kind, from }) =
-        next.take().or_else(|| waiting.pop())
-    {
+    let mut next = PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: None };
+    loop {
+        let PendingRay { ray, throughput, bounces, kind, from } = next;
         if !rays.spend() {
             probe.record(Event::Cut(Cut::Rays));
             break;
@@ -77,17 +94,18 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
         probe.record(Event::Ray { kind, ray, bounces, throughput });
         let hit = match from {
             Some(from) => scene.closest_hit_leaving(&ray, from),
-            None => scene.closest_hit_among(&ray, among),
+            None => scene.closest_hit_among(&ray, sight.among),
         };
-        let Some(hit) = hit else {
+        let Some((hit, material)) = hit else {
             probe.record(Event::Miss);
             light = light + scene.background * throughput;
+            let Some(waiting) = waiting.pop() else { break };
+            next = waiting;
             continue;
         };
-        // Every object has a material: that was checked when the scene was prepared.
-        let Some(material) = scene.material(hit.object) else { continue };
-        let vertex = Vertex::new(&ray, &hit, material, kind, probe);
-        light = light + vertex.local_light(scene, rays, probe) * throughput;
+        let vertex = Vertex::new(&ray, hit, material, kind, probe);
+        let shades = sight.shades.filter(|shades| from.is_none() && shades.receiver == vertex.hit.object);
+        light = light + vertex.local_light(scene, shades, rays, probe) * throughput;
 
         let mut follow = |share: R, direction: Vec3<R>, kind| {
             let throughput = throughput * share;
@@ -102,8 +120,8 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
                 probe.record(Event::Cut(Cut::Throughput));
                 return None;
             }
-            let (ray, from) = vertex.spawn(direction);
-            Some(PendingRay { ray, throughput, bounces: bounces + 1, kind, from: Some(from) })
+            let (ray, from) = (vertex.spawn(direction), vertex.departure(direction));
+            Some(PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from: Some(from) })
         };
         let (mut reflectance, mut refracted) = (material.reflectance, None);
         if material.transmittance > R::ZERO {
@@ -113,22 +131,23 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
                 reflectance = reflectance + material.transmittance;
             }
         }
-        next = follow(reflectance, vertex.mirrored, RayKind::Reflected);
-        let refracted =
-            refracted.and_then(|direction| follow(material.transmittance, direction, RayKind::Refracted));
-        if let Some(refracted) = refracted {
+        let reflected = follow(reflectance, vertex.mirrored, RayKind::Reflected);
+        if let Some(refracted) =
+            refracted.and_then(|direction| follow(material.transmittance, direction, RayKind::Refracted))
             // There is always room, as shown above.
-            if waiting.push(refracted).is_err() {
-                probe.record(Event::Cut(Cut::Bounces));
-            }
+            && waiting.push(refracted).is_err()
+        {
+            probe.record(Event::Cut(Cut::Bounces));
         }
+        let Some(following) = reflected.or_else(|| waiting.pop()) else { break };
+        next = following;
     }
     light
 }
 
 /// A hit, seen from the ray that met it.
 struct Vertex<'s, R: Real> {
-    hit: &'s Hit<R>,
+    hit: Hit<R>,
     material: &'s PreparedMaterial<R>,
     /// The color of the texture.
     color: LinearRgb<R>,
@@ -145,69 +164,85 @@ struct Vertex<'s, R: Real> {
 impl<'s, R: Real> Vertex<'s, R> {
     fn new(
         ray: &Ray<R>,
-        hit: &'s Hit<R>,
+        hit: Hit<R>,
         material: &'s PreparedMaterial<R>,
         kind: RayKind,
         probe: &mut impl Probe<R>,
     ) -> Self {
         let incoming = ray.direction;
-        let normal = hit.surface.shading_normal.facing(incoming);
-        let cosine = -normal.dot(incoming);
+        let (normal, cosine) = hit.surface.shading_normal.facing(incoming);
         let color = material.color.color(&hit.surface);
-        probe.record(Event::Hit { kind, hit: *hit, color });
+        probe.record(Event::Hit { kind, hit, color });
         let mirrored = incoming + normal * (cosine + cosine);
         Self { hit, material, color, incoming, normal, cosine, mirrored }
     }
 
-    /// A ray that leaves the surface, and to which side of it.
-    fn spawn(&self, direction: Vec3<R>) -> (Ray<R>, Departure) {
+    /// A ray that leaves the surface.
+    fn spawn(&self, direction: Vec3<R>) -> Ray<R> {
         let surface = &self.hit.surface;
-        let outward = !(surface.normal.dot(direction) < R::ZERO);
-        let ray = Ray::spawn(surface.point, surface.normal, direction, surface.magnitude);
-        (ray, Departure { object: self.hit.object, outward })
+        Ray::spawn(surface.point, surface.normal, direction, surface.magnitude)
+    }
+
+    /// To which side of the surface a ray of this direction leaves it.
+    fn departure(&self, direction: Vec3<R>) -> Departure {
+        let outward = !(self.hit.surface.normal.dot(direction) < R::ZERO);
+        Departure { object: self.hit.object, outward }
     }
 
     /// Ambient, diffuse and specular light that leaves along the incoming ray.
     fn local_light<S: Geometry>(
         &self,
         scene: &PreparedScene<'_, R, S>,
+        shades: Option<&Shades>,
         rays: &mut RayBudget,
         probe: &mut impl Probe<R>,
     ) -> LinearRgb<R> {
         let material = self.material;
-        let mut light = self.color * material.ambient;
-        if !(material.diffuse > R::ZERO || material.specular > R::ZERO) {
-            return light;
+        let ambient = self.color * material.ambient;
+        let (diffuses, shines) = (material.diffuse > R::ZERO, material.specular > R::ZERO);
+        if !(diffuses || shines) {
+            return ambient;
         }
-        for (index, source) in scene.lights.iter().enumerate() {
-            let seen = source.seen_from(self.hit.surface.point, self.normal);
+        // What the lights bring by Lambert's law and by Phong's.
+        let (mut diffuse, mut specular) = (LinearRgb::BLACK, LinearRgb::BLACK);
+        for (index, light) in scene.lights.iter().enumerate() {
+            let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
-            let highlight = material.specular * material.shininess.power_of(self.mirrored.dot(toward));
-            let diffuse = material.diffuse * cosine;
-            if !(diffuse > R::ZERO || highlight > R::ZERO) {
+            let highlight =
+                if shines { material.shininess.power_of(self.mirrored.dot(toward)) } else { R::ZERO };
+            if !(diffuses || highlight > R::ZERO) {
                 continue;
             }
             if !rays.spend() {
                 probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let (ray, from) = self.spawn(toward);
-            let (through, cut) =
-                scene.light_through_leaving(&ray, distance, from, self.hit.surface.magnitude, index);
-            if cut {
-                probe.record(Event::Cut(Cut::ShadowLayers));
+            let shades = shades.and_then(|shades| shades.among.get(index)).copied();
+            let from = self.departure(toward);
+            let in_the_way = scene.in_the_way(from, self.hit.surface.magnitude, index, toward, shades);
+            let mut through = R::ONE;
+            if in_the_way.is_none_or(|objects| !objects.is_empty()) {
+                let cut;
+                (through, cut) = scene.light_through_among(&self.spawn(toward), distance, in_the_way);
+                if cut {
+                    probe.record(Event::Cut(Cut::ShadowLayers));
+                }
             }
-            let mut shown = LinearRgb::BLACK;
             if through > R::ZERO {
-                let diffuse = self.color * diffuse;
-                let share =
-                    LinearRgb::new(diffuse.r + highlight, diffuse.g + highlight, diffuse.b + highlight);
-                shown = source.color * share * through;
+                diffuse = diffuse + light.color * (cosine * through);
+                if highlight > R::ZERO {
+                    specular = specular + light.color * (highlight * through);
+                }
             }
-            probe.record(Event::Light { light: index, toward, through, shown });
-            light = light + shown;
+            if probe.is_watching() {
+                let shown = self.color * (material.diffuse * cosine);
+                let highlight = material.specular * highlight;
+                let shown = LinearRgb::new(shown.r + highlight, shown.g + highlight, shown.b + highlight);
+                let shown = light.color * shown * through;
+                probe.record(Event::Light { light: index, toward, through, shown });
+            }
         }
-        light
+        ambient + self.color * diffuse * material.diffuse + specular * material.specular
     }
 
     /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",

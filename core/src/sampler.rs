@@ -10,6 +10,13 @@ pub(crate) fn sample_position(x: u16, y: u16, sample: u16, samples: u16, seed: u
     if samples <= 1 {
         return (0x8000, 0x8000);
     }
+    spread(x, y, sample, seed)
+}
+
+/// The place of one sample of several. A function of its own, or the hash would be worked out for each pixel even
+/// where there is one sample.
+#[inline(never)]
+fn spread(x: u16, y: u16, sample: u16, seed: u32) -> (u16, u16) {
     let shift = hash(u32::from(y) << 16 | u32::from(x), seed);
     // 2³² divided by the plastic number and by its square.
     let along =

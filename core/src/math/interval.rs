@@ -20,14 +20,10 @@ impl<R: Real> Interval<R> {
         t > self.min && t < self.max
     }
 
-    /// The smaller of two distances that lies inside.
+    /// The smaller of two distances, `near` and what is no nearer, that lies inside.
+    #[inline(always)]
     pub fn first(self, near: R, far: R) -> Option<R> {
-        if self.contains(near) {
-            Some(near)
-        } else if self.contains(far) {
-            Some(far)
-        } else {
-            None
-        }
+        let first = if near > self.min { near } else { far };
+        if first > self.min && first < self.max { Some(first) } else { None }
     }
 }

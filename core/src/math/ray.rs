@@ -24,8 +24,8 @@ impl<R: Real> Ray<R> {
     /// `point`, which bounds its rounding error. This is the only offset in the crate (after Wächter and
     /// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, ch. 6).
     pub fn spawn(point: Vec3<R>, normal: Vec3<R>, direction: Vec3<R>, magnitude: R) -> Self {
-        let offset = R::offset(magnitude);
-        let offset = if normal.dot(direction) < R::ZERO { -offset } else { offset };
-        Self { origin: point + normal * offset, direction }
+        let offset = normal * R::offset(magnitude);
+        let origin = if normal.dot(direction) < R::ZERO { point - offset } else { point + offset };
+        Self { origin, direction }
     }
 }

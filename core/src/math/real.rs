@@ -285,14 +285,8 @@ macro_rules! impl_real_for_float {
             }
 
             fn to_q16(self) -> u32 {
-                // Positive predicates, so that NaN is black.
-                if self >= 1.0 {
-                    65536
-                } else if self > 0.0 {
-                    (self * 65536.0 + 0.5) as u32
-                } else {
-                    0
-                }
+                // The conversion saturates, and makes 0 of what is negative or NaN.
+                ((self * 65536.0 + 0.5) as u32).min(65536)
             }
         }
     };

@@ -80,9 +80,11 @@ impl<R: Real> Vec3<R> {
         self.x.abs().larger(self.y.abs()).larger(self.z.abs())
     }
 
-    /// This vector or its opposite, whichever points against `direction`.
-    pub fn facing(self, direction: Self) -> Self {
-        if self.dot(direction) > R::ZERO { -self } else { self }
+    /// This vector or its opposite, whichever points against `direction`, and its product with the way back: 0 or
+    /// more.
+    pub fn facing(self, direction: Self) -> (Self, R) {
+        let along = self.dot(direction);
+        if along > R::ZERO { (-self, along) } else { (self, -along) }
     }
 
     /// The vector that was computed before the first ray, rounded.

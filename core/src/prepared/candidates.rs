@@ -34,6 +34,11 @@ impl ObjectSet {
         self.0 == 0
     }
 
+    /// The objects that are in both.
+    pub(crate) const fn common(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
     /// Whether an object is in both.
     pub(crate) const fn intersects(self, other: Self) -> bool {
         self.0 & other.0 != 0
@@ -146,7 +151,7 @@ impl<'m, R: Real> Candidates<'m, R> {
 
     /// Works out the sets, unless the scene has too many objects.
     pub(super) fn new<P: Intersect<R>>(
-        objects: &[PreparedObject<P>],
+        objects: &[PreparedObject<'_, R, P>],
         lights: &[PreparedLight<R>],
         arena: &mut Arena<'m>,
     ) -> Result<Option<Self>, Fault> {
@@ -223,24 +228,29 @@ impl<'m, R: Real> Candidates<'m, R> {
         if from.outward { set } else { set.with(from.object) }
     }
 
-    /// Whether [`is_passed_by`](Self::is_passed_by) holds for hits of this [`Surface::magnitude`]
+    /// Whether [`not_passed_by`](Self::not_passed_by) holds for hits of this [`Surface::magnitude`]
     /// (crate::Surface::magnitude).
     #[inline(always)]
     pub(super) fn know_occluders(&self, magnitude: R) -> bool {
         magnitude <= self.reach
     }
 
-    /// Whether a shadow ray of this direction, toward this light, surely misses an object.
+    /// Those objects that a shadow ray of this direction, toward this light, does not surely miss.
     #[inline(always)]
-    pub(super) fn is_passed_by(&self, object: usize, light: usize, toward_light: Vec3<R>) -> bool {
-        let index = object.wrapping_mul(self.lights).wrapping_add(light);
-        self.occluders.get(index).is_some_and(|occluder| occluder.is_passed_by(toward_light))
+    pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
+        for object in set {
+            let index = object.wrapping_mul(self.lights).wrapping_add(light);
+            if self.occluders.get(index).is_some_and(|occluder| occluder.is_passed_by(toward_light)) {
+                set = set.without(object);
+            }
+        }
+        set
     }
 }
 
 /// The receiver, the objects that pass the test with the ball around it, and all that have no ball.
 fn among<R: Real, P: Intersect<R>>(
-    objects: &[PreparedObject<P>],
+    objects: &[PreparedObject<'_, R, P>],
     receiver: usize,
     can_matter: impl Fn(&Ball<R>, &Body<R>) -> bool,
 ) -> ObjectSet {
@@ -265,16 +275,16 @@ struct Body<R: Real> {
 
 /// A ball around everything that a ray can meet of an object, with room for rounding.
 #[derive(Clone, Copy)]
-struct Ball<R: Real> {
-    center: Vec3<R::Setup>,
-    radius: R::Setup,
+pub(super) struct Ball<R: Real> {
+    pub(super) center: Vec3<R::Setup>,
+    pub(super) radius: R::Setup,
 }
 
 impl<R: Real> Ball<R> {
     /// Room for rounding, relative: well above the errors of the tests below.
     const SLACK: f32 = 1e-3;
 
-    fn around<P: Intersect<R>>(object: &PreparedObject<P>) -> Option<Self> {
+    pub(super) fn around<P: Intersect<R>>(object: &PreparedObject<'_, R, P>) -> Option<Self> {
         let (center, radius) = match object.shape.form() {
             Form::Ball { center, radius } => (center.to_setup(), radius.to_setup()),
             _ => {

@@ -39,7 +39,7 @@ pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     lights: usize,
     vectors: usize,
 ) -> usize {
-    Arena::bytes::<PreparedObject<S::Prepared<'m, R>>>(objects)
+    Arena::bytes::<PreparedObject<'m, R, S::Prepared<'m, R>>>(objects)
         .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
         .saturating_add(Arena::bytes::<Vec3<R>>(vectors))

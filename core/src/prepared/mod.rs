@@ -34,8 +34,7 @@ use crate::surface::Surface;
 pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     camera: PreparedCamera<R>,
     pub(crate) background: LinearRgb<R>,
-    objects: &'m [PreparedObject<S::Prepared<'m, R>>],
-    materials: &'m [PreparedMaterial<R>],
+    objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
     pub(crate) lights: &'m [PreparedLight<R>],
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
@@ -45,9 +44,9 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct PreparedObject<P> {
+struct PreparedObject<'m, R: Real, P> {
     shape: P,
-    material: u16,
+    material: &'m PreparedMaterial<R>,
 }
 
 /// Where a ray met an object.
@@ -94,11 +93,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             prepare_all(arena, materials, Part::Material, |material, _| material.prepare(scale))?;
         let prepared_lights = prepare_all(arena, lights, Part::Light, |light, _| light.prepare(scale))?;
         let prepared_objects = prepare_all(arena, objects, Part::Object, |object, arena| {
-            let named = usize::from(object.material.0);
-            if named >= materials.len() {
-                return Err(Fault::UnknownMaterial { named, materials: materials.len() });
-            }
-            Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material: object.material.0 })
+            let (named, materials) = (usize::from(object.material.0), prepared_materials.len());
+            let material =
+                prepared_materials.get(named).ok_or(Fault::UnknownMaterial { named, materials })?;
+            Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material })
         })?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         let candidates = candidates.map_err(Part::Memory.error())?;
@@ -107,7 +105,6 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             camera,
             background: background.to(),
             objects: prepared_objects,
-            materials: prepared_materials,
             lights: prepared_lights,
             scale,
             candidates,

@@ -1,6 +1,6 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
-use super::candidates::{Departure, ObjectSet};
+use super::candidates::{Ball, Departure, ObjectSet};
 use super::hierarchy::Hierarchy;
 use super::{Hit, PreparedScene};
 use crate::limits::MAX_SHADOW_LAYERS;
@@ -15,10 +15,13 @@ pub(crate) enum Enclosure<R> {
     Everywhere,
 }
 
+/// A hit, and the material of the object.
+pub(crate) type HitOn<'m, R> = (Hit<R>, &'m PreparedMaterial<R>);
+
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(always)]
-    pub(crate) fn material(&self, object: usize) -> Option<&PreparedMaterial<R>> {
-        self.objects.get(object).and_then(|object| self.materials.get(usize::from(object.material)))
+    pub(crate) fn material(&self, object: usize) -> Option<&'m PreparedMaterial<R>> {
+        self.objects.get(object).map(|object| object.material)
     }
 
     /// What each object is inside of, if the scene has sets of candidates.
@@ -30,6 +33,26 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }))
     }
 
+    /// The plane that an object lies in: its unit normal, and its distance from the origin along that.
+    pub(crate) fn plane_of(&self, object: usize) -> Option<(Vec3<R::Setup>, R::Setup)> {
+        match self.objects.get(object)?.shape.form() {
+            Form::Flat { normal, distance } => Some((normal.to_setup(), distance.to_setup())),
+            _ => None,
+        }
+    }
+
+    /// A ball around everything that a ray can meet of an object, with room for rounding.
+    pub(crate) fn ball_around(&self, object: usize) -> Option<(Vec3<R::Setup>, R::Setup)> {
+        self.objects.get(object).and_then(Ball::around).map(|ball| (ball.center, ball.radius))
+    }
+
+    /// What can stand between an object and a light; everything, where there are no sets.
+    pub(crate) fn may_shade(&self, receiver: usize, light: usize) -> ObjectSet {
+        self.candidates.as_ref().map_or(ObjectSet::first(ObjectSet::CAPACITY), |candidates| {
+            candidates.between(Departure { object: receiver, outward: true }, light)
+        })
+    }
+
     /// The middle line of each object that has one.
     pub(crate) fn spines(&self) -> impl Iterator<Item = Option<Spine<R>>> {
         self.objects.iter().map(|object| object.shape.spine())
@@ -38,17 +61,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in
     /// [`Scene::objects`](crate::Scene::objects).
     pub fn closest_hit(&self, ray: &Ray<R>, range: Interval<R>) -> Option<Hit<R>> {
-        self.hit(ray, self.closest_object(ray, range, None))
+        self.hit(ray, self.closest_object(ray, range, None)).map(|(hit, _)| hit)
     }
 
     /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that can meet none but these objects.
-    pub(crate) fn closest_hit_among(&self, ray: &Ray<R>, among: Option<ObjectSet>) -> Option<Hit<R>> {
+    pub(crate) fn closest_hit_among(&self, ray: &Ray<R>, among: Option<ObjectSet>) -> Option<HitOn<'m, R>> {
         self.hit(ray, self.closest_object(ray, Interval::AHEAD, among))
     }
 
     /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that leaves a surface.
-    pub(crate) fn closest_hit_leaving(&self, ray: &Ray<R>, from: Departure) -> Option<Hit<R>> {
-        let Some(candidates) = &self.candidates else { return self.closest_hit(ray, Interval::AHEAD) };
+    pub(crate) fn closest_hit_leaving(&self, ray: &Ray<R>, from: Departure) -> Option<HitOn<'m, R>> {
+        let Some(candidates) = &self.candidates else { return self.closest_hit_among(ray, None) };
         let closest = self.closest_object(ray, Interval::AHEAD, Some(candidates.leaving(from)));
         if closest.is_none() && candidates.comes_out_again(from) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
@@ -58,10 +81,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     #[inline(always)]
-    fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<Hit<R>> {
+    fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<HitOn<'m, R>> {
         let (t, index) = closest?;
         let object = self.objects.get(index)?;
-        Some(Hit { t, object: index, surface: object.shape.surface(ray, t) })
+        Some((Hit { t, object: index, surface: object.shape.surface(ray, t) }, object.material))
     }
 
     /// Distance and position of the first object that a ray meets, of all or of some.
@@ -123,43 +146,43 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ///
     /// Each surface in between scales the light by its transmittance; what lies behind the light does not.
     pub fn light_through(&self, ray: &Ray<R>, distance: R) -> (R, bool) {
-        self.light_through_among(ray, distance, None, |_| false)
+        self.light_through_among(ray, distance, None)
     }
 
-    /// As [`light_through`](Self::light_through), for a ray that leaves a surface toward a light of the scene.
+    /// What can be in the way from a surface into the unit direction `toward` a light of the scene, `among` which
+    /// nothing is left out that might be; `None`: anything.
     #[inline(always)]
-    pub(crate) fn light_through_leaving(
+    pub(crate) fn in_the_way(
         &self,
-        ray: &Ray<R>,
-        distance: R,
         from: Departure,
         magnitude: R,
         light: usize,
-    ) -> (R, bool) {
-        let Some(candidates) = &self.candidates else { return self.light_through(ray, distance) };
-        let among = Some(candidates.between(from, light));
-        if candidates.know_occluders(magnitude) {
-            self.light_through_among(ray, distance, among, |object| {
-                candidates.is_passed_by(object, light, ray.direction)
-            })
+        toward: Vec3<R>,
+        among: Option<ObjectSet>,
+    ) -> Option<ObjectSet> {
+        let candidates = self.candidates.as_ref()?;
+        let between = candidates.between(from, light);
+        let between = among.map_or(between, |among| between.common(among));
+        Some(if candidates.know_occluders(magnitude) {
+            candidates.not_passed_by(between, light, toward)
         } else {
-            self.light_through_among(ray, distance, among, |_| false)
-        }
+            between
+        })
     }
 
-    #[inline(always)]
-    fn light_through_among(
+    /// As [`light_through`](Self::light_through), for a ray that can meet none but these objects.
+    #[inline(never)]
+    pub(crate) fn light_through_among(
         &self,
         ray: &Ray<R>,
         distance: R,
         among: Option<ObjectSet>,
-        is_passed_by: impl Fn(usize) -> bool,
     ) -> (R, bool) {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
         let mut blocks = |index: usize| {
-            if is_passed_by(index) || !self.meets(index, ray, range) {
+            if !self.meets(index, ray, range) {
                 return false;
             }
             clear = false;

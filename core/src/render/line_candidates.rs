@@ -1,12 +1,15 @@
-//! Which objects a line of the picture can show, and where: most pixels then test one object, or none.
+//! Which objects a line of the picture can show, and where: most pixels then test one object, or none. And which shadows
+//! fall on the largest flat object of the scene, its floor most often: most of its pixels then test nothing on the way to a
+//! light.
 //!
-//! Each object lies inside a ball or a box, and along one line of the picture that is seen in one span of pixels
-//! (Weghorst, Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", ACM TOG 1984, project
-//! bounding volumes into item buffers; here the buffer is one line long and holds spans). A span is found anew for
-//! each line, for about a hundred instructions an object. Spans are wider than what they hold by more than all
-//! rounding, so that the bytes are the same with and without.
+//! Each object lies inside a ball or a box, which has an [`Outline`] in the picture, and along one line that is one span of
+//! pixels (Weghorst, Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", ACM TOG 1984, project
+//! bounding volumes into item buffers; here the buffer is one line long and holds spans). Spans are wider than what they
+//! hold by more than all rounding, so that the bytes are the same with and without.
 
+use super::outline::Outline;
 use crate::camera::{Rect, Viewport};
+use crate::integrator::{LIGHTS, Shades, Sight};
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
@@ -22,7 +25,18 @@ pub(super) struct Span {
 
 impl Span {
     pub(super) const NOWHERE: Self = Self { start: u16::MAX, end: u16::MAX };
-    const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
+    pub(super) const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
+
+    /// Whether `x` is inside, and lowers `until` to where that changes next.
+    #[inline(always)]
+    fn change_after(self, x: u16, until: &mut u16) -> bool {
+        let is_inside = x >= self.start && x < self.end;
+        let change = if is_inside { self.end } else { self.start };
+        if change > x && change < *until {
+            *until = change;
+        }
+        is_inside
+    }
 
     /// The pixels that are in both.
     pub(super) fn common(self, other: Self) -> Self {
@@ -30,56 +44,160 @@ impl Span {
     }
 }
 
+/// How many shadows are known.
+const SHADOWS: usize = 16;
+
+/// The outlines of all objects of a picture, and of the shadows on the largest flat one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outlines {
+    objects: [Outline; ObjectSet::CAPACITY],
+    /// Of how many objects; `None` where nothing is known.
+    count: Option<usize>,
+    /// The flat object, if there is one.
+    receiver: usize,
+    shadows: [Shadow; SHADOWS],
+    /// What may shade it from each light and has no outline.
+    others: [ObjectSet; LIGHTS],
+}
+
+/// The outline of the shadow of an object.
+#[derive(Clone, Copy, Debug)]
+struct Shadow {
+    light: u8,
+    object: u8,
+    outline: Outline,
+}
+
+impl Outlines {
+    /// Nothing is known.
+    pub(super) const UNKNOWN: Self = Self {
+        objects: [Outline::Nowhere; ObjectSet::CAPACITY],
+        count: None,
+        receiver: usize::MAX,
+        shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
+        others: [ObjectSet::first(ObjectSet::CAPACITY); LIGHTS],
+    };
+
+    /// Finds the outlines of a scene that has not too many objects. They are large: they are found where they stay.
+    #[inline(never)]
+    pub(super) fn find<R: Real, S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        viewport: &Viewport<R>,
+    ) {
+        let Some(enclosures) = scene.enclosures() else { return };
+        let (mut count, mut largest) = (0, 0);
+        for (index, (place, enclosure)) in self.objects.iter_mut().zip(enclosures).enumerate() {
+            *place = match enclosure {
+                Enclosure::Ball { center, radius } => {
+                    Outline::of_ball(center.to_setup(), radius.to_setup(), viewport)
+                }
+                Enclosure::Box(bounds) => Outline::of_box(bounds.to_setup(), viewport),
+                Enclosure::Everywhere => Outline::Everywhere,
+            };
+            if place.area() > largest && scene.plane_of(index).is_some() {
+                largest = place.area();
+                self.receiver = index;
+            }
+            count = index + 1;
+        }
+        self.count = Some(count);
+        self.find_shadows(scene, viewport);
+    }
+
+    fn find_shadows<R: Real, S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        viewport: &Viewport<R>,
+    ) {
+        let Some(plane) = scene.plane_of(self.receiver) else { return };
+        let mut places = self.shadows.iter_mut();
+        for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
+            *others = scene.may_shade(self.receiver, index);
+            for object in *others {
+                let Some((center, radius)) = scene.ball_around(object) else { continue };
+                let outline = Outline::of_shadow(center, radius, &light.source, plane, viewport);
+                let Some(place) = places.next() else { return };
+                *place = Shadow { light: index as u8, object: object as u8, outline };
+                *others = others.without(object);
+            }
+        }
+    }
+}
+
 /// The objects that each pixel of one line can show.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LineCandidates {
-    spans: [Span; ObjectSet::CAPACITY],
+pub(super) struct LineCandidates<'o> {
+    outlines: &'o Outlines,
     objects: usize,
+    spans: [Span; ObjectSet::CAPACITY],
+    shadows: [Span; SHADOWS],
     /// The objects whose spans hold the pixels before `until`, since the last pixel that was asked for.
     current: ObjectSet,
     until: u16,
+    /// The same for the shadows.
+    shades: Shades,
+    shades_until: u16,
 }
 
-impl LineCandidates {
-    /// The candidates for the pixel centers of line `y`; `None` where the scene has too many objects.
-    pub(super) fn new<R: Real, S: Geometry>(
-        scene: &PreparedScene<'_, R, S>,
-        viewport: &Viewport<R>,
-        width: u16,
-        y: u16,
-    ) -> Option<Self> {
-        let line = Line::new(viewport, width, y);
+impl<'o> LineCandidates<'o> {
+    /// The candidates for the pixel centers of line `y`; `None` where they are not known.
+    pub(super) fn new(outlines: &'o Outlines, y: u16) -> Option<Self> {
+        let objects = outlines.count?;
         let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
-        let mut objects = 0;
-        for (span, enclosure) in spans.iter_mut().zip(scene.enclosures()?) {
-            *span = line.span(enclosure);
-            objects += 1;
+        for (span, outline) in spans.iter_mut().zip(&outlines.objects).take(objects) {
+            *span = outline.span(y);
         }
-        Some(Self { spans, objects, current: ObjectSet::NONE, until: 0 })
+        let mut shadows = [Span::NOWHERE; SHADOWS];
+        for (span, shadow) in shadows.iter_mut().zip(&outlines.shadows) {
+            *span = shadow.outline.span(y);
+        }
+        let shades = Shades { receiver: outlines.receiver, among: outlines.others };
+        Some(Self {
+            outlines,
+            objects,
+            spans,
+            shadows,
+            current: ObjectSet::NONE,
+            until: 0,
+            shades,
+            shades_until: 0,
+        })
     }
 
-    /// The objects that pixel `x` can show, where `x` never decreases.
+    /// What is known of the ray through pixel `x`, where `x` never decreases.
     #[inline(always)]
-    pub(super) fn at(&mut self, x: u16) -> ObjectSet {
+    pub(super) fn at(&mut self, x: u16) -> Sight<'_> {
         if x >= self.until {
             self.look_up(x);
         }
-        self.current
+        if x >= self.shades_until {
+            self.look_up_shadows(x);
+        }
+        Sight { among: Some(self.current), shades: Some(&self.shades) }
     }
 
+    #[inline(never)]
     fn look_up(&mut self, x: u16) {
         self.current = ObjectSet::NONE;
         self.until = u16::MAX;
         for (index, span) in self.spans.iter().take(self.objects).enumerate() {
-            let change = if x < span.start {
-                span.start
-            } else if x < span.end {
+            if span.change_after(x, &mut self.until) {
                 self.current = self.current.with(index);
-                span.end
-            } else {
-                continue;
-            };
-            self.until = self.until.min(change);
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn look_up_shadows(&mut self, x: u16) {
+        self.shades.among = self.outlines.others;
+        self.shades_until = u16::MAX;
+        for (shadow, span) in self.outlines.shadows.iter().zip(&self.shadows) {
+            if span.change_after(x, &mut self.shades_until)
+                && let Some(among) = self.shades.among.get_mut(usize::from(shadow.light))
+            {
+                *among = among.with(usize::from(shadow.object));
+            }
         }
     }
 }
@@ -98,10 +216,6 @@ pub(super) struct Line<'v, R: Real> {
 }
 
 impl<'v, R: Real> Line<'v, R> {
-    fn new(viewport: &'v Viewport<R>, width: u16, y: u16) -> Self {
-        Self::strip(viewport, width, y, y)
-    }
-
     /// The lines from `top` to `bottom`, both included, as one.
     pub(super) fn strip(viewport: &'v Viewport<R>, width: u16, top: u16, bottom: u16) -> Self {
         let (top, bottom) = (R::Setup::from_u16(top), R::Setup::from_u16(bottom));
@@ -199,7 +313,7 @@ mod tests {
 
     fn spans_of_ball(center: Vec3, radius: f32) -> Vec<Span> {
         let viewport = Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 100, 80);
-        (0..80).map(|y| Line::<f32>::new(&viewport, 100, y).span_of_ball(center, radius)).collect()
+        (0..80).map(|y| Line::<f32>::strip(&viewport, 100, y, y).span_of_ball(center, radius)).collect()
     }
 
     #[test]
@@ -236,7 +350,8 @@ mod tests {
     fn boxes_are_seen_between_their_corners() {
         let viewport = Viewport::new(&CAMERA.prepare::<f32>(Scale::ONE).unwrap(), 100, 80);
         let unit = Vec3::new(1.0, 1.0, 1.0);
-        let seen = |center, y| Line::<f32>::new(&viewport, 100, y).span_of_box(Aabb::around(center, unit));
+        let seen =
+            |center, y| Line::<f32>::strip(&viewport, 100, y, y).span_of_box(Aabb::around(center, unit));
         // Half a unit is 80 / 2 / tan(0.4) / 9 / 2 pixels high at its front.
         let half = 40.0 / 0.4f32.tan() / 9.0;
         let Span { start, end } = seen(Vec3::ZERO, 40);
@@ -248,15 +363,29 @@ mod tests {
     }
 
     #[test]
-    fn every_pixel_is_told_its_objects() {
-        let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
-        spans[0] = Span { start: 3, end: 7 };
-        spans[1] = Span::EVERYWHERE;
-        spans[2] = Span { start: 5, end: 5 };
-        let mut line = LineCandidates { spans, objects: 4, current: ObjectSet::NONE, until: 0 };
-        for x in 0..20 {
-            let expected: Vec<usize> = if (3..7).contains(&x) { vec![0, 1] } else { vec![1] };
-            assert_eq!(line.at(x).collect::<Vec<_>>(), expected);
+    fn every_pixel_is_told_its_objects_and_their_shadows() {
+        let band = |start, end| Outline::Rectangle { across: Span { start, end }, top: 2, bottom: 4 };
+        let mut outlines = Outlines { count: Some(4), receiver: 1, ..Outlines::UNKNOWN };
+        outlines.objects[0] = band(3, 7);
+        outlines.objects[1] = Outline::Everywhere;
+        outlines.objects[2] = band(5, 5);
+        outlines.shadows[0] = Shadow { light: 0, object: 3, outline: band(2, 9) };
+        outlines.shadows[1] = Shadow { light: 1, object: 0, outline: band(8, 12) };
+        outlines.others = [ObjectSet::NONE.with(2); LIGHTS];
+        for y in 0..6 {
+            let mut line = LineCandidates::new(&outlines, y).unwrap();
+            for x in 0..20 {
+                let here = |start, end| (2..4).contains(&y) && (start..end).contains(&x);
+                let sight = line.at(x);
+                let objects: Vec<usize> = if here(3, 7) { vec![0, 1] } else { vec![1] };
+                assert_eq!(sight.among.unwrap().collect::<Vec<_>>(), objects);
+                let shades = sight.shades.unwrap();
+                let first: Vec<usize> = if here(2, 9) { vec![2, 3] } else { vec![2] };
+                let second: Vec<usize> = if here(8, 12) { vec![0, 2] } else { vec![2] };
+                assert_eq!(shades.among[0].collect::<Vec<_>>(), first);
+                assert_eq!(shades.among[1].collect::<Vec<_>>(), second);
+                assert_eq!(shades.among[2].collect::<Vec<_>>(), [2]);
+            }
         }
     }
 }

@@ -6,6 +6,7 @@ mod error;
 mod frame;
 mod interleave;
 mod line_candidates;
+mod outline;
 mod painter;
 mod quantize;
 mod realtime;
@@ -22,16 +23,16 @@ pub use settings::Settings;
 
 use core::ops::Range;
 
+use line_candidates::Outlines;
 use painter::LinePainter;
 
 use embedded_graphics::draw_target::DrawTarget;
 
 use crate::camera::Viewport;
 use crate::color::LinearRgb;
-use crate::integrator::{Bounds, RayBudget, radiance};
+use crate::integrator::{Bounds, RayBudget, Sight, radiance};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
-use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::sampler::sample_position;
 use crate::shape::{Geometry, Shape};
@@ -49,6 +50,8 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     bounds: Bounds<R>,
     sample_weight: R,
     settings: Settings,
+    /// Where objects and shadows can be seen. Outlines hold for the centers of pixels.
+    outlines: Outlines,
 }
 
 impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
@@ -58,15 +61,21 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// The setting that is out of range.
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
         let (width, height) = settings.check()?;
-        Ok(Self {
+        let viewport = Viewport::new(scene.camera(), width, height);
+        let mut renderer = Self {
             scene,
-            viewport: Viewport::new(scene.camera(), width, height),
+            viewport,
             width,
             height,
             bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
             sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
             settings,
-        })
+            outlines: Outlines::UNKNOWN,
+        };
+        if settings.samples_per_pixel == 1 {
+            renderer.outlines.find(scene, &renderer.viewport);
+        }
+        Ok(renderer)
     }
 
     /// Width of the picture in pixels.
@@ -82,17 +91,11 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// The light that pixel (x, y) receives, and the rays that it took: at most
     /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_at(x, y, None, probe)
+        self.light_at(x, y, Sight { among: None, shades: None }, probe)
     }
 
-    /// As [`pixel`](Self::pixel), if the pixel can show none but the objects `among`.
-    fn light_at(
-        &self,
-        x: u16,
-        y: u16,
-        among: Option<ObjectSet>,
-        probe: &mut impl Probe<R>,
-    ) -> (LinearRgb<R>, u32) {
+    /// As [`pixel`](Self::pixel), with what is known of it.
+    fn light_at(&self, x: u16, y: u16, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
         let mut rays = RayBudget(self.settings.rays_per_pixel);
         let mut light = LinearRgb::BLACK;
         // The sum of many samples may be out of reach, where their mean is not.
@@ -101,7 +104,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             let (right, down) =
                 sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
             let ray = self.viewport.ray((x, right), (y, down));
-            let sample = radiance(self.scene, ray, among, &self.bounds, &mut rays, probe);
+            let sample = radiance(self.scene, ray, sight, &self.bounds, &mut rays, probe);
             light = light + if weighs_first { sample * self.sample_weight } else { sample };
         }
         if self.settings.samples_per_pixel > 1 && !weighs_first {

@@ -2,6 +2,7 @@
 
 use super::line_candidates::LineCandidates;
 use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
+use crate::integrator::Sight;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
@@ -10,7 +11,7 @@ use crate::shape::Geometry;
 pub(super) struct LinePainter<'r, 'p, 'm, R: Real, S: Geometry + 'm, C> {
     renderer: &'r Renderer<'p, 'm, R, S>,
     y: u16,
-    candidates: Option<LineCandidates>,
+    candidates: Option<LineCandidates<'r>>,
     /// The display's color of a pixel that sees nothing, where all such pixels have the same.
     background: Option<C>,
 }
@@ -18,10 +19,7 @@ pub(super) struct LinePainter<'r, 'p, 'm, R: Real, S: Geometry + 'm, C> {
 impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p, 'm, R, S, C> {
     pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, y: u16) -> Self {
         let settings = &renderer.settings;
-        // Spans hold for the centers of pixels.
-        let candidates = (settings.samples_per_pixel == 1)
-            .then(|| LineCandidates::new(renderer.scene, &renderer.viewport, renderer.width, y))
-            .flatten();
+        let candidates = LineCandidates::new(&renderer.outlines, y);
         let background = (settings.dither == Dither::None && settings.samples_per_pixel == 1)
             .then(|| C::from_light(Light16::new(renderer.scene.background), &Quantizer::new(settings, 0, y)));
         Self { renderer, y, candidates, background }
@@ -30,14 +28,15 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
     /// Pixel `x` in the display's color, and the rays that it took. `x` must not decrease.
     #[inline(always)]
     pub(super) fn pixel(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let among = self.candidates.as_mut().map(|candidates| candidates.at(x));
-        if let (Some(among), Some(background)) = (among, self.background)
+        let unknown = Sight { among: None, shades: None };
+        let sight = self.candidates.as_mut().map_or(unknown, |candidates| candidates.at(x));
+        if let (Some(among), Some(background)) = (sight.among, self.background)
             && among.is_empty()
             && !probe.is_watching()
         {
             return (background, 1);
         }
-        let (light, rays) = self.renderer.light_at(x, self.y, among, probe);
+        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
         (C::from_light(Light16::new(light), &Quantizer::new(&self.renderer.settings, x, self.y)), rays)
     }
 }

@@ -87,8 +87,19 @@ impl Geometry for Polygon<'_> {
             let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
             Vec3::new(u, v, slope)
         })?;
-        Ok(PreparedPolygon { plane: PreparedPlane::new(normal, normal.dot(corner), scale), dropped, edges })
+        let plane = PreparedPlane::new(normal, normal.dot(corner), scale);
+        Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }
+}
+
+/// The least and the largest u, and those of v, of an outline that is a rectangle along the axes.
+fn rectangle<R: Real>(edges: &[Vec3<R>]) -> Option<[R; 4]> {
+    let [a, b, c, d] = edges else { return None };
+    let across_first = a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
+    let along_first = a.x == b.x && b.y == c.y && c.x == d.x && d.y == a.y;
+    let ordered = |p: R, q: R| if p < q { (p, q) } else { (q, p) };
+    let ((least_u, most_u), (least_v, most_v)) = (ordered(a.x, c.x), ordered(a.y, c.y));
+    (across_first || along_first).then_some([least_u, most_u, least_v, most_v])
 }
 
 /// The axis that is left out when a polygon is looked at in two dimensions.
@@ -129,6 +140,8 @@ pub struct PreparedPolygon<'m, R> {
     dropped: Axis,
     /// Per vertex: its two coordinates in the flattened plane, and du/dv along the edge to the next.
     edges: &'m [Vec3<R>],
+    /// The same outline in short, where it is that simple.
+    rectangle: Option<[R; 4]>,
 }
 
 impl<R: Real> PreparedPolygon<'_, R> {
@@ -136,6 +149,10 @@ impl<R: Real> PreparedPolygon<'_, R> {
     /// edges. A vertex belongs to the edge above it, so that none is counted twice.
     fn encloses(&self, point: Vec3<R>) -> bool {
         let (u, v) = self.dropped.flatten(point);
+        if let Some([least_u, most_u, least_v, most_v]) = self.rectangle {
+            // The same points as below.
+            return u >= least_u && u < most_u && v >= least_v && v < most_v;
+        }
         let mut inside = false;
         let Some(mut edge) = self.edges.last() else { return false };
         let mut begins_above = edge.y > v;
@@ -245,6 +262,26 @@ mod tests {
                 prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
             };
             assert!(inside(&left) != inside(&right), "{point:?}");
+        }
+    }
+
+    #[test]
+    fn rectangles_are_polygons() {
+        // The same square as a rectangle along the axes, and with a fifth vertex on its outline.
+        let vec = |x: f32, y: f32| Vec3::new(x, y, 0.0);
+        let square = [vec(-1.0, -2.0), vec(3.0, -2.0), vec(3.0, 1.0), vec(-1.0, 1.0)];
+        let turned = [square[1], square[2], square[3], square[0]];
+        let opposite = [square[3], square[2], square[1], square[0]];
+        let pentagon = [square[0], square[1], square[2], vec(0.5, 1.0), square[3]];
+        let inside = |outline: &[Vec3], point| {
+            let mut memory = Memory::new();
+            prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
+        };
+        let places = [-2.5, -2.0, -1.0, 0.3, 0.999, 1.0, 2.9, 3.0, 3.1];
+        for point in places.iter().flat_map(|x| places.map(|y| vec(*x, y))) {
+            for outline in [square, turned, opposite] {
+                assert_eq!(inside(&outline, point), inside(&pentagon, point), "{point:?}");
+            }
         }
     }
 

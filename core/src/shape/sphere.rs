@@ -39,7 +39,8 @@ impl Geometry for Sphere {
         let radius: R = scale.length(R::Setup::from_f32(self.radius));
         check_size(radius)?;
         let center = scale.point(self.center.to());
-        Ok(PreparedSphere { center, radius, radius_squared: radius.times(radius) })
+        let magnitude = center.magnitude() + radius;
+        Ok(PreparedSphere { center, radius, radius_squared: radius.times(radius), magnitude })
     }
 }
 
@@ -49,6 +50,8 @@ pub struct PreparedSphere<R: Real> {
     center: Vec3<R>,
     radius: R,
     radius_squared: R::Product,
+    /// The largest coordinate of its surface.
+    magnitude: R,
 }
 
 impl<R: Real> Intersect<R> for PreparedSphere<R> {
@@ -84,7 +87,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
             point: self.center + normal * self.radius,
             normal,
             shading_normal: normal,
-            magnitude: self.center.magnitude() + self.radius,
+            magnitude: self.magnitude,
         }
     }
 }

@@ -68,7 +68,7 @@ impl<'m, R: Real> Hierarchy<'m, R> {
 
     /// Builds the hierarchy, unless the scene has few objects.
     pub(super) fn new<P: Intersect<R>>(
-        objects: &[PreparedObject<P>],
+        objects: &[PreparedObject<'_, R, P>],
         arena: &mut Arena<'m>,
     ) -> Result<Option<Self>, Fault> {
         if Self::stored(objects.len()) == 0 {

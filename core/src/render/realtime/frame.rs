@@ -11,6 +11,7 @@ use super::cell::{Cell, Look, Place};
 use super::seen::Seen;
 use super::strip::{Strip, thin_objects};
 use super::{Realtime, RealtimeBuffer, Sample};
+use crate::integrator::Sight;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
@@ -271,7 +272,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, P>
     #[inline(never)]
     fn trace(&mut self, x: u16, y: u16) -> Sample {
         let mut seen = Seen::new(self.renderer.scene, self.probe);
-        let (light, rays) = self.renderer.light_at(x, y, self.among, &mut seen);
+        let (light, rays) =
+            self.renderer.light_at(x, y, Sight { among: self.among, shades: None }, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         seen.sample(Light16::new(light))
     }

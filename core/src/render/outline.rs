@@ -1,0 +1,388 @@
+//! Where an object can be seen, or the shadow of one: an ellipse or a rectangle around it, found once for a picture.
+//!
+//! A ball is seen from one point within a cone, and the directions d(u, v) = middle + u · right + v · down through the
+//! places of a picture are linear, so the places from which (c · d)² ≥ k d² form a conic in u and v. A shadow is the same
+//! conic, seen from the light: for the places p of a plane n · p = h that are seen from the eye e,
+//!
+//! p − light ∝ (e − light) (n · d) + (h − n · e) d
+//!
+//! is linear in u and v as well. Under a light far away, a ball shades what is nearer to the line through its center than its
+//! radius, and that is a conic too.
+//!
+//! All this is done in floating point, once; then a line asks each outline for its pixels in integers, for about 40
+//! instructions. Outlines are wider than what they hold by a hundredth and by a pixel: by more than all rounding.
+
+use super::line_candidates::Span;
+use crate::camera::{Affine, Rect, Viewport};
+use crate::light::Source;
+use crate::math::{Aabb, Real, Vec3};
+
+/// The pixels that something can be seen in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outline {
+    Nowhere,
+    Everywhere,
+    /// The same pixels on all lines from `top` up to, but without, `bottom`.
+    Rectangle {
+        across: Span,
+        top: u16,
+        bottom: u16,
+    },
+    /// Its middle in 256ths of a pixel, how far the middle of a line moves from each to the next in 65536ths, half the
+    /// width in pixels, and 2³¹ over half the height.
+    Ellipse {
+        x: i32,
+        y: i32,
+        slope: i32,
+        half_width: u16,
+        inverse_half_height: u32,
+    },
+}
+
+impl Outline {
+    /// The outline of a box.
+    pub(super) fn of_box<R: Real>(bounds: Aabb<R::Setup>, viewport: &Viewport<R>) -> Self {
+        let Some(Rect { left, right, top, bottom }) = viewport.frame(bounds) else { return Self::Everywhere };
+        let across = Span { start: pixel(left, -1), end: pixel(right, 2) };
+        let (top, bottom) = (pixel(top, -1), pixel(bottom, 2));
+        Self::Rectangle { across, top, bottom }
+    }
+
+    /// The outline of a ball.
+    pub(super) fn of_ball<R: Real>(center: Vec3<R::Setup>, radius: R::Setup, viewport: &Viewport<R>) -> Self {
+        seen_from_origin(
+            center - viewport.eye().to_setup(),
+            radius,
+            viewport.directions(),
+            viewport.half_size(),
+        )
+    }
+
+    /// The outline of the shadow of a ball on a plane, as far as that is in front of the eye.
+    pub(super) fn of_shadow<R: Real>(
+        center: Vec3<R::Setup>,
+        radius: R::Setup,
+        light: &Source<R>,
+        (normal, distance): (Vec3<R::Setup>, R::Setup),
+        viewport: &Viewport<R>,
+    ) -> Self {
+        let eye = viewport.eye().to_setup();
+        let height = distance - normal.dot(eye);
+        let side = if height < R::Setup::ZERO { -R::Setup::ONE } else { R::Setup::ONE };
+        // From there to the places of the plane, times their depths.
+        let places_from = |from: Vec3<R::Setup>| {
+            viewport.directions().map(|d| ((eye - from) * normal.dot(d) + d * height) * side)
+        };
+        match light {
+            Source::At(light) => {
+                let light = light.to_setup();
+                seen_from_origin(center - light, radius, places_from(light), viewport.half_size())
+            }
+            Source::Toward(toward) => {
+                let (toward, radius) = (toward.to_setup(), radius * R::Setup::from_f32(WIDER));
+                let places = places_from(center);
+                // What is nearer to the line toward the light than the radius.
+                Conic::EMPTY
+                    .plus(R::Setup::ONE, viewport.directions().map(|d| radius * normal.dot(d)))
+                    .plus(R::Setup::ONE, places.map(|place| place.dot(toward)))
+                    .plus_squares(-R::Setup::ONE, places)
+                    .outline(viewport.half_size(), |_, _| true)
+            }
+            Source::Far(..) => Self::Everywhere,
+        }
+    }
+
+    /// How much it holds, in pixels, roughly.
+    pub(super) fn area(&self) -> u32 {
+        match *self {
+            Self::Nowhere => 0,
+            Self::Everywhere => u32::MAX,
+            Self::Rectangle { across, top, bottom } => {
+                u32::from(across.end.saturating_sub(across.start)) * u32::from(bottom.saturating_sub(top))
+            }
+            // Nothing flat has one.
+            Self::Ellipse { half_width, .. } => u32::from(half_width),
+        }
+    }
+
+    /// Its pixels on line `y`.
+    pub(super) fn span(&self, y: u16) -> Span {
+        match *self {
+            Self::Nowhere => Span::NOWHERE,
+            Self::Everywhere => Span::EVERYWHERE,
+            Self::Rectangle { across, top, bottom } => {
+                if y >= top && y < bottom {
+                    across
+                } else {
+                    Span::NOWHERE
+                }
+            }
+            Self::Ellipse { x, y: middle, slope, half_width, inverse_half_height } => {
+                let down = (i32::from(y) << 8 | 0x80).wrapping_sub(middle);
+                // How far from the middle, as a share of half the height, in 65536ths.
+                let share = (u64::from(down.unsigned_abs()) * u64::from(inverse_half_height)) >> 23;
+                if share >= 1 << 16 {
+                    return Span::NOWHERE;
+                }
+                let share = share as u32;
+                let root = u32::MAX.wrapping_sub(share.wrapping_mul(share)).isqrt();
+                let half = ((u32::from(half_width) * root) >> 16) as i32;
+                let x = x.saturating_add(((i64::from(down) * i64::from(slope)) >> 16) as i32) >> 8;
+                let place = |x: i32| u16::try_from(x.max(0)).unwrap_or(u16::MAX);
+                Span {
+                    start: place(x.saturating_sub(half).saturating_sub(1)),
+                    end: place(x.saturating_add(half).saturating_add(2)),
+                }
+            }
+        }
+    }
+}
+
+/// The pixel of a place, and some more.
+fn pixel<N: Real>(place: N, more: i32) -> u16 {
+    let place = place.floor_to_i32().saturating_add(more).max(0);
+    u16::try_from(place).unwrap_or(u16::MAX)
+}
+
+/// How much larger a ball is taken to be than it is.
+const WIDER: f32 = 1.01;
+
+/// The outline of a ball around `c`, seen from the origin; the directions to the places of the picture may be any that
+/// are linear, and of any length.
+#[inline(never)]
+fn seen_from_origin<N: Real>(
+    c: Vec3<N>,
+    radius: N,
+    directions: Affine<Vec3<N>>,
+    half_size: (N, N),
+) -> Outline {
+    let distance = c.length();
+    // Of a ball that is seen smaller than a few degrees, rounding would eat the difference of squares.
+    let radius = radius.larger(distance * N::from_f32(0.02)) * N::from_f32(WIDER);
+    if distance <= radius {
+        return Outline::Everywhere;
+    }
+    // In units of the distance and of the longest direction, so that nothing is large.
+    let (c, relative) = (c * distance.recip(), radius / distance);
+    let k = N::ONE - relative * relative;
+    let Affine { middle, right, down } = directions.map(Vec3::magnitude);
+    let unit = middle.larger(right).larger(down).recip();
+    let directions = directions.map(|direction| direction * unit);
+    let along = directions.map(|direction| c.dot(direction));
+    // The other half of the cone is behind.
+    let is_in_front = |u, v| along.middle + along.right * u + along.down * v > N::ZERO;
+    Conic::EMPTY.plus(N::ONE, along).plus_squares(-k, directions).outline(half_size, is_in_front)
+}
+
+/// Half the width or height beyond which an outline is everywhere, in half pictures: its conic may be open, and be seen
+/// around the eye.
+const OPEN: f32 = 16.0;
+
+/// All (u, v) with `uu·u² + 2uv·uv + vv·v² + 2u·u + 2v·v + one ≥ 0`.
+struct Conic<N> {
+    uu: N,
+    uv: N,
+    vv: N,
+    u: N,
+    v: N,
+    one: N,
+}
+
+impl<N: Real> Conic<N> {
+    const EMPTY: Self = Self { uu: N::ZERO, uv: N::ZERO, vv: N::ZERO, u: N::ZERO, v: N::ZERO, one: N::ZERO };
+
+    /// Adds the square of a function.
+    #[inline(never)]
+    fn plus(self, weight: N, Affine { middle, right, down }: Affine<N>) -> Self {
+        Self {
+            uu: self.uu + weight * right * right,
+            uv: self.uv + weight * right * down,
+            vv: self.vv + weight * down * down,
+            u: self.u + weight * right * middle,
+            v: self.v + weight * down * middle,
+            one: self.one + weight * middle * middle,
+        }
+    }
+
+    /// Adds the squares of all three coordinates.
+    fn plus_squares(self, weight: N, vector: Affine<Vec3<N>>) -> Self {
+        self.plus(weight, vector.map(|vector| vector.x))
+            .plus(weight, vector.map(|vector| vector.y))
+            .plus(weight, vector.map(|vector| vector.z))
+    }
+
+    /// In pixels, where the picture has this half width and height.
+    #[inline(never)]
+    fn outline(&self, (width, height): (N, N), is_in_front: impl Fn(N, N) -> bool) -> Outline {
+        let Self { uu, uv, vv, u, v, one } = *self;
+        // On the line v its ends are (uv·v + u ± √(−p2 v² + 2 p1 v + p0)) / a.
+        let a = -uu;
+        let (p2, p1, p0) = (-(uv * uv + a * vv), uv * u + a * v, u * u + a * one);
+        if !(a > N::ZERO && p2 > N::ZERO) {
+            return Outline::Everywhere;
+        }
+        let middle_v = p1 / p2;
+        let half_height = p0 / p2 + middle_v * middle_v;
+        if half_height < N::ZERO {
+            return Outline::Nowhere;
+        }
+        let half_height = half_height.sqrt();
+        let slope = uv / a;
+        let (middle_u, half_width) = (slope * middle_v + u / a, p2.sqrt() * half_height / a);
+        let open = N::from_f32(OPEN);
+        let is_closed = half_width < open && half_height < open && slope.abs() * half_height < open;
+        // Beyond, pixels could no longer be counted in 256ths.
+        let is_near = middle_u.abs() < N::from_f32(100.0) && middle_v.abs() < N::from_f32(100.0);
+        let slope = slope * width / height;
+        let is_near = is_near && slope.abs() < N::from_f32(100.0);
+        let (half_width, half_height) = (half_width * width, half_height * height);
+        if !(is_closed && is_near && half_width < N::from_f32(60_000.0)) {
+            return Outline::Everywhere;
+        }
+        if !is_in_front(middle_u, middle_v) {
+            return Outline::Nowhere;
+        }
+        // A pixel more on each side.
+        let inverse_half_height = N::from_f32(2_147_483_648.0) / (half_height + N::ONE);
+        let place = |middle: N, half: N| ((half + middle * half) * N::from_f32(256.0)).floor_to_i32();
+        Outline::Ellipse {
+            x: place(middle_u, width),
+            y: place(middle_v, height),
+            slope: (slope * N::from_f32(65536.0)).floor_to_i32(),
+            half_width: pixel(half_width, 2),
+            inverse_half_height: inverse_half_height.floor_to_i32() as u32,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::Camera;
+    use crate::math::Scale;
+
+    const SIZE: (u16, u16) = (90, 70);
+
+    fn viewport(camera: Camera) -> Viewport<f32> {
+        Viewport::new(&camera.prepare(Scale::ONE).unwrap(), SIZE.0, SIZE.1)
+    }
+
+    const CAMERA: Camera = Camera {
+        eye: Vec3::new(0.5, 2.0, 10.0),
+        target: Vec3::new(0.0, 0.0, 0.0),
+        up: Vec3::new(0.1, 1.0, 0.0),
+        vertical_fov: 0.8,
+    };
+
+    /// Numbers from 0 to 1, the same in every run.
+    struct Numbers(u32);
+
+    impl Numbers {
+        fn next(&mut self) -> f32 {
+            self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (self.0 >> 8) as f32 / (1 << 24) as f32
+        }
+
+        fn point(&mut self, size: f32) -> Vec3 {
+            Vec3::new(self.next() - 0.5, self.next() - 0.5, self.next() - 0.5) * size
+        }
+    }
+
+    /// Every pixel for which `is_in` must be in the outline; tells how many are, and how many are in the outline alone.
+    fn compare(
+        outline: &Outline,
+        viewport: &Viewport<f32>,
+        is_in: impl Fn(Vec3, Vec3) -> bool,
+    ) -> (u32, u32) {
+        let (mut inside, mut vain) = (0, 0);
+        for y in 0..SIZE.1 {
+            let span = outline.span(y);
+            for x in 0..SIZE.0 {
+                let ray = viewport.ray((x, 0x8000), (y, 0x8000));
+                let is_held = x >= span.start && x < span.end;
+                if is_in(ray.origin, ray.direction) {
+                    assert!(is_held, "{outline:?} has not {x}, {y}");
+                    inside += 1;
+                } else if is_held && *outline != Outline::Everywhere {
+                    vain += 1;
+                }
+            }
+        }
+        (inside, vain)
+    }
+
+    /// Whether the way from a point along a unit vector, at most so far, comes into a ball.
+    fn meets(origin: Vec3, direction: Vec3, distance: f32, center: Vec3, radius: f32) -> bool {
+        let toward = center - origin;
+        let along = toward.dot(direction).clamp(0.0, distance);
+        (toward - direction * along).length() < radius
+    }
+
+    #[test]
+    fn balls_are_inside_of_their_outlines() {
+        let mut numbers = Numbers(1);
+        let (mut inside, mut vain, mut closed) = (0, 0, 0);
+        for _ in 0..1000 {
+            let viewport = viewport(Camera { vertical_fov: 0.2 + 2.0 * numbers.next(), ..CAMERA });
+            let (center, radius) = (numbers.point(25.0), 0.02 + 3.0 * numbers.next() * numbers.next());
+            let outline = Outline::of_ball(center, radius, &viewport);
+            let (held, more) = compare(&outline, &viewport, |origin, direction| {
+                meets(origin, direction, 1e6, center, radius)
+            });
+            closed += u32::from(outline != Outline::Everywhere);
+            (inside, vain) = (inside + held, vain + more);
+        }
+        // They are wider by a few pixels each, and few balls have none.
+        assert!(closed > 900 && inside > 30_000 && vain < inside, "{closed} {inside} {vain}");
+    }
+
+    #[test]
+    fn shadows_are_inside_of_their_outlines() {
+        let mut numbers = Numbers(2);
+        let (mut inside, mut vain, mut closed) = (0, 0, 0);
+        for index in 0..1000 {
+            let viewport = viewport(Camera { vertical_fov: 0.3 + 1.5 * numbers.next(), ..CAMERA });
+            let (center, radius) = (numbers.point(8.0), 0.05 + 2.0 * numbers.next() * numbers.next());
+            let (normal, _) = (Vec3::new(0.0, 1.0, 0.0) + numbers.point(1.0)).polar();
+            let distance = -3.0 + 2.0 * numbers.next();
+            let light = numbers.point(30.0) + Vec3::new(0.0, 15.0, 0.0);
+            let source = if index % 2 == 0 { Source::At(light) } else { Source::Toward(light.polar().0) };
+            let outline = Outline::of_shadow(center, radius, &source, (normal, distance), &viewport);
+            let (held, more) = compare(&outline, &viewport, |origin, direction| {
+                let depth = (distance - normal.dot(origin)) / normal.dot(direction);
+                if !(depth > 0.0 && depth < 1e3) {
+                    return false;
+                }
+                let point = origin + direction * depth;
+                let (toward, far) = match source {
+                    Source::At(light) => (light - point).polar(),
+                    _ => (light.polar().0, 1e6),
+                };
+                meets(point, toward, far, center, radius)
+            });
+            closed += u32::from(outline != Outline::Everywhere);
+            (inside, vain) = (inside + held, vain + more);
+        }
+        // Some lie below the plane or above the light, and shade nothing.
+        assert!(closed > 900 && inside > 20_000 && vain < 2 * inside, "{closed} {inside} {vain}");
+    }
+
+    #[test]
+    fn boxes_are_seen_between_their_corners() {
+        let viewport =
+            viewport(Camera { eye: Vec3::new(0.0, 0.0, 10.0), up: Vec3::new(0.0, 1.0, 0.0), ..CAMERA });
+        let unit = Vec3::new(1.0, 1.0, 1.0);
+        let outline = Outline::of_box(Aabb::around(Vec3::ZERO, unit), &viewport);
+        // Half a unit is 70 / 2 / tan(0.4) / 9 pixels high at its front.
+        let half = 35.0 / 0.4f32.tan() / 9.0;
+        let Span { start, end } = outline.span(35);
+        assert!(
+            (f32::from(start) - (45.0 - half)).abs() < 2.5 && (f32::from(end) - (45.0 + half)).abs() < 2.5
+        );
+        assert_eq!(outline.span(5), Span::NOWHERE);
+        assert_eq!(
+            Outline::of_box(Aabb::around(Vec3::new(0.0, 0.0, 10.0), unit), &viewport),
+            Outline::Everywhere
+        );
+    }
+}
