@@ -21,8 +21,8 @@ pub const MAX_COUNT: usize = 65_535;
 /// The largest width or height of a picture in pixels: a coordinate is a `u16`.
 pub const MAX_SIDE: u32 = 65_535;
 
-/// The most boxes, one inside the other, that a scene's hierarchy has around an object: each costs a ray 2 bytes of
-/// stack.
+/// The most nodes, one inside the other, that a scene's hierarchy has around an object: each costs a ray 24 bytes of
+/// stack in `f32`.
 ///
-/// Sixteen where the cuts cost least, and 15 more if all [`MAX_COUNT`] objects are still together.
-pub const MAX_HIERARCHY_DEPTH: usize = 32;
+/// Twelve where the cuts cost least, and eight more if all [`MAX_COUNT`] objects are still together.
+pub const MAX_HIERARCHY_DEPTH: usize = 20;

@@ -3,48 +3,62 @@
 //! Subdivision", The Visual Computer 1990), with cuts at eight places along each axis (Wald, "On fast Construction of
 //! SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
-//! # How deep
-//! Cuts that cost least may part two objects from thousands. So in nodes that lie in [`CUT_DEPTH`] others the objects are
-//! halved: 15 halvings leave two of 65535, and a leaf lies in at most [`MAX_HIERARCHY_DEPTH`] nodes.
+//! # How deep and how large
+//! Cuts that cost least may part one object from thousands. So in nodes that lie in [`CUT_DEPTH`] others the objects are
+//! halved and halved again: eight such nodes part 65535, and a leaf lies in at most [`MAX_HIERARCHY_DEPTH`] nodes.
+//!
+//! A node without nodes in it holds three objects or more, and one with some has four parts: so there are at most 4/9 as many
+//! nodes as objects, which take 52 bytes an object in `f32`.
 
 use super::axis::Axis;
-use super::{Content, Hierarchy, Node};
+use super::{Content, Hierarchy, Node, WIDTH};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
 use crate::math::{Aabb, Real, Vec3};
 
-/// The most objects in a leaf: testing one takes no longer than testing a box. Five cost 2 to 4 % more.
-const LEAF: usize = 3;
-/// The fewest on each side of a cut, so that there are fewer nodes than objects.
-const FEWEST: usize = 2;
+/// The most objects in a leaf.
+const LEAF: usize = 2;
 /// In so many nodes, objects are halved.
-const CUT_DEPTH: usize = 16;
+const CUT_DEPTH: usize = 12;
 /// Places along an axis.
 const BINS: usize = 8;
 
-/// How often a number of objects is halved before one leaf holds them.
-const fn halvings(objects: usize) -> usize {
-    let (mut objects, mut halvings) = (objects, 0);
+/// How many nodes lie in one another where objects are halved.
+const fn halving_nodes(mut objects: usize) -> usize {
+    let mut nodes = 0;
     while objects > LEAF {
-        objects = objects.div_ceil(2);
-        halvings += 1;
+        objects = objects.div_ceil(WIDTH);
+        nodes += 1;
     }
-    halvings
+    nodes
 }
 
-const _: () = assert!(CUT_DEPTH + halvings(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
+const _: () = assert!(CUT_DEPTH + halving_nodes(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
 
-/// Objects that are to become a node and what lies in it.
+/// How many nodes there may be, of more objects than there are in a leaf.
+pub(super) const fn most_nodes(objects: usize) -> usize {
+    objects * 4 / 9
+}
+
+/// Objects that lie together.
 #[derive(Clone, Copy)]
-struct Part {
+struct Part<R> {
     /// Where they are in the order.
     first: usize,
     count: usize,
-    /// How many nodes contain this one.
+    around: Aabb<R>,
+}
+
+/// A part that is to become a node.
+#[derive(Clone, Copy)]
+struct Pending {
+    first: usize,
+    count: usize,
+    /// How many nodes contain it.
     depth: usize,
-    /// The node whose second one this becomes.
-    second_of: Option<usize>,
+    /// The node that it lies in, and which part of it.
+    of: (usize, usize),
 }
 
 /// Builds the hierarchy of so many objects.
@@ -55,56 +69,92 @@ pub(super) fn build<'m, R: Real>(
 ) -> Result<Hierarchy<'m, R>, Fault> {
     let order: &'m mut [u16] = arena.try_store_with(objects, |index, _| Ok::<u16, Fault>(index as u16))?;
     let unbounded = partition(order, |object| bounds(object).is_none());
-    let empty =
-        Node { center: Vec3::ZERO, reach: Vec3::ZERO, content: Content::Objects { count: 0, first: 0 } };
-    let nodes: &'m mut [Node<R>] = arena.try_store_with(objects, |_, _| Ok::<_, Fault>(empty))?;
+    let zero = [[R::ZERO; WIDTH]; 3];
+    let empty = Node { lower: zero, upper: zero, content: [Content::NOTHING; WIDTH] };
+    let nodes: &'m mut [Node<R>] = arena.try_store_with(most_nodes(objects), |_, _| Ok::<_, Fault>(empty))?;
 
     let mut used = 0;
-    let mut next = Some(Part { first: unbounded, count: objects - unbounded, depth: 0, second_of: None });
-    // One part waits for each node that contains the one at hand.
-    let mut waiting = [None; MAX_HIERARCHY_DEPTH];
-    while let Some(part) = next.take().or_else(|| waiting.iter_mut().rev().find_map(Option::take)) {
-        let Part { first, count, depth, second_of } = part;
-        if let Some(Content::Nodes { second, .. }) =
-            second_of.and_then(|node| nodes.get_mut(node)).map(|node| &mut node.content)
+    let mut next = Some(Pending { first: unbounded, count: objects - unbounded, depth: 0, of: (0, 0) });
+    // For each node that contains the one at hand, its other parts wait.
+    let mut waiting = [None; WIDTH * MAX_HIERARCHY_DEPTH];
+    while let Some(pending) = next.take().or_else(|| waiting.iter_mut().rev().find_map(Option::take)) {
+        let Pending { first, count, depth, of: (parent, place) } = pending;
+        if used > 0
+            && let Some(content) = nodes.get_mut(parent).and_then(|node| node.content.get_mut(place))
         {
-            *second = used as u16;
+            *content = Content::Node(used as u16);
         }
-        let in_part = order.get_mut(first..first.saturating_add(count)).unwrap_or_default();
-        let around = in_part.iter().filter_map(|object| bounds(*object)).reduce(Aabb::union);
-        let (Some(around), Some(node)) = (around, nodes.get_mut(used)) else { break };
-        let center = around.center();
-        // What is rounded is of the size of this box, not of the shapes in it.
-        let around = around.padded(R::offset(around.magnitude()));
-        let (up, down) = (around.max - center, center - around.min);
-        let reach = Vec3::new(up.x.larger(down.x), up.y.larger(down.y), up.z.larger(down.z));
-        let content = if count <= LEAF {
-            Content::Objects { count: count as u8, first: first as u16 }
-        } else {
-            let bounds = |object| bounds(object).map_or(Aabb::point(Vec3::ZERO), Aabb::to_setup);
-            let (axis, cut) = split::<R::Setup>(in_part, bounds, depth >= CUT_DEPTH);
-            let depth = depth + 1;
-            next = Some(Part { first, count: cut, depth, second_of: None });
-            let second = Part { first: first + cut, count: count - cut, depth, second_of: Some(used) };
-            // There is a place for each depth.
-            if let Some(place) = waiting.get_mut(depth - 1) {
-                *place = Some(second);
+        let in_all = order.get_mut(first..first.saturating_add(count)).unwrap_or_default();
+        let parts = four_parts(in_all, &bounds, depth >= CUT_DEPTH);
+        let mut node = empty;
+        for (place, part) in parts.into_iter().enumerate() {
+            let Some(Part { first: begin, count, around }) = part else { continue };
+            // What is rounded is of the size of this box, not of the shapes in it.
+            node.enclose(place, around.padded(R::offset(around.magnitude())));
+            let first = first + begin;
+            if count > LEAF {
+                // There is a place for each part of each node around.
+                if let Some(waiting) = waiting.get_mut(depth * WIDTH + place) {
+                    *waiting = Some(Pending { first, count, depth: depth + 1, of: (used, place) });
+                }
+            } else if let Some(content) = node.content.get_mut(place) {
+                *content = Content::Objects { count: count as u8, first: first as u16 };
             }
-            Content::Nodes { axis, second: 0 }
-        };
-        *node = Node { center, reach, content };
+        }
+        let Some(slot) = nodes.get_mut(used) else { break };
+        *slot = node;
         used += 1;
     }
     Ok(Hierarchy { nodes, order, unbounded })
 }
 
-/// Brings the objects of one side to the front, and says how many they are and along which axis they were cut.
-fn split<F: Real<Setup = F>>(
+impl<R: Real> Node<R> {
+    /// Sets one of the boxes.
+    pub(super) fn enclose(&mut self, place: usize, Aabb { min, max }: Aabb<R>) {
+        let rows = self.lower.iter_mut().chain(&mut self.upper);
+        for (row, plane) in rows.zip([min.x, min.y, min.z, max.x, max.y, max.z]) {
+            if let Some(place) = row.get_mut(place) {
+                *place = plane;
+            }
+        }
+    }
+}
+
+/// Parts objects in four or fewer, each time the part that the most tests are expected in.
+fn four_parts<R: Real>(
     objects: &mut [u16],
-    bounds: impl Fn(u16) -> Aabb<F>,
+    bounds: &impl Fn(u16) -> Option<Aabb<R>>,
     halve: bool,
-) -> (Axis, usize) {
-    let half = (Axis::X, objects.len() / 2);
+) -> [Option<Part<R>>; WIDTH] {
+    let around = |objects: &[u16]| objects.iter().filter_map(|object| bounds(*object)).reduce(Aabb::union);
+    let part = |objects: &[u16], first: usize| {
+        around(objects).map(|around| Part { first, count: objects.len(), around })
+    };
+    let cost = |part: &Part<R>| {
+        let weight = R::Setup::from_u16(part.count as u16);
+        if halve { weight } else { area(part.around.to_setup()) * weight }
+    };
+    let mut parts = [part(objects, 0), None, None, None];
+    for free in 1..WIDTH {
+        let several = parts.iter_mut().flatten().filter(|part| part.count > 1);
+        let Some(largest) = several.reduce(|a, b| if cost(b) > cost(a) { b } else { a }) else { break };
+        let first = largest.first;
+        let in_part = objects.get_mut(first..first.saturating_add(largest.count)).unwrap_or_default();
+        let to_setup = |object| bounds(object).map_or(Aabb::point(Vec3::ZERO), Aabb::to_setup);
+        let cut = split::<R::Setup>(in_part, to_setup, halve);
+        let Some((front, behind)) = in_part.split_at_checked(cut) else { break };
+        let (Some(front), behind) = (part(front, first), part(behind, first + cut)) else { break };
+        *largest = front;
+        if let Some(part) = parts.get_mut(free) {
+            *part = behind;
+        }
+    }
+    parts
+}
+
+/// Brings the objects of one side to the front, and says how many they are.
+fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F>, halve: bool) -> usize {
+    let half = objects.len() / 2;
     let centers = objects.iter().map(|object| Aabb::point(bounds(*object).center())).reduce(Aabb::union);
     let Some(centers) = centers.filter(|_| !halve) else { return half };
     let mut best: Option<(F, Row<F>, usize)> = None;
@@ -121,15 +171,14 @@ fn split<F: Real<Setup = F>>(
             let before = bins.iter().take(cut).copied().fold(Bin::EMPTY, Bin::union);
             let behind = bins.iter().skip(cut).copied().fold(Bin::EMPTY, Bin::union);
             let cost = before.cost() + behind.cost();
-            let enough = before.count >= FEWEST && behind.count >= FEWEST;
-            if enough && best.is_none_or(|(least, ..)| cost < least) {
+            if before.count > 0 && behind.count > 0 && best.is_none_or(|(least, ..)| cost < least) {
                 best = Some((cost, row, cut));
             }
         }
     }
     match best {
-        Some((_, row, cut)) => (row.axis, partition(objects, |object| row.place(bounds(object)) < cut)),
-        // All in one place, or all but one.
+        Some((_, row, cut)) => partition(objects, |object| row.place(bounds(object)) < cut),
+        // All in one place.
         None => half,
     }
 }
@@ -181,11 +230,14 @@ impl<F: Real> Bin<F> {
     /// The share of rays that come through, times the number of objects that they test.
     #[inline(never)]
     fn cost(self) -> F {
-        self.bounds.map_or(F::ZERO, |bounds| {
-            let Vec3 { x, y, z } = bounds.max - bounds.min;
-            (x * y + y * z + z * x) * F::from_u16(self.count as u16)
-        })
+        self.bounds.map_or(F::ZERO, |bounds| area(bounds) * F::from_u16(self.count as u16))
     }
+}
+
+/// Half the area of a box's surface: in proportion to the rays that come through.
+fn area<F: Real>(bounds: Aabb<F>) -> F {
+    let Vec3 { x, y, z } = bounds.max - bounds.min;
+    x * y + y * z + z * x
 }
 
 /// Brings the objects to the front that belong there, and says how many they are.

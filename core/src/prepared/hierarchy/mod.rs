@@ -1,9 +1,12 @@
 //! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it. Nine times the
-//! objects, 820 balls for 91, then cost 1.33 times the instructions for each ray.
+//! objects, 820 balls for 91, then cost 1.21 times the instructions for each ray.
 //!
-//! Scenes with more objects than an [`ObjectSet`] holds have a hierarchy. It is stored depth first, in nodes of 28
-//! bytes in `f32`; with no fewer than two objects in a leaf there are fewer nodes than objects, so that it takes at most
-//! 30 bytes for each. How it is built: see [`build`]. How a box is tested: see [`segment`].
+//! Scenes with more objects than an [`ObjectSet`] holds have a hierarchy. A node holds four boxes, coordinate by
+//! coordinate, so that a processor that computes four numbers at once tests them at once (Dammertz, Hanika and Keller,
+//! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
+//! the instructions that it took with nodes of one box. To sort all boxes of a node by distance visits fewer, but takes 5 %
+//! longer than to go on with the nearest and to let the others wait as they come. How it is built: see [`build`]. How
+//! boxes are tested: see [`slabs`] for floating point and [`segment`] for fixed point.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.
@@ -11,8 +14,11 @@
 mod axis;
 mod build;
 mod segment;
+mod slabs;
 #[cfg(test)]
 mod tests;
+
+use heapless::Vec;
 
 use super::PreparedObject;
 use super::candidates::ObjectSet;
@@ -23,6 +29,7 @@ use crate::math::{Ray, Real, Vec3};
 use crate::shape::Intersect;
 use axis::Axis;
 use segment::Segment;
+use slabs::Slabs;
 
 /// The objects of a scene by where they are.
 #[derive(Clone, Copy, Debug)]
@@ -35,24 +42,62 @@ pub(crate) struct Hierarchy<'m, R> {
     unbounded: usize,
 }
 
-/// A box, and what lies in it.
+/// The boxes of a node.
+const WIDTH: usize = 4;
+
+/// Four boxes, and what lies in each.
 #[derive(Clone, Copy, Debug)]
 struct Node<R> {
-    center: Vec3<R>,
-    /// From the center to the sides.
-    reach: Vec3<R>,
-    content: Content,
+    /// The smallest coordinates of the four boxes: x, y, z.
+    lower: [[R; WIDTH]; 3],
+    /// The largest.
+    upper: [[R; WIDTH]; 3],
+    content: [Content; WIDTH],
 }
 
-const _: () = assert!(size_of::<Node<f32>>() == 28);
+const _: () = assert!(size_of::<Node<f32>>() == 112);
+
+impl<R: Real> Node<R> {
+    /// The smallest and the largest coordinates of each box.
+    fn corners(&self) -> impl Iterator<Item = (Vec3<R>, Vec3<R>)> {
+        points(&self.lower).zip(points(&self.upper))
+    }
+}
+
+fn points<R: Copy>([x, y, z]: &[[R; WIDTH]; 3]) -> impl Iterator<Item = Vec3<R>> {
+    x.iter().zip(y).zip(z).map(|((x, y), z)| Vec3::new(*x, *y, *z))
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Content {
     /// So many positions of the order, from `first` on.
     Objects { count: u8, first: u16 },
-    /// Two nodes: the one right behind this and `second`, which lies farther along the axis.
-    Nodes { axis: Axis, second: u16 },
+    /// Another node.
+    Node(u16),
 }
+
+impl Content {
+    const NOTHING: Self = Self::Objects { count: 0, first: 0 };
+}
+
+/// A test whether a ray may meet something in a box.
+trait BoxTest<R> {
+    /// Which of a node's boxes the ray meets, a bit for each, and for each a number that grows with the distance from the
+    /// ray's origin.
+    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]);
+
+    /// Ends the ray at a distance.
+    fn end_at(&mut self, max: R);
+
+    /// Whether a box that was met before still matters, by its number.
+    fn reaches(&self, key: R) -> bool;
+}
+
+/// A box that waits while nearer ones are visited, and the number that says how near it is.
+type Waiting<R> = (R, Content);
+
+/// All boxes of a node wait at first, then all but one for each node around the one that is visited.
+const MOST_WAITING: usize = (WIDTH - 1) * MAX_HIERARCHY_DEPTH + 1;
 
 impl<'m, R: Real> Hierarchy<'m, R> {
     /// For how many objects a hierarchy is stored: none where a scene has sets of candidates.
@@ -63,7 +108,7 @@ impl<'m, R: Real> Hierarchy<'m, R> {
     /// How many bytes the hierarchy of a scene takes.
     pub(super) const fn bytes(objects: usize) -> usize {
         let objects = Self::stored(objects);
-        Arena::bytes::<Node<R>>(objects).saturating_add(Arena::bytes::<u16>(objects))
+        Arena::bytes::<Node<R>>(build::most_nodes(objects)).saturating_add(Arena::bytes::<u16>(objects))
     }
 
     /// Builds the hierarchy, unless the scene has few objects.
@@ -81,48 +126,69 @@ impl<'m, R: Real> Hierarchy<'m, R> {
     /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
     /// first, roughly. It says what the largest distance is from then on, or `None` to stop. Returns whether it stopped.
     #[inline]
-    pub(super) fn walk(&self, ray: &Ray<R>, mut max: R, mut test: impl FnMut(usize) -> Option<R>) -> bool {
-        for object in self.order.iter().take(self.unbounded) {
-            match test(usize::from(*object)) {
-                Some(nearer) => max = nearer,
-                None => return true,
-            }
+    pub(super) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> Option<R>) -> bool {
+        if R::REACH.is_none() {
+            self.walk_boxes(Slabs::new(ray, max), test)
+        } else {
+            self.walk_boxes(Segment::new(ray, max), test)
         }
-        let mut segment = Segment::new(ray, max);
-        // A node is put off for each that contains the one visited: at most as many as the tree is deep.
-        let mut put_off = [0; MAX_HIERARCHY_DEPTH];
-        let mut count = 0usize;
-        let mut visited = 0;
+    }
+
+    #[inline(always)]
+    fn walk_boxes(&self, mut ray: impl BoxTest<R>, mut test: impl FnMut(usize) -> Option<R>) -> bool {
+        let mut waiting: Vec<Waiting<R>, MOST_WAITING> = Vec::new();
+        let mut objects = self.order.get(..self.unbounded).unwrap_or_default();
+        let mut next = Some((R::ZERO, Content::Node(0)));
         loop {
-            let node = self.nodes.get(usize::from(visited));
-            match node.filter(|node| segment.meets(node)).map(|node| node.content) {
-                Some(Content::Nodes { axis, second }) => {
-                    let first = visited + 1;
-                    let backward = axis.of(ray.direction) < R::ZERO;
-                    let (near, far) = if backward { (second, first) } else { (first, second) };
-                    debug_assert!(count < put_off.len(), "deeper than the builder allows");
-                    if let Some(place) = put_off.get_mut(count) {
-                        *place = far;
-                        count += 1;
-                    }
-                    visited = near;
+            for object in objects {
+                match test(usize::from(*object)) {
+                    Some(nearer) => ray.end_at(nearer),
+                    None => return true,
+                }
+            }
+            // To the next leaf that matters.
+            objects = loop {
+                let Some((key, content)) = next.take().or_else(|| waiting.pop()) else { return false };
+                if !ray.reaches(key) {
                     continue;
                 }
-                Some(Content::Objects { count, first }) => {
-                    for object in self.order.iter().skip(usize::from(first)).take(usize::from(count)) {
-                        match test(usize::from(*object)) {
-                            Some(nearer) => segment.end_at(nearer),
-                            None => return true,
+                match content {
+                    Content::Objects { count, first } => {
+                        let first = usize::from(first);
+                        break self.order.get(first..first + usize::from(count)).unwrap_or_default();
+                    }
+                    Content::Node(index) => {
+                        if let Some(node) = self.nodes.get(usize::from(index)) {
+                            next = nearest(ray.meet(node), &node.content, &mut waiting);
                         }
                     }
                 }
-                None => {}
-            }
-            count = match count.checked_sub(1) {
-                Some(count) => count,
-                None => return false,
             };
-            visited = put_off.get(count).copied().unwrap_or(0);
         }
     }
+}
+
+/// The nearest of the boxes that were met; the others wait.
+#[inline(always)]
+#[allow(clippy::indexing_slicing)] // By a remainder.
+fn nearest<R: Real>(
+    (mut met, keys): (u32, [R; WIDTH]),
+    content: &[Content; WIDTH],
+    waiting: &mut Vec<Waiting<R>, MOST_WAITING>,
+) -> Option<Waiting<R>> {
+    let mut nearest: Option<Waiting<R>> = None;
+    while met != 0 {
+        let slot = met.trailing_zeros() as usize % WIDTH;
+        met &= met - 1;
+        let mut nearer = (keys[slot], content[slot]);
+        if let Some(mut farther) = nearest {
+            if farther.0 < nearer.0 {
+                core::mem::swap(&mut farther, &mut nearer);
+            }
+            let pushed = waiting.push(farther);
+            debug_assert!(pushed.is_ok(), "deeper than the builder allows");
+        }
+        nearest = Some(nearer);
+    }
+    nearest
 }

@@ -1,35 +1,25 @@
-//! The test of a box: whether the piece of a ray that still matters comes through it.
+//! The test of boxes in fixed point: whether the piece of a ray that still matters comes through them.
 //!
-//! The ray lies between the two planes of a slab from `near / d` to `far / d` (Kay and Kajiya, "Ray Tracing Complex
-//! Scenes", SIGGRAPH 1986), and the box is met if all three of these ranges overlap. Here both sides of each comparison are
-//! multiplied by the divisors, which is the test by separating axes (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH
-//! 1996) of a segment and a box: no division, no infinity where a direction has a coordinate of 0 (Williams et al., "An
-//! Efficient and Robust Ray-Box Intersection Algorithm", JGT 2005), so that it holds in fixed point, and what lies
-//! behind the ray or beyond its end costs no multiplication.
-//!
-//! # No hit is lost
-//! A hit is a point of the ray, off by its rounding, in the box that the shape gave. For that and for the rounding of the
-//! test itself all boxes are inflated (Ize, "Robust BVH Ray Traversal", JCGT 2013) by [`Real::offset`] of their own
-//! coordinates when they are built, and by that of the ray's origin when they are tested. In `f32` that is 168 half
-//! units in the last place of both. No coordinate of the way between them is larger than their sum, and the test makes five
-//! roundings of it, all relative to the coordinates of the direction by which the inflation is multiplied as well. In fixed point
-//! its products are exact.
+//! The ray lies between the two planes of an axis from `near / d` to `far / d`, and the box is met if all three of these
+//! ranges overlap (see [`slabs`](super::slabs)). Here both sides of each comparison are multiplied by the divisors: no
+//! reciprocal, which fixed point could not hold, and what lies behind the ray or beyond its end costs no multiplication.
+//! The products are exact, and boxes are inflated as in floating point.
 
-use super::Node;
-use crate::math::{Product, Ray, Real, Vec3};
+use super::{Axis, BoxTest, Node, WIDTH};
+use crate::math::{Ray, Real, Vec3};
 
-/// The piece of a ray from its origin to the farthest hit that matters.
+/// The piece of a ray from its origin to the farthest hit that matters, mirrored so that it runs upward along all axes.
 pub(super) struct Segment<R> {
     origin: Vec3<R>,
     direction: Vec3<R>,
     /// The absolute values of the direction's coordinates.
     slope: Vec3<R>,
+    /// The axis along which it runs farthest.
+    steepest: Axis,
     /// By how much boxes are inflated.
     margin: R,
-    max: R,
-    /// The box around the segment, seen from the origin.
-    lower: Vec3<R>,
-    upper: Vec3<R>,
+    /// Where it ends, seen from the origin.
+    end: Vec3<R>,
 }
 
 impl<R: Real> Segment<R> {
@@ -37,50 +27,66 @@ impl<R: Real> Segment<R> {
     pub(super) fn new(ray: &Ray<R>, max: R) -> Self {
         let Ray { origin, direction } = *ray;
         let slope = Vec3::new(direction.x.abs(), direction.y.abs(), direction.z.abs());
+        let steepest = if slope.x >= slope.y && slope.x >= slope.z {
+            Axis::X
+        } else if slope.y >= slope.z {
+            Axis::Y
+        } else {
+            Axis::Z
+        };
         let margin = R::offset(origin.magnitude());
-        let mut segment =
-            Self { origin, direction, slope, margin, max, lower: Vec3::ZERO, upper: Vec3::ZERO };
-        segment.stretch();
-        segment
+        Self { origin, direction, slope, steepest, margin, end: slope * max }
     }
 
-    /// Ends it at a distance.
+    /// Where a box begins and ends along an axis, seen from the origin in the direction of the ray.
     #[inline(always)]
-    pub(super) fn end_at(&mut self, max: R) {
-        if max != self.max {
-            self.max = max;
-            self.stretch();
+    fn along(&self, axis: Axis, lower: R, upper: R) -> (R, R) {
+        let (origin, margin) = (axis.of(self.origin), self.margin);
+        if axis.of(self.direction) < R::ZERO {
+            (origin - upper - margin, origin - lower + margin)
+        } else {
+            (lower - origin - margin, upper - origin + margin)
         }
     }
+}
 
+impl<R: Real> BoxTest<R> for Segment<R> {
     #[inline(always)]
-    fn stretch(&mut self) {
-        let end = self.direction * self.max;
-        let lower = |end: R| if end < R::ZERO { end } else { R::ZERO };
-        self.lower = Vec3::new(lower(end.x), lower(end.y), lower(end.z));
-        self.upper = Vec3::new(end.x.larger(R::ZERO), end.y.larger(R::ZERO), end.z.larger(R::ZERO));
+    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+        let Self { slope, steepest, end, .. } = self;
+        let mut keys = [R::ZERO; WIDTH];
+        let mut met = 0;
+        for (slot, ((lower, upper), key)) in node.corners().zip(&mut keys).enumerate() {
+            let (near_x, far_x) = self.along(Axis::X, lower.x, upper.x);
+            let (near_y, far_y) = self.along(Axis::Y, lower.y, upper.y);
+            let (near_z, far_z) = self.along(Axis::Z, lower.z, upper.z);
+            let behind = far_x < R::ZERO || far_y < R::ZERO || far_z < R::ZERO;
+            if behind || near_x > end.x || near_y > end.y || near_z > end.z {
+                continue;
+            }
+            // It leaves one pair of planes before it comes between another.
+            let apart = |far: R, slope: R, other_near: R, other_slope: R| {
+                far.times(other_slope) < other_near.times(slope)
+            };
+            let misses = apart(far_x, slope.x, near_y, slope.y)
+                || apart(far_y, slope.y, near_x, slope.x)
+                || apart(far_y, slope.y, near_z, slope.z)
+                || apart(far_z, slope.z, near_y, slope.y)
+                || apart(far_z, slope.z, near_x, slope.x)
+                || apart(far_x, slope.x, near_z, slope.z);
+            met |= u32::from(!misses) << slot;
+            *key = steepest.of(Vec3::new(near_x, near_y, near_z));
+        }
+        (met, keys)
     }
 
-    /// Whether it may meet anything in a node's box.
     #[inline(always)]
-    pub(super) fn meets(&self, node: &Node<R>) -> bool {
-        let Self { direction: d, slope, margin, lower, upper, .. } = *self;
-        let to = node.center - self.origin;
-        let reach = node.reach + Vec3::new(margin, margin, margin);
-        if to.x + reach.x < lower.x
-            || to.x - reach.x > upper.x
-            || to.y + reach.y < lower.y
-            || to.y - reach.y > upper.y
-            || to.z + reach.z < lower.z
-            || to.z - reach.z > upper.z
-        {
-            return false;
-        }
-        // Along each axis: the distance of the line from the center, and how far the box reaches.
-        let passes =
-            |distance: R::Product, reach: R::Product| distance > reach || R::Product::ZERO - distance > reach;
-        !(passes(to.y.times(d.z) - to.z.times(d.y), reach.y.times(slope.z) + reach.z.times(slope.y))
-            || passes(to.z.times(d.x) - to.x.times(d.z), reach.z.times(slope.x) + reach.x.times(slope.z))
-            || passes(to.x.times(d.y) - to.y.times(d.x), reach.x.times(slope.y) + reach.y.times(slope.x)))
+    fn end_at(&mut self, max: R) {
+        self.end = self.slope * max;
+    }
+
+    #[inline(always)]
+    fn reaches(&self, key: R) -> bool {
+        key <= self.steepest.of(self.end)
     }
 }

@@ -19,29 +19,25 @@ fn check(boxes: &Boxes) -> usize {
     let mut found: Vec<u16> = hierarchy.order[..hierarchy.unbounded].to_vec();
     assert!(found.iter().all(|object| boxes[usize::from(*object)].is_none()));
     let mut deepest = 0;
-    let mut stack = vec![(0u16, Vec::new())];
+    let mut stack = vec![(0u16, Vec::<(u16, usize)>::new())];
     while let Some((index, path)) = stack.pop() {
-        let path: Vec<u16> = path.into_iter().chain([index]).collect();
         let node = hierarchy.nodes[usize::from(index)];
-        match node.content {
-            Content::Nodes { second, .. } => {
-                deepest = deepest.max(path.len());
-                stack.push((second, path.clone()));
-                stack.push((index + 1, path));
-            }
-            Content::Objects { count, first } => {
-                let first = usize::from(first);
-                for object in &hierarchy.order[first..first + usize::from(count)] {
-                    found.push(*object);
-                    let bounds = boxes[usize::from(*object)].unwrap();
-                    for around in &path {
-                        assert!(holds(&hierarchy.nodes[usize::from(*around)], bounds));
+        deepest = deepest.max(path.len() + 1);
+        for (slot, content) in node.content.into_iter().enumerate() {
+            let path: Vec<_> = path.iter().copied().chain([(index, slot)]).collect();
+            match content {
+                Content::Node(inner) => stack.push((inner, path)),
+                Content::Objects { count, first } => {
+                    let first = usize::from(first);
+                    for object in &hierarchy.order[first..first + usize::from(count)] {
+                        found.push(*object);
+                        let bounds = boxes[usize::from(*object)].unwrap();
+                        for (node, slot) in &path {
+                            assert!(holds(&hierarchy.nodes[usize::from(*node)], *slot, bounds));
+                        }
                     }
                 }
             }
-        }
-        if found.len() == boxes.len() {
-            break;
         }
     }
     found.sort_unstable();
@@ -51,9 +47,10 @@ fn check(boxes: &Boxes) -> usize {
     deepest
 }
 
-/// Whether a box lies in a node's.
-fn holds(node: &Node<f32>, bounds: Aabb<f32>) -> bool {
-    let around = Aabb::around(node.center, node.reach);
+/// Whether a box lies in one of a node's.
+fn holds(node: &Node<f32>, slot: usize, bounds: Aabb<f32>) -> bool {
+    let (min, max) = node.corners().nth(slot).unwrap();
+    let around = Aabb { min, max };
     around.contains(bounds.min) && around.contains(bounds.max)
 }
 
@@ -66,7 +63,7 @@ fn every_object_is_in_one_leaf_within_all_boxes_around_it() {
     for count in [33, 34, 100, 1000] {
         let grid = (0..count).map(|i| cube((i % 10) as f32, (i / 10 % 10) as f32, (i / 100) as f32, 0.6));
         let deepest = check(&grid.collect());
-        assert!(deepest <= 12, "{count}: {deepest}");
+        assert!(deepest <= 7, "{count}: {deepest}");
     }
 }
 
@@ -89,11 +86,30 @@ fn no_tree_is_too_deep() {
 }
 
 #[test]
-fn a_fixed_point_node_is_as_small() {
-    assert_eq!(size_of::<Node<Fixed>>(), 28);
+fn at_most_64_bytes_an_object() {
+    assert_eq!(size_of::<Node<Fixed>>(), 112);
     assert_eq!(Hierarchy::<f32>::bytes(32), 0);
-    // 30 bytes for each object, and what alignment takes.
-    assert_eq!(Hierarchy::<f32>::bytes(1000), 30_000 + 3 + 1);
+    for objects in [33, 820, 65_535] {
+        assert!(Hierarchy::<f32>::bytes(objects) <= 52 * objects);
+        assert!(Hierarchy::<Fixed>::bytes(objects) <= 52 * objects);
+    }
+}
+
+/// A node of one box, in the third place.
+fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
+    let nowhere = [[-R::ONE; WIDTH]; 3];
+    let mut node = Node { lower: nowhere, upper: nowhere, content: [Content::NOTHING; WIDTH] };
+    node.enclose(2, Aabb::around(center, reach));
+    node
+}
+
+/// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
+fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
+    fn found<R: Real>(test: impl BoxTest<R>, node: &Node<R>) -> bool {
+        let (met, keys) = test.meet(node);
+        met & 4 != 0 && test.reaches(keys[2])
+    }
+    if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
 }
 
 /// All rays that meet a box, however flat and however they run, find it: along axes, along diagonals and from far away.
@@ -103,21 +119,23 @@ fn boxes_are_met<R: Real>(far: f32) {
     };
     let targets = [-0.25f32, -0.1, 0.0, 0.125, 0.25];
     for (reach_y, reach_z) in [(0.25, 0.25), (0.0, 0.25), (0.0, 0.0)] {
-        let node = Node::<R> {
-            center: Vec3::ZERO,
-            reach: Vec3::new(0.25, reach_y, reach_z).to(),
-            content: Content::Objects { count: 0, first: 0 },
-        };
-        for (x, y, z) in
-            [(1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (1.0, 1.0, 0.0), (-0.3, 0.7, 0.2), (1e-4, 1.0, -1e-4)]
-        {
+        let node = node::<R>(Vec3::ZERO, Vec3::new(0.25, reach_y, reach_z).to());
+        for (x, y, z) in [
+            (1.0, 0.0, 0.0),
+            (-1.0, -0.0, -0.0),
+            (0.0, -1.0, 0.0),
+            (1.0, 1.0, 0.0),
+            (-0.3, 0.7, 0.2),
+            (1e-4, 1.0, -1e-4),
+            (1e-25, 1.0, -1e-38),
+        ] {
             let direction = unit(x, y, z);
             for target in targets {
                 let point = Vec3::new(target, reach_y, -reach_z).to::<R>();
                 let ray = Ray { origin: point - direction * R::from_f32(far), direction };
-                assert!(Segment::new(&ray, R::FARTHEST).meets(&node), "{ray:?} {node:?}");
+                assert!(meets(&ray, R::FARTHEST, &node), "{ray:?} {node:?}");
                 // It ends at the point, at its rounded distance.
-                assert!(Segment::new(&ray, R::from_f32(far)).meets(&node), "{ray:?} {node:?}");
+                assert!(meets(&ray, R::from_f32(far), &node), "{ray:?} {node:?}");
             }
         }
     }
@@ -132,20 +150,54 @@ fn no_box_is_missed() {
     }
 }
 
+fn boxes_are_passed<R: Real>() {
+    let number = R::from_f32;
+    let node = node::<R>(Vec3::new(0.0, 0.0, 5.0).to(), Vec3::new(1.0, 1.0, 1.0).to());
+    let meets = |x: f32, z: f32, max: R| {
+        let direction = Vec3::from_setup(Vec3::new(x, 0.0, z).to::<R::Setup>().normalized().unwrap());
+        meets(&Ray { origin: Vec3::ZERO, direction }, max, &node)
+    };
+    assert!(meets(0.0, 1.0, R::FARTHEST) && meets(0.0, 1.0, number(4.1)) && meets(1.0, 4.1, R::FARTHEST));
+    assert!(!meets(0.0, -1.0, R::FARTHEST), "behind");
+    assert!(!meets(0.0, 1.0, number(3.9)), "beyond the end");
+    assert!(!meets(1.0, 3.9, R::FARTHEST), "beside");
+    assert!(!meets(1.0, 0.0, R::FARTHEST), "across");
+}
+
 #[test]
 fn boxes_behind_beside_and_beyond_are_passed() {
-    let node = Node::<f32> {
-        center: Vec3::new(0.0, 0.0, 5.0),
-        reach: Vec3::new(1.0, 1.0, 1.0),
-        content: Content::Objects { count: 0, first: 0 },
-    };
-    let meets = |x: f32, z: f32, max: f32| {
-        let direction = Vec3::new(x, 0.0, z).normalized().unwrap();
-        Segment::new(&Ray { origin: Vec3::ZERO, direction }, max).meets(&node)
-    };
-    assert!(meets(0.0, 1.0, 1e30) && meets(0.0, 1.0, 4.1) && meets(1.0, 4.1, 1e30));
-    assert!(!meets(0.0, -1.0, 1e30), "behind");
-    assert!(!meets(0.0, 1.0, 3.9), "beyond the end");
-    assert!(!meets(1.0, 3.9, 1e30), "beside");
-    assert!(!meets(1.0, 0.0, 1e30), "across");
+    boxes_are_passed::<f32>();
+    boxes_are_passed::<f64>();
+    boxes_are_passed::<Fixed>();
+}
+
+#[test]
+fn the_nearest_box_comes_first_and_hides_the_others() {
+    fn check<R: Real>() {
+        let at = |x: f32| Aabb::around(Vec3::new(x, 0.0, 0.0).to::<R>(), Vec3::new(0.25, 0.25, 0.25).to());
+        let mut memory = vec![MaybeUninit::uninit(); Hierarchy::<R>::bytes(40)];
+        let place = |object: usize| object * 7 % 40;
+        let bounds = |object: u16| Some(at(place(usize::from(object)) as f32 - 20.0));
+        let hierarchy = build::build(40, bounds, &mut Arena::new(&mut memory)).unwrap();
+        for (x, first) in [(1.0f32, 0), (-1.0, 39)] {
+            let direction = Vec3::new(x, 0.0, 0.0).to::<R>();
+            let ray = Ray { origin: Vec3::new(x * -30.0, 0.0, 0.0).to(), direction };
+            let visits = |end: f32| {
+                let mut visited = Vec::new();
+                assert!(!hierarchy.walk(&ray, R::FARTHEST, |object| {
+                    visited.push(place(object));
+                    Some(R::from_f32(end))
+                }));
+                visited
+            };
+            let all = visits(100.0);
+            assert!(all.len() == 40 && all[..2].contains(&first), "{all:?}");
+            // The first ends the ray: its neighbor in the leaf is all that is left.
+            let hidden = visits(10.0);
+            assert!(hidden.len() <= 2, "{hidden:?}");
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<Fixed>();
 }
