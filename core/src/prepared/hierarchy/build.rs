@@ -10,8 +10,10 @@
 //! A node without nodes in it holds three objects or more, and one with some has four parts: so there are at most 4/9 as many
 //! nodes as objects, which take 52 bytes an object in `f32`.
 
+use heapless::Vec;
+
 use super::axis::Axis;
-use super::{Content, Hierarchy, Node, WIDTH};
+use super::{Content, Hierarchy, MOST_WAITING, Node, WIDTH};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
@@ -50,15 +52,24 @@ struct Part<R> {
     around: Aabb<R>,
 }
 
-/// A part that is to become a node.
+impl<R: Real> Part<R> {
+    // Not inlined, as much below: in preparation size counts more than time.
+    #[inline(never)]
+    fn new(objects: &[u16], first: usize, bounds: &impl Fn(u16) -> Option<Aabb<R>>) -> Option<Self> {
+        let around = objects.iter().filter_map(|object| bounds(*object)).reduce(Aabb::union)?;
+        Some(Self { first, count: objects.len(), around })
+    }
+}
+
+/// A part that is to become a node: small, because many wait.
 #[derive(Clone, Copy)]
 struct Pending {
-    first: usize,
-    count: usize,
+    first: u16,
+    count: u16,
     /// How many nodes contain it.
-    depth: usize,
+    depth: u8,
     /// The node that it lies in, and which part of it.
-    of: (usize, usize),
+    of: (u16, u8),
 }
 
 /// Builds the hierarchy of so many objects.
@@ -73,19 +84,22 @@ pub(super) fn build<'m, R: Real>(
     let empty = Node { lower: zero, upper: zero, content: [Content::NOTHING; WIDTH] };
     let nodes: &'m mut [Node<R>] = arena.try_store_with(most_nodes(objects), |_, _| Ok::<_, Fault>(empty))?;
 
-    let mut used = 0;
-    let mut next = Some(Pending { first: unbounded, count: objects - unbounded, depth: 0, of: (0, 0) });
-    // For each node that contains the one at hand, its other parts wait.
-    let mut waiting = [None; WIDTH * MAX_HIERARCHY_DEPTH];
-    while let Some(pending) = next.take().or_else(|| waiting.iter_mut().rev().find_map(Option::take)) {
+    let mut used: u16 = 0;
+    // The root lies in no node; what it says there is overwritten with its parts.
+    let all = Pending { first: unbounded as u16, count: (objects - unbounded) as u16, depth: 0, of: (0, 0) };
+    // All parts of a node wait at first, then all but one for each node around the one at hand.
+    let mut waiting: Vec<Pending, MOST_WAITING> = Vec::new();
+    let mut next = Some(all);
+    while let Some(pending) = next.take().or_else(|| waiting.pop()) {
         let Pending { first, count, depth, of: (parent, place) } = pending;
-        if used > 0
-            && let Some(content) = nodes.get_mut(parent).and_then(|node| node.content.get_mut(place))
+        if let Some(node) = nodes.get_mut(usize::from(parent))
+            && let Some(content) = node.content.get_mut(usize::from(place))
         {
-            *content = Content::Node(used as u16);
+            *content = Content::Node(used);
         }
+        let (first, count) = (usize::from(first), usize::from(count));
         let in_all = order.get_mut(first..first.saturating_add(count)).unwrap_or_default();
-        let parts = four_parts(in_all, &bounds, depth >= CUT_DEPTH);
+        let parts = four_parts(in_all, &bounds, usize::from(depth) >= CUT_DEPTH);
         let mut node = empty;
         for (place, part) in parts.into_iter().enumerate() {
             let Some(Part { first: begin, count, around }) = part else { continue };
@@ -93,15 +107,15 @@ pub(super) fn build<'m, R: Real>(
             node.enclose(place, around.padded(R::offset(around.magnitude())));
             let first = first + begin;
             if count > LEAF {
-                // There is a place for each part of each node around.
-                if let Some(waiting) = waiting.get_mut(depth * WIDTH + place) {
-                    *waiting = Some(Pending { first, count, depth: depth + 1, of: (used, place) });
-                }
+                let of = (used, place as u8);
+                let part = Pending { first: first as u16, count: count as u16, depth: depth + 1, of };
+                let pushed = waiting.push(part);
+                debug_assert!(pushed.is_ok(), "deeper than CUT_DEPTH allows");
             } else if let Some(content) = node.content.get_mut(place) {
                 *content = Content::Objects { count: count as u8, first: first as u16 };
             }
         }
-        let Some(slot) = nodes.get_mut(used) else { break };
+        let Some(slot) = nodes.get_mut(usize::from(used)) else { break };
         *slot = node;
         used += 1;
     }
@@ -126,15 +140,11 @@ fn four_parts<R: Real>(
     bounds: &impl Fn(u16) -> Option<Aabb<R>>,
     halve: bool,
 ) -> [Option<Part<R>>; WIDTH] {
-    let around = |objects: &[u16]| objects.iter().filter_map(|object| bounds(*object)).reduce(Aabb::union);
-    let part = |objects: &[u16], first: usize| {
-        around(objects).map(|around| Part { first, count: objects.len(), around })
-    };
     let cost = |part: &Part<R>| {
         let weight = R::Setup::from_u16(part.count as u16);
         if halve { weight } else { area(part.around.to_setup()) * weight }
     };
-    let mut parts = [part(objects, 0), None, None, None];
+    let mut parts = [Part::new(objects, 0, bounds), None, None, None];
     for free in 1..WIDTH {
         let several = parts.iter_mut().flatten().filter(|part| part.count > 1);
         let Some(largest) = several.reduce(|a, b| if cost(b) > cost(a) { b } else { a }) else { break };
@@ -143,7 +153,8 @@ fn four_parts<R: Real>(
         let to_setup = |object| bounds(object).map_or(Aabb::point(Vec3::ZERO), Aabb::to_setup);
         let cut = split::<R::Setup>(in_part, to_setup, halve);
         let Some((front, behind)) = in_part.split_at_checked(cut) else { break };
-        let (Some(front), behind) = (part(front, first), part(behind, first + cut)) else { break };
+        let behind = Part::new(behind, first + cut, bounds);
+        let Some(front) = Part::new(front, first, bounds) else { break };
         *largest = front;
         if let Some(part) = parts.get_mut(free) {
             *part = behind;
@@ -217,7 +228,6 @@ struct Bin<F> {
 impl<F: Real> Bin<F> {
     const EMPTY: Self = Self { bounds: None, count: 0 };
 
-    // Not inlined, as the next: in preparation size counts more than time.
     #[inline(never)]
     fn union(self, other: Self) -> Self {
         let bounds = match (self.bounds, other.bounds) {

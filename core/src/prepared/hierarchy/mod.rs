@@ -25,7 +25,7 @@ use super::candidates::ObjectSet;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::MAX_HIERARCHY_DEPTH;
-use crate::math::{Ray, Real, Vec3};
+use crate::math::{Aabb, Ray, Real, Vec3};
 use crate::shape::Intersect;
 use axis::Axis;
 use segment::Segment;
@@ -119,8 +119,7 @@ impl<'m, R: Real> Hierarchy<'m, R> {
         if Self::stored(objects.len()) == 0 {
             return Ok(None);
         }
-        let bounds = |object: u16| objects.get(usize::from(object)).and_then(|object| object.shape.bounds());
-        build::build(objects.len(), bounds, arena).map(Some)
+        build::build(objects.len(), |object| bounds(objects, object), arena).map(Some)
     }
 
     /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
@@ -166,6 +165,12 @@ impl<'m, R: Real> Hierarchy<'m, R> {
             };
         }
     }
+}
+
+/// In one place for all shapes: in preparation size counts more than time.
+#[inline(never)]
+fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<P>], object: u16) -> Option<Aabb<R>> {
+    objects.get(usize::from(object)).and_then(|object| object.shape.bounds())
 }
 
 /// The nearest of the boxes that were met; the others wait.

@@ -43,7 +43,7 @@ impl<R: Real> Slabs<R> {
 }
 
 impl<R: Real> BoxTest<R> for Slabs<R> {
-    #[inline(always)]
+    #[inline] // Where it is small: four boxes at once.
     fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
         let Self { above, below, per_unit, max } = *self;
         let [lower_x, lower_y, lower_z] = node.lower;
