@@ -51,7 +51,6 @@ impl<R: Real> Segment<R> {
 }
 
 impl<R: Real> BoxTest<R> for Segment<R> {
-    #[inline] // Where it is small: four boxes at once.
     fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
         let Self { slope, steepest, end, .. } = self;
         let mut keys = [R::ZERO; WIDTH];

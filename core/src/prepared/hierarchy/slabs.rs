@@ -43,7 +43,8 @@ impl<R: Real> Slabs<R> {
 }
 
 impl<R: Real> BoxTest<R> for Slabs<R> {
-    #[inline] // Where it is small: four boxes at once.
+    // Small where it is four boxes at once; elsewhere its size counts.
+    #[cfg_attr(any(target_feature = "sse2", target_feature = "neon"), inline(always))]
     fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
         let Self { above, below, per_unit, max } = *self;
         let [lower_x, lower_y, lower_z] = node.lower;
