@@ -169,7 +169,7 @@ impl<'m, R: Real> Hierarchy<'m, R> {
 
 /// In one place for all shapes: in preparation size counts more than time.
 #[inline(never)]
-fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<P>], object: u16) -> Option<Aabb<R>> {
+fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<R, P>], object: u16) -> Option<Aabb<R>> {
     objects.get(usize::from(object)).and_then(|object| object.shape.bounds())
 }
 
