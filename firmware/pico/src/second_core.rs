@@ -12,7 +12,7 @@ use crate::quality::Memory;
 use crate::tracer::Tracer;
 
 /// Bytes of stack for the second core: twice what the first was seen to use.
-const STACK_BYTES: usize = 16384;
+const STACK_BYTES: usize = 24576;
 
 /// Starts the second core.
 pub(crate) fn start(core: Peri<'static, CORE1>, scene: Prepared) -> Result<(), Fault> {

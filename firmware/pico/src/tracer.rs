@@ -12,7 +12,8 @@ use crate::job::{TO_TRACE, TRACED};
 use crate::picture::{Prepared, SCENE, SETTINGS};
 use crate::quality::{Memory, Tracing};
 
-/// Rays between two looks at whether the panel waits for a band: about a millisecond.
+/// Rays between two looks at whether the panel waits for a band: about a millisecond. With ten times as many, bands would come
+/// back to the cores late, and frames take 3 % longer.
 const RAYS: u32 = 64;
 
 /// Traces bands. Each core has its own, and what they trace is the same.
