@@ -113,7 +113,8 @@ pub use prepared::{Hit, Part, PreparedScene, SceneError, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Progress,
-    Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Transfer,
+    Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Tone,
+    Transfer,
 };
 pub use scene::{MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;

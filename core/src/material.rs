@@ -140,9 +140,11 @@ impl<R: Real> Shininess<R> {
         self.least > R::from_f32(0.85)
     }
 
-    /// Whether a highlight can be seen at all at this cosine.
-    pub(crate) fn is_visible(&self, cosine: R) -> bool {
-        cosine > self.least
+    /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at
+    /// 1/4 about the fourth root of that, 2^-6.
+    pub(crate) fn shows(&self, cosine: R, share: R) -> bool {
+        // Near 1, the logarithm of a cosine is as good as proportional to its distance from there.
+        R::ONE - cosine < (R::ONE - self.least) * share
     }
 
     /// The power of a cosine; 0 where it is invisible.

@@ -86,46 +86,63 @@ fn all_rays(counts: &RayCounts) -> u64 {
 #[test]
 fn close_to_exact_for_few_rays() {
     println!("scene    | PSNR dB | traced | rays, exact | rays");
-    for (name, least, most) in
-        [("classic", 58.0, 0.21), ("whitted", 51.0, 0.25), ("flake", 43.0, 0.27), ("prism", 46.0, 0.43)]
-    {
-        with_scene(name, |scene, bounces| {
-            let settings = Settings { bounces, ..Settings::new(320, 240) };
-            with_renderer::<f32, _>(scene, settings, |renderer| {
-                let (mut exact_rays, mut rays) = (RayCounts::default(), RayCounts::default());
-                let (a, b) =
-                    (exact(renderer, &mut exact_rays), realtime(renderer, Realtime::new(), &mut rays));
-                let pixels = a.pixels.len() as f64;
-                let (close, traced) = (psnr(&a, &b), rays.camera as f64 / pixels);
-                println!(
-                    "{name:8} | {close:.1} | {traced:.3} | {:.2} | {:.2}",
-                    all_rays(&exact_rays) as f64 / pixels,
-                    all_rays(&rays) as f64 / pixels
-                );
-                assert!(close >= least, "{name}: {close} dB");
-                assert!(traced <= most, "{name}: {traced} traced");
+    for (quality, bars) in [
+        (
+            Realtime::new(),
+            [("classic", 43.0, 0.11), ("whitted", 43.0, 0.15), ("flake", 35.5, 0.20), ("prism", 39.0, 0.35)],
+        ),
+        (
+            Realtime::fine(),
+            [("classic", 45.0, 0.12), ("whitted", 44.0, 0.17), ("flake", 36.5, 0.24), ("prism", 39.5, 0.37)],
+        ),
+    ] {
+        for (name, least, most) in bars {
+            with_scene(name, |scene, bounces| {
+                let settings = Settings { bounces, ..Settings::new(320, 240) };
+                with_renderer::<f32, _>(scene, settings, |renderer| {
+                    let (mut exact_rays, mut rays) = (RayCounts::default(), RayCounts::default());
+                    let (a, b) = (exact(renderer, &mut exact_rays), realtime(renderer, quality, &mut rays));
+                    let pixels = a.pixels.len() as f64;
+                    let (close, traced) = (psnr(&a, &b), rays.camera as f64 / pixels);
+                    println!(
+                        "{name:8} | {close:.1} | {traced:.3} | {:.2} | {:.2}",
+                        all_rays(&exact_rays) as f64 / pixels,
+                        all_rays(&rays) as f64 / pixels
+                    );
+                    assert!(close >= least, "{name}: {close} dB");
+                    assert!(traced <= most, "{name}: {traced} traced");
+                });
             });
-        });
+        }
     }
+}
+
+/// The worst of 24 frames around a scene, in decibels.
+fn worst_of_rotation(scene: &Scene, distance: f32, settings: Settings, quality: Realtime) -> f64 {
+    let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
+    (0..24)
+        .map(|_| {
+            orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
+            let scene = Scene { camera: orbit.camera(), ..*scene };
+            with_renderer::<f32, _>(&scene, settings, |renderer| {
+                psnr(&exact(renderer, &mut ()), &realtime(renderer, quality, &mut ()))
+            })
+        })
+        .fold(f64::INFINITY, f64::min)
 }
 
 #[test]
 fn a_rotation_does_not_flicker() {
-    for (name, scene, distance, least) in [("classic", &CLASSIC, 16.0, 39.0), ("prism", &PRISM, 9.8, 37.0)] {
-        let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
-        let frames: Vec<f64> = (0..24)
-            .map(|_| {
-                orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
-                let scene = Scene { camera: orbit.camera(), ..*scene };
-                let settings = Settings { bounces: 3, ..Settings::new(160, 120) };
-                with_renderer::<f32, _>(&scene, settings, |renderer| {
-                    psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut ()))
-                })
-            })
-            .collect();
-        let min = frames.iter().copied().fold(f64::INFINITY, f64::min);
-        println!("{name}: {min:.1} dB at least, {frames:.1?}");
-        assert!(min >= least, "{name}: {min} dB");
+    for (name, scene, distance, least) in
+        [("classic", &CLASSIC, 16.0, [38.0, 37.0]), ("prism", &PRISM, 9.8, [35.5, 34.0])]
+    {
+        let sizes = [(320, 240, Realtime::new()), (160, 120, Realtime::fine())];
+        for ((width, height, quality), least) in sizes.into_iter().zip(least) {
+            let settings = Settings { bounces: 3, ..Settings::new(width, height) };
+            let worst = worst_of_rotation(scene, distance, settings, quality);
+            println!("{name}, {width}×{height}: {worst:.1} dB at least");
+            assert!(worst >= least, "{name}, {width}×{height}: {worst} dB");
+        }
     }
 }
 
@@ -145,6 +162,8 @@ fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material]) -> Sc
     }
 }
 
+const QUALITIES: [Realtime; 2] = [Realtime::new(), Realtime::fine()];
+
 const GLOWING: Material = Material { ambient: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
 
 #[test]
@@ -160,11 +179,14 @@ fn what_is_thin_is_shown_whole() {
             let objects = [Object::new(Shape::Cylinder(needle), 0), Object::new(Shape::Sphere(bead), 0)];
             let scene = bright(&objects, &[GLOWING]);
             with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
-                let (exact, mut rays) = (exact(renderer, &mut ()), RayCounts::default());
-                let close = realtime(renderer, Realtime::new(), &mut rays);
+                let exact = exact(renderer, &mut ());
                 assert!(exact.pixels.iter().any(|pixel| pixel[0] > 0));
-                assert!(exact == close, "a needle of {radius} at {angle}");
-                assert!(rays.camera < 160 * 120 / 3, "{} of 19200 pixels", rays.camera);
+                for quality in QUALITIES {
+                    let mut rays = RayCounts::default();
+                    let close = realtime(renderer, quality, &mut rays);
+                    assert!(exact == close, "a needle of {radius} at {angle}");
+                    assert!(rays.camera < 160 * 120 / 3, "{} of 19200 pixels", rays.camera);
+                }
             });
         }
     }
@@ -182,11 +204,18 @@ fn glints_are_shown_in_every_frame() {
         let lights = [Light::Point { position, color: LinearRgb::WHITE }];
         let scene = Scene { lights: &lights, ..bright(&ball, core::slice::from_ref(&glossy)) };
         with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
-            let (exact, close) = (exact(renderer, &mut ()), realtime(renderer, Realtime::new(), &mut ()));
             let light =
                 |picture: &Picture| picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum::<u32>();
-            let (exact, close) = (light(&exact), light(&close));
-            assert!(exact > 500 && exact.abs_diff(close) * 50 < exact, "{close} of {exact} in frame {frame}");
+            let exact = light(&exact(renderer, &mut ()));
+            // On a grid of eight pixels, a pixel on the flank of a highlight may be interpolated.
+            for (quality, part) in QUALITIES.into_iter().zip([6, 12]) {
+                let close = light(&realtime(renderer, quality, &mut ()));
+                let off = exact.abs_diff(close);
+                assert!(
+                    exact > 500 && off * part < exact,
+                    "{close} of {exact} in frame {frame}, {quality:?}"
+                );
+            }
         });
     }
 }
@@ -239,7 +268,7 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
             loop {
                 let progress = frame.step(&mut screen, budget).expect("a step");
                 // No pixel of `classic` takes more than 40 rays.
-                assert!(progress.rays < budget + 25 * 40 && progress.lines_done >= lines, "{progress:?}");
+                assert!(progress.rays < budget + 81 * 40 && progress.lines_done >= lines, "{progress:?}");
                 lines = progress.lines_done;
                 if progress.is_done() {
                     break;
@@ -256,7 +285,7 @@ fn drawing_goes_on_after_a_failing_display() {
     let quality = Realtime::new();
     with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
         let expected = realtime(renderer, quality, &mut ());
-        for failure in [0, 1, 60, 61 * 4, 61 * 5 + 3, 61 * 43 - 1] {
+        for failure in [0, 1, 60, 61 * 8, 61 * 9 + 3, 61 * 43 - 1] {
             // In the same frame, and with the lines that are left in another one.
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
             screen.pixels_until_failure = Some(failure);
@@ -267,7 +296,7 @@ fn drawing_goes_on_after_a_failing_display() {
                 }
             };
             let DrawError::Display { line, error: Unplugged } = error else { panic!("{error}") };
-            assert_eq!(line, failure as u32 / 61 / 4 * 4);
+            assert_eq!(line, failure as u32 / 61 / 8 * 8);
             screen.pixels_until_failure = None;
             let mut other = screen.clone();
             other.pixels_until_failure = None;
@@ -293,7 +322,7 @@ impl Probe<f32> for Directions {
 }
 
 #[test]
-fn no_pixel_is_traced_twice() {
+fn no_pixel_is_traced_more_than_twice() {
     for grid in GRIDS {
         for (width, height) in [(61, 43), (64, 48), (1, 1), (2, 9), (9, 2), (5, 8), (8, 5), (33, 1), (1, 33)]
         {
@@ -305,9 +334,13 @@ fn no_pixel_is_traced_twice() {
                     with_renderer::<f32, _>(scene, settings, |renderer| {
                         let mut traced = Directions::default();
                         realtime(renderer, quality, &mut traced);
-                        let twice = traced.0.values().filter(|count| **count > 1).count();
-                        assert_eq!(twice, 0, "{width}×{height}, {grid:?}, {threshold}");
-                        assert!(traced.0.len() <= (width * height) as usize);
+                        // Once to see which of two neighbors it is like, and where it is like neither once more.
+                        let most = traced.0.values().max();
+                        assert!(most <= Some(&2), "{width}×{height}, {grid:?}, {threshold}: {most:?} times");
+                        // The last points of the grid lie beyond the picture.
+                        let side = grid.pixels() as u32;
+                        let points = (width.next_multiple_of(side) + 1) * (height.next_multiple_of(side) + 1);
+                        assert!(traced.0.len() <= points as usize);
                     });
                 }
             }
@@ -350,7 +383,7 @@ fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
     let quality = Realtime::new();
     with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
         let (colors, samples) = (quality.colors(61), quality.samples(61));
-        assert_eq!((colors, samples), (61 * 4, 33));
+        assert_eq!((colors, samples), (61 * 8, 65));
         for (given, fewer) in [
             ((colors - 1, samples), true),
             ((colors + 61, samples), true),
@@ -378,14 +411,14 @@ fn several_samples_per_pixel_and_other_numbers_are_interpolated_too() {
     let settings = Settings { samples_per_pixel: 4, bounces: 2, ..Settings::new(80, 60) };
     with_renderer::<f64, _>(&CLASSIC, settings, |renderer| {
         let mut rays = RayCounts::default();
-        let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut rays));
-        assert!(close > 40.0 && rays.camera < 80 * 60 * 4, "{close} dB, {} rays", rays.camera);
+        let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::fine(), &mut rays));
+        assert!(close > 33.0 && rays.camera < 80 * 60 * 4 / 2, "{close} dB, {} rays", rays.camera);
     });
     with_renderer::<Fixed, _>(&CLASSIC, Settings { bounces: 3, ..Settings::new(320, 240) }, |renderer| {
         let mut rays = RayCounts::default();
         let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut rays));
         println!("classic in fixed point: {close:.1} dB, {:.3} traced", rays.camera as f64 / 76_800.0);
-        assert!(close > 50.0, "{close} dB");
+        assert!(close > 42.0, "{close} dB");
     });
 }
 

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888};
 
-use super::{Light16, Quantizer};
+use super::{Light16, Quantizer, Tone};
 
 /// A display's color that light can become. Implement it for the color of your own display:
 ///
@@ -27,11 +27,38 @@ use super::{Light16, Quantizer};
 pub trait DisplayColor: PixelColor {
     /// The color of a pixel that shows `light`.
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self;
+
+    /// Light on this display's own scale, which realtime quality interpolates. Unless you tell, that is light itself.
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        let _ = quantizer;
+        Tone::from_light(light)
+    }
+
+    /// The color of a pixel that shows `tone`: that of [`tone`](Self::tone) is the same as of its light.
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::from_light(tone.to_light(), quantizer)
+    }
 }
 
 impl DisplayColor for Rgb888 {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.r, 255), quantizer.level(light.g, 255), quantizer.level(light.b, 255))
+    }
+
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Tone::new(quantizer.tone::<8>(light.r), quantizer.tone::<8>(light.g), quantizer.tone::<8>(light.b))
+    }
+
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::new(
+            quantizer.cut::<8>(tone.first()),
+            quantizer.cut::<8>(tone.second()),
+            quantizer.cut::<8>(tone.third()),
+        )
     }
 }
 
@@ -39,11 +66,35 @@ impl DisplayColor for Rgb565 {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.r, 31), quantizer.level(light.g, 63), quantizer.level(light.b, 31))
     }
+
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Tone::new(quantizer.tone::<5>(light.r), quantizer.tone::<6>(light.g), quantizer.tone::<5>(light.b))
+    }
+
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::new(
+            quantizer.cut::<5>(tone.first()),
+            quantizer.cut::<6>(tone.second()),
+            quantizer.cut::<5>(tone.third()),
+        )
+    }
 }
 
 impl DisplayColor for Gray8 {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.luminance(), 255))
+    }
+
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Tone::new(0, quantizer.tone::<8>(light.luminance()), 0)
+    }
+
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::new(quantizer.cut::<8>(tone.second()))
     }
 }
 
@@ -51,10 +102,30 @@ impl DisplayColor for Gray4 {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.luminance(), 15))
     }
+
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Tone::new(0, quantizer.tone::<4>(light.luminance()), 0)
+    }
+
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::new(quantizer.cut::<4>(tone.second()))
+    }
 }
 
 impl DisplayColor for BinaryColor {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::from(quantizer.level(light.luminance(), 1) == 1)
+    }
+
+    #[inline]
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Tone::new(0, quantizer.tone::<1>(light.luminance()), 0)
+    }
+
+    #[inline]
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self::from(quantizer.cut::<1>(tone.second()) == 1)
     }
 }

@@ -11,6 +11,7 @@ mod painter;
 mod quantize;
 mod realtime;
 mod settings;
+mod tone;
 
 pub use digest::Digest;
 pub use display_color::DisplayColor;
@@ -20,6 +21,7 @@ pub use interleave::Interleave;
 pub use quantize::{Dither, Light16, Quantizer, Transfer};
 pub use realtime::{Grid, Realtime, RealtimeBuffer, RealtimeFrame, Sample};
 pub use settings::Settings;
+pub use tone::Tone;
 
 use core::ops::Range;
 
@@ -96,6 +98,19 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
 
     /// As [`pixel`](Self::pixel), with what is known of it.
     fn light_at(&self, x: u16, y: u16, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
+        self.light_in(self.scene, x, y, sight, probe)
+    }
+
+    /// As [`light_at`](Self::light_at), in another scene.
+    #[inline(always)]
+    fn light_in(
+        &self,
+        scene: &PreparedScene<'m, R, S>,
+        x: u16,
+        y: u16,
+        sight: Sight<'_>,
+        probe: &mut impl Probe<R>,
+    ) -> (LinearRgb<R>, u32) {
         let mut rays = RayBudget(self.settings.rays_per_pixel);
         let mut light = LinearRgb::BLACK;
         // The sum of many samples may be out of reach, where their mean is not.
@@ -104,7 +119,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             let (right, down) =
                 sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
             let ray = self.viewport.ray((x, right), (y, down));
-            let sample = radiance(self.scene, ray, sight, &self.bounds, &mut rays, probe);
+            let sample = radiance(scene, ray, sight, &self.bounds, &mut rays, probe);
             light = light + if weighs_first { sample * self.sample_weight } else { sample };
         }
         if self.settings.samples_per_pixel > 1 && !weighs_first {

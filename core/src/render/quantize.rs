@@ -76,6 +76,32 @@ impl Quantizer {
         };
         ((code * u32::from(most) + self.threshold) >> 16) as u8
     }
+
+    /// To the nearest level, whatever the pixel.
+    pub(super) const fn nearest(transfer: Transfer) -> Self {
+        Self { transfer, threshold: 0x8000 }
+    }
+
+    /// Light from 0 to 65536 on the scale of a display of `BITS` bits: half a level more than what
+    /// [`cut`](Self::cut) rounds down.
+    pub(super) fn tone<const BITS: u32>(&self, light: u32) -> u16 {
+        let light = light.min(65536);
+        let code = match self.transfer {
+            Transfer::Linear => light,
+            Transfer::Srgb => encode_srgb(light),
+        };
+        // At most 65536 - 2^(16 - BITS) + 2^(15 - BITS).
+        (((code * ((1 << BITS) - 1)) >> BITS) + (1 << (15 - BITS))) as u16
+    }
+
+    /// The level of a tone. For one that was not interpolated it is that of [`level`](Self::level): no carry gets
+    /// lost below 1/512 of a level.
+    #[inline]
+    pub(super) const fn cut<const BITS: u32>(&self, tone: u16) -> u8 {
+        let dithered =
+            (tone as u32).wrapping_add(((self.threshold.wrapping_sub(0x8000) as i32) >> BITS) as u32);
+        (dithered >> (16 - BITS)) as u8
+    }
 }
 
 /// Place of a pixel in the order in which Bayer's 8×8 matrix turns them on, 0 to 63: the bits of x ^ y and y,
@@ -159,6 +185,30 @@ mod tests {
             for light in 0..=65536u32 {
                 let exact = f64::from(light) / 65536.0 * f64::from(most);
                 assert_eq!(quantizer.level(light, most), (exact + 0.5).floor() as u8);
+            }
+        }
+    }
+
+    #[test]
+    fn tones_have_the_levels_of_their_light() {
+        fn check<const BITS: u32>(quantizer: Quantizer) {
+            for light in 0..=65536u32 {
+                let level = quantizer.level(light, ((1u32 << BITS) - 1) as u8);
+                assert_eq!(
+                    quantizer.cut::<BITS>(quantizer.tone::<BITS>(light)),
+                    level,
+                    "{light}, {BITS} bits"
+                );
+            }
+        }
+        for transfer in [Transfer::Srgb, Transfer::Linear] {
+            for threshold in [0x8000, 512, 63 * 1024 + 512, 17 * 1024 + 512] {
+                let quantizer = Quantizer { transfer, threshold };
+                check::<1>(quantizer);
+                check::<4>(quantizer);
+                check::<5>(quantizer);
+                check::<6>(quantizer);
+                check::<8>(quantizer);
             }
         }
     }

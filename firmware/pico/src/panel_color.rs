@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::raw::{RawU16, ToBytes};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
-use rayline::{DisplayColor, Light16, Quantizer};
+use rayline::{DisplayColor, Light16, Quantizer, Tone};
 use zerocopy::{Immutable, IntoBytes};
 
 /// [`Rgb565`], the high byte first: lines of it go to the panel as they are.
@@ -22,5 +22,13 @@ impl PixelColor for PanelColor {
 impl DisplayColor for PanelColor {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self(Rgb565::from_light(light, quantizer).to_be_bytes())
+    }
+
+    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+        Rgb565::tone(light, quantizer)
+    }
+
+    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+        Self(Rgb565::from_tone(tone, quantizer).to_be_bytes())
     }
 }

@@ -1,195 +1,251 @@
 //! A square of the picture between four points of the grid, refined where they differ.
 
 use super::Sample;
+use super::edge::Edge;
 
 /// The largest side of a cell, in pixels.
 pub(super) const LARGEST_SIDE: usize = 8;
 /// Points along a side: both corners belong to the cell.
 const POINTS: usize = LARGEST_SIDE + 1;
 
-/// Where a cell lies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    /// Its upper left pixel.
-    pub(super) left: u32,
-    pub(super) top: u32,
-    /// The last column and line of the picture. The grid ends there: points beyond are the same as those.
-    pub(super) last_x: u32,
-    pub(super) last_y: u32,
-    /// Pixels along a side of this grid's cells: 2, 4 or 8.
-    pub(super) side: usize,
-}
-
-impl Place {
-    pub(super) fn x(&self, x: usize) -> u16 {
-        (self.left + x as u32).min(self.last_x) as u16
-    }
-
-    pub(super) fn y(&self, y: usize) -> u16 {
-        (self.top + y as u32).min(self.last_y) as u16
-    }
-
-    /// Whether column `x` is the picture's last, or beyond.
-    fn ends_at_column(&self, x: usize) -> bool {
-        self.left + x as u32 >= self.last_x
-    }
-
-    fn ends_at_line(&self, y: usize) -> bool {
-        self.top + y as u32 >= self.last_y
-    }
-
-    /// Whether pixel (x, y) of the cell is in the picture.
-    fn shows(&self, x: usize, y: usize) -> bool {
-        self.left + x as u32 <= self.last_x && self.top + y as u32 <= self.last_y
-    }
-
-    /// Whether the whole cell is inside the picture, all four corners included.
-    fn is_inside(&self) -> bool {
-        self.left + self.side as u32 <= self.last_x && self.top + self.side as u32 <= self.last_y
-    }
-}
-
 /// Traces pixels, and decides which are alike.
 pub(super) trait Look {
-    /// The pixel at (x, y) of the picture.
-    fn trace(&mut self, x: u16, y: u16) -> Sample;
+    /// The point of the cell at (x, y).
+    fn trace(&mut self, x: usize, y: usize) -> Sample;
 
-    /// Whether something may lie between two pixels.
-    fn differ(&self, a: Sample, b: Sample) -> bool;
+    /// The point of the cell at (x, y), which is likely to see what one of two others sees that are so many pixels apart.
+    fn choose(&mut self, x: usize, y: usize, a: Sample, b: Sample, distance: usize) -> Sample;
+
+    /// Whether something may lie between two points so many pixels apart.
+    fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool;
+
+    /// Whether a pixel is looked at that is this far, in 1/16 of a pixel, from an edge.
+    fn is_near(&self, distance: u32) -> bool;
+}
+
+/// A row or a column of a cell, or a part of one, from a point on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    Right,
+    Down,
+}
+
+/// The corners of a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corners {
+    pub(super) top_left: Sample,
+    pub(super) top_right: Sample,
+    pub(super) bottom_left: Sample,
+    pub(super) bottom_right: Sample,
+}
+
+impl Corners {
+    /// Four that are the same.
+    pub(super) fn all(corner: Sample) -> Self {
+        Self { top_left: corner, top_right: corner, bottom_left: corner, bottom_right: corner }
+    }
 }
 
 /// The points of a cell, with those on all four sides.
 ///
-/// Its left column is the right one of the cell before; its top row is the bottom one of the cell above. On the
-/// sides, every other point is known, whatever the cells on either side look like: it depends on its row or column
-/// alone. So each cell traces no pixel that another one of its band has traced.
+/// Its left column is the right one of the cell before; its top row is the bottom one of the cell above. What a side
+/// looks like depends on its two ends alone, so that the cells on either side agree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     points: [Sample; POINTS * POINTS],
+    /// Where edges cross each row and each column: bit i is set if points i and i + 1 differ.
+    rows: [u8; POINTS],
+    columns: [u8; POINTS],
 }
 
 impl Cell {
-    pub(super) const BLANK: Self = Self { points: [Sample::BLANK; POINTS * POINTS] };
+    pub(super) const BLANK: Self =
+        Self { points: [Sample::BLANK; POINTS * POINTS], rows: [0; POINTS], columns: [0; POINTS] };
 
+    #[inline(always)]
     pub(super) fn get(&self, x: usize, y: usize) -> Sample {
         self.points.get(y * POINTS + x).copied().unwrap_or(Sample::BLANK)
     }
 
+    #[inline(always)]
     pub(super) fn set(&mut self, x: usize, y: usize, sample: Sample) {
         if let Some(point) = self.points.get_mut(y * POINTS + x) {
             *point = sample;
         }
     }
 
-    /// Row `y` with every other point, in picture line `place.y(y)`: the first column must be known.
-    pub(super) fn look_at_row(&mut self, place: &Place, y: usize, look: &mut impl Look) {
-        let side = place.side;
-        let corner =
-            if place.ends_at_column(0) { self.get(0, y) } else { look.trace(place.x(side), place.y(y)) };
-        self.set(side, y, corner);
-        let mut half = side / 2;
-        while half >= 2 {
-            for x in (half..side).step_by(half * 2) {
-                let point = if place.ends_at_column(x) {
-                    corner
-                } else {
-                    between(self.get(x - half, y), self.get(x + half, y), look, (place.x(x), place.y(y)))
-                };
-                self.set(x, y, point);
-            }
-            half /= 2;
-        }
+    /// The edges that cross four points from (x, y) on, to the right or down.
+    pub(super) fn crossings(&self, (x, y): (usize, usize), way: Way) -> u8 {
+        let (lines, line, along) = match way {
+            Way::Right => (&self.rows, y, x),
+            Way::Down => (&self.columns, x, y),
+        };
+        lines.get(line).map_or(0, |crossings| crossings >> (along & 7) & 15)
     }
 
-    /// The bottom row, where the left column is known.
-    pub(super) fn look_at_bottom(&mut self, place: &Place, look: &mut impl Look) {
-        if place.ends_at_line(0) {
-            for x in (0..=place.side).step_by(2) {
-                self.set(x, place.side, self.get(x, 0));
+    /// All points of a side from (x, y) on, where its ends are known: halved where they differ, down to the pixel.
+    // Called from many places: one copy is enough.
+    #[inline(never)]
+    pub(super) fn look_along(
+        &mut self,
+        (x, y): (usize, usize),
+        way: Way,
+        length: usize,
+        look: &mut impl Look,
+    ) {
+        let mut line = Line::new(self, (x, y), way);
+        let (from, to) = (line.get(0), line.get(length));
+        let mut crossings = 0u8;
+        if look.differ(from, to, length) {
+            let mut half = length / 2;
+            while half >= 1 {
+                for i in (half..length).step_by(half * 2) {
+                    let (a, b) = (line.get(i - half), line.get(i + half));
+                    if look.differ(a, b, half * 2) {
+                        let (x, y) = line.place(i);
+                        let point = look.choose(x, y, a, b, half * 2);
+                        line.set(i, point);
+                        if half == 1 {
+                            crossings |= u8::from(look.differ(a, point, 1)) << ((i - 1) & 7);
+                            crossings |= u8::from(look.differ(point, b, 1)) << (i & 7);
+                        }
+                    } else {
+                        line.set(i, a.middle(b));
+                    }
+                }
+                half /= 2;
             }
         } else {
-            self.look_at_row(place, place.side, look);
+            line.interpolate(from, to, length);
+        }
+        self.set_crossings((x, y), way, length, crossings);
+    }
+
+    /// The points of the top row, found by the band above.
+    pub(super) fn know_top(&mut self, known: &[Sample], side: usize, look: &impl Look) {
+        let mut crossings = 0u8;
+        let mut last = self.get(0, 0);
+        for (x, sample) in (1..=side).zip(known) {
+            self.set(x, 0, *sample);
+            crossings |= u8::from(look.differ(last, *sample, 1)) << ((x - 1) & 7);
+            last = *sample;
+        }
+        self.set_crossings((0, 0), Way::Right, side, crossings);
+    }
+
+    fn set_crossings(&mut self, (x, y): (usize, usize), way: Way, length: usize, crossings: u8) {
+        let (lines, line, along) = match way {
+            Way::Right => (&mut self.rows, y, x),
+            Way::Down => (&mut self.columns, x, y),
+        };
+        if let Some(line) = lines.get_mut(line) {
+            let part = ((1u32 << length) - 1) << (along & 7);
+            *line = *line & !(part as u8) | crossings << (along & 7);
         }
     }
 
-    /// Column `x` with every other point, where its ends are known.
-    pub(super) fn look_at_column(&mut self, place: &Place, x: usize, look: &mut impl Look) {
-        let side = place.side;
-        let mut half = side / 2;
-        while half >= 2 {
-            for y in (half..side).step_by(half * 2) {
-                let point = if x > 0 && place.ends_at_column(0) {
-                    self.get(0, y)
-                } else if place.ends_at_line(y) {
-                    self.get(x, side)
-                } else {
-                    between(self.get(x, y - half), self.get(x, y + half), look, (place.x(x), place.y(y)))
-                };
-                self.set(x, y, point);
+    /// All points inside, where the sides are known.
+    pub(super) fn refine(&mut self, side: usize, look: &mut impl Look) {
+        if side < 4 {
+            return self.fill_two((0, 0), look);
+        }
+        if side > 4 {
+            self.quarter((0, 0), side, look);
+        }
+        for y in (0..side).step_by(4) {
+            for x in (0..side).step_by(4) {
+                self.fill_four((x, y), look);
             }
-            half /= 2;
         }
     }
 
-    /// All points inside, where the sides are known, as fine as they must be. Tells whether all were interpolated
-    /// between the corners.
-    pub(super) fn refine(&mut self, place: &Place, look: &mut impl Look) -> bool {
-        if place.is_inside() && self.is_smooth(place.side, look) {
-            self.interpolate(place.side);
-            return true;
-        }
-        let side = place.side;
-        let mut half = side / 2;
-        while half >= 1 {
-            // Between points to the left and right, then above and below, then in the middle of four.
-            for y in (0..side).step_by(half * 2) {
-                for x in (half..side).step_by(half * 2) {
-                    if y > 0 || half == 1 {
-                        self.refine_point(place, (x, y), look, |cell| {
-                            (cell.get(x - half, y), cell.get(x + half, y))
-                        });
-                    }
-                }
+    /// Fills a square of four pixels whose sides are known.
+    fn fill_four(&mut self, (x, y): (usize, usize), look: &mut impl Look) {
+        let (a, b) = (self.get(x, y), self.get(x + 4, y));
+        let (c, d) = (self.get(x, y + 4), self.get(x + 4, y + 4));
+        // A small highlight ends in no straight line.
+        if !(a.is_near_glint(b) || c.is_near_glint(d))
+            && let Some(edge) = Edge::across(self, (x, y))
+        {
+            for line in 1..4 {
+                self.fill_line(&edge, (x, y), line, look);
             }
-            for y in (half..side).step_by(half * 2) {
-                for x in (0..side).step_by(half * 2) {
-                    if x > 0 || half == 1 {
-                        self.refine_point(place, (x, y), look, |cell| {
-                            (cell.get(x, y - half), cell.get(x, y + half))
-                        });
-                    }
-                }
-                for x in (half..side).step_by(half * 2) {
-                    let corner = |cell: &Self, right: bool, down: bool| {
-                        cell.get(
-                            if right { x + half } else { x - half },
-                            if down { y + half } else { y - half },
-                        )
-                    };
-                    self.refine_middle(
-                        place,
-                        (x, y),
-                        look,
-                        [
-                            corner(self, false, false),
-                            corner(self, true, false),
-                            corner(self, false, true),
-                            corner(self, true, true),
-                        ],
-                    );
-                }
-            }
-            half /= 2;
+            return;
         }
-        false
+        if look.differ(a, b, 4) || look.differ(c, d, 4) || look.differ(a, c, 4) || look.differ(b, d, 4) {
+            self.quarter((x, y), 4, look);
+            for (x, y) in [(x, y), (x + 2, y), (x, y + 2), (x + 2, y + 2)] {
+                self.fill_two((x, y), look);
+            }
+            return;
+        }
+        for y in y + 1..y + 4 {
+            let (from, to) = (self.get(x, y), self.get(x + 4, y));
+            let mut line = Line::new(self, (x, y), Way::Right);
+            line.interpolate(from, to, 4);
+        }
     }
 
-    /// Traces every pixel that the cell shows and that is not yet traced.
-    pub(super) fn trace_all(&mut self, place: &Place, look: &mut impl Look) {
-        for y in 0..place.side {
-            for x in 0..place.side {
-                if place.shows(x, y) && !self.get(x, y).is_traced() {
-                    self.set(x, y, look.trace(place.x(x), place.y(y)));
+    /// A row of a square that a steep edge may cross, or a column for one that is not.
+    fn fill_line(&mut self, edge: &Edge, (x, y): (usize, usize), i: usize, look: &mut impl Look) {
+        let is_steep = edge.is_steep();
+        let (start, way) = if is_steep { ((x, y + i), Way::Right) } else { ((x + i, y), Way::Down) };
+        let at = |along: usize| if is_steep { edge.at(along, i) } else { edge.at(i, along) };
+        let mut line = Line::new(self, start, way);
+        let (from, to) = (line.get(0), line.get(4));
+        let ((begins, _), (ends, _)) = (at(0), at(4));
+        if begins == ends {
+            return line.interpolate(from, to, 4);
+        }
+        for i in 1..4 {
+            let (side, distance) = at(i);
+            let point = if look.is_near(distance) {
+                let (x, y) = line.place(i);
+                look.choose(x, y, from, to, 2)
+            } else if side == begins {
+                from.again()
+            } else {
+                to.again()
+            };
+            line.set(i, point);
+        }
+    }
+
+    /// The point in the middle of a square of two pixels.
+    fn fill_two(&mut self, (x, y): (usize, usize), look: &mut impl Look) {
+        let (left, right) = (self.get(x, y + 1), self.get(x + 2, y + 1));
+        let (above, below) = (self.get(x + 1, y), self.get(x + 1, y + 2));
+        let (level, upright) = (!look.differ(left, right, 2), !look.differ(above, below, 2));
+        let point = if left.is_near_glint(above) && !(level && upright) {
+            look.trace(x + 1, y + 1)
+        } else if level {
+            left.middle(right)
+        } else if upright {
+            above.middle(below)
+        } else {
+            look.choose(x + 1, y + 1, left, right, 2)
+        };
+        self.set(x + 1, y + 1, point);
+    }
+
+    /// The point in the middle of a square, and the way from there to each side.
+    fn quarter(&mut self, (x, y): (usize, usize), size: usize, look: &mut impl Look) {
+        let half = size / 2;
+        let middle = look.trace(x + half, y + half);
+        self.set(x + half, y + half, middle);
+        self.look_along((x, y + half), Way::Right, half, look);
+        self.look_along((x + half, y + half), Way::Right, half, look);
+        self.look_along((x + half, y), Way::Down, half, look);
+        self.look_along((x + half, y + half), Way::Down, half, look);
+    }
+
+    /// Traces every pixel that is not yet traced.
+    pub(super) fn trace_all(&mut self, side: usize, look: &mut impl Look) {
+        for y in 0..side {
+            for x in 0..side {
+                if !self.get(x, y).is_traced() {
+                    let point = look.trace(x, y);
+                    self.set(x, y, point);
                 }
             }
         }
@@ -197,90 +253,60 @@ impl Cell {
 
     /// Makes the right column the left one of the next cell.
     pub(super) fn advance(&mut self, side: usize) {
-        for y in (0..=side).step_by(2) {
+        for y in 0..=side {
             self.set(0, y, self.get(side, y));
         }
-    }
-
-    /// The color of the whole cell, if its corners are all the same.
-    pub(super) fn uniform(&self, side: usize) -> Option<Sample> {
-        let corner = self.get(0, 0);
-        let same = |x, y| self.get(x, y).light() == corner.light();
-        (same(side, 0) && same(0, side) && same(side, side)).then_some(corner)
-    }
-
-    /// Whether no two neighboring corners differ.
-    fn is_smooth(&self, side: usize, look: &impl Look) -> bool {
-        let corners = [self.get(0, 0), self.get(side, 0), self.get(side, side), self.get(0, side)];
-        let [a, b, c, d] = corners;
-        !(look.differ(a, b) || look.differ(b, c) || look.differ(c, d) || look.differ(d, a))
-    }
-
-    /// Fills the inside between the four corners.
-    fn interpolate(&mut self, side: usize) {
-        let shift = side.trailing_zeros();
-        let (top_left, top_right) = (self.get(0, 0), self.get(side, 0));
-        let (bottom_left, bottom_right) = (self.get(0, side), self.get(side, side));
-        for y in 0..side {
-            let left = top_left.along(bottom_left, y as u32, shift);
-            let right = top_right.along(bottom_right, y as u32, shift);
-            for x in 0..side {
-                if x > 0 || y > 0 {
-                    self.set(x, y, left.along(right, x as u32, shift));
-                }
-            }
-        }
-    }
-
-    fn refine_point(
-        &mut self,
-        place: &Place,
-        (x, y): (usize, usize),
-        look: &mut impl Look,
-        ends: impl Fn(&Self) -> (Sample, Sample),
-    ) {
-        if let Some(known) = self.known_at_end(place, x, y) {
-            self.set(x, y, known);
-        } else if place.shows(x, y) {
-            let (a, b) = ends(self);
-            self.set(x, y, between(a, b, look, (place.x(x), place.y(y))));
-        }
-    }
-
-    fn refine_middle(
-        &mut self,
-        place: &Place,
-        (x, y): (usize, usize),
-        look: &mut impl Look,
-        corners: [Sample; 4],
-    ) {
-        let point = if let Some(known) = self.known_at_end(place, x, y) {
-            known
-        } else if !place.shows(x, y) {
-            return;
-        } else {
-            let [a, b, c, d] = corners;
-            let differ = look.differ(a, b) || look.differ(a, c) || look.differ(b, d) || look.differ(c, d);
-            if differ { look.trace(place.x(x), place.y(y)) } else { a.middle(b).middle(c.middle(d)) }
-        };
-        self.set(x, y, point);
-    }
-
-    /// At the picture's end, every other point of the last column and line is already known from the cell's side.
-    fn known_at_end(&self, place: &Place, x: usize, y: usize) -> Option<Sample> {
-        if place.ends_at_column(x) && place.ends_at_line(y) {
-            Some(self.get(place.side, place.side))
-        } else if place.ends_at_column(x) && y.is_multiple_of(2) {
-            Some(self.get(place.side, y))
-        } else if place.ends_at_line(y) && x.is_multiple_of(2) {
-            Some(self.get(x, place.side))
-        } else {
-            None
+        if let (Some(right), Some(left)) = (self.columns.get(side).copied(), self.columns.first_mut()) {
+            *left = right;
         }
     }
 }
 
-/// The point halfway between two: traced where they differ.
-fn between(a: Sample, b: Sample, look: &mut impl Look, (x, y): (u16, u16)) -> Sample {
-    if look.differ(a, b) { look.trace(x, y) } else { a.middle(b) }
+/// Points of a cell in a row or a column.
+struct Line<'c> {
+    points: &'c mut [Sample],
+    start: (usize, usize),
+    way: Way,
+}
+
+impl<'c> Line<'c> {
+    /// The points from (x, y) on.
+    #[inline(always)]
+    fn new(cell: &'c mut Cell, (x, y): (usize, usize), way: Way) -> Self {
+        let points = cell.points.get_mut(y * POINTS + x..).unwrap_or_default();
+        Self { points, start: (x, y), way }
+    }
+
+    /// Where a point is in the cell.
+    fn place(&self, i: usize) -> (usize, usize) {
+        let (x, y) = self.start;
+        if self.way == Way::Right { (x + i, y) } else { (x, y + i) }
+    }
+
+    fn index(&self, i: usize) -> usize {
+        if self.way == Way::Right { i } else { i * POINTS }
+    }
+
+    #[inline(always)]
+    fn get(&self, i: usize) -> Sample {
+        self.points.get(self.index(i)).copied().unwrap_or(Sample::BLANK)
+    }
+
+    #[inline(always)]
+    fn set(&mut self, i: usize, sample: Sample) {
+        let index = self.index(i);
+        if let Some(point) = self.points.get_mut(index) {
+            *point = sample;
+        }
+    }
+
+    /// The points between two that do not differ.
+    fn interpolate(&mut self, from: Sample, to: Sample, length: usize) {
+        let mut tone = from.tone();
+        let step = tone.step_toward(to.tone(), length.trailing_zeros());
+        for i in 1..length {
+            tone = tone.after(step);
+            self.set(i, from.like(tone));
+        }
+    }
 }

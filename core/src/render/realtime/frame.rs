@@ -1,5 +1,6 @@
 //! Drawing in realtime quality, in steps.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -7,16 +8,21 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
 use super::budget::{Budget, Detail};
-use super::cell::{Cell, Look, Place};
-use super::seen::Seen;
+use super::cell::{Cell, Corners, Look, Way};
+use super::paint::Paint;
+use super::seen::Marks;
 use super::strip::{Strip, thin_objects};
+use super::tracer::Tracer;
 use super::{Realtime, RealtimeBuffer, Sample};
-use crate::integrator::Sight;
 use crate::math::Real;
+use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
-use crate::render::{DisplayColor, Dither, DrawError, Light16, LineError, Progress, Quantizer, Renderer};
+use crate::render::{DisplayColor, DrawError, LineError, Progress, Renderer};
 use crate::shape::Geometry;
+
+/// Rays that would bring a smaller share than this are left out.
+const CUTOFF: f32 = 1.0 / 64.0;
 
 /// A picture that is being drawn in realtime quality: remembers how far it is.
 ///
@@ -26,6 +32,8 @@ use crate::shape::Geometry;
 #[derive(Debug)]
 pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     renderer: Renderer<'p, 'm, R, S>,
+    /// The scene without its lights.
+    unlit: PreparedScene<'m, R, S>,
     quality: Realtime,
     buffer: RealtimeBuffer<'b, C>,
     /// The lines that are not yet on the display.
@@ -37,6 +45,9 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     band: Option<Band>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
+    /// A pixel that sees nothing.
+    nothing: Sample,
+    marks: Marks<R>,
     cell: Cell,
     budget: Budget,
 }
@@ -49,6 +60,8 @@ struct Band {
     left: u32,
     /// Whether the lent row of samples holds the upper row of the grid from there on.
     has_top: bool,
+    /// Whether the left side of the next cell was looked at closely.
+    rough_left: bool,
     strip: Option<Strip>,
 }
 
@@ -73,9 +86,12 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         }
         let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
         // What is as wide and high as two cells covers a point of the grid wherever it is.
+        let mut renderer = renderer;
+        renderer.bounds.cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
+        let mut unlit = *renderer.scene;
+        unlit.lights = &[];
         let thin = thin_objects(&renderer, quality.grid.pixels() as u16 * 2);
         Ok(Self {
-            renderer,
             quality,
             buffer,
             total: lines.end.saturating_sub(lines.start),
@@ -83,6 +99,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             thin,
             band: None,
             row: None,
+            nothing: Tracer::<R, S, C, ()>::nothing(&renderer),
+            unlit,
+            renderer,
+            marks: Marks::new(quality.grid),
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays),
         })
@@ -124,7 +144,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             while band.left < self.renderer.width() {
                 let rays = self.draw_cell(&mut band, probe);
                 self.budget.spend(rays);
-                spent = spent.saturating_add(rays);
+                // A cell without rays takes time too.
+                spent = spent.saturating_add(rays.max(1));
                 if spent >= budget_rays {
                     break;
                 }
@@ -146,94 +167,130 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
     fn begin(&mut self) -> Band {
         let side = self.quality.grid.pixels();
         let top = self.lines.start & !(side as u32 - 1);
-        let bottom = (top + side as u32).min(self.renderer.height().saturating_sub(1));
+        let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, self.lines.end.saturating_sub(self.lines.start));
         let strip = Strip::new(&self.renderer, top as u16, bottom as u16);
-        Band { top, left: 0, has_top: self.row == Some(top), strip }
+        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip }
     }
 
     /// Draws the next cell of a band into the buffer; tells how many rays that took.
     fn draw_cell(&mut self, band: &mut Band, probe: &mut impl Probe<R>) -> u32 {
         let side = self.quality.grid.pixels();
-        let place = Place {
+        let left = band.left as usize;
+        let shown = band.strip.as_ref().map(|strip| strip.between(band.left as u16, (left + side) as u16));
+        // Candidates are not known beyond the picture's right end.
+        let is_inside = band.left + (side as u32) < self.renderer.width();
+        let among = if is_inside { shown } else { None };
+        let mut tracer = Tracer {
+            renderer: &self.renderer,
+            unlit: &self.unlit,
+            among,
             left: band.left,
             top: band.top,
-            last_x: self.renderer.width().saturating_sub(1),
-            last_y: self.renderer.height().saturating_sub(1),
-            side,
-        };
-        let among = band.strip.map(|strip| strip.between(place.x(0), place.x(side)));
-        let mut look = Tracer {
-            renderer: &self.renderer,
-            among,
-            threshold: self.quality.threshold,
+            quality: &self.quality,
+            marks: self.marks,
             detail: self.budget.detail(),
+            color: PhantomData::<C>,
             probe,
             rays: 0,
         };
-        let first = band.left as usize / 2;
-
-        // The side above: known from the band before, or looked at.
-        if band.has_top {
-            for (x, sample) in (0..=side).step_by(2).zip(self.buffer.samples.iter().skip(first)) {
-                self.cell.set(x, 0, *sample);
-            }
-        } else {
-            if band.left == 0 {
-                let corner = look.trace(place.x(0), place.y(0));
-                self.cell.set(0, 0, corner);
-            }
-            self.cell.look_at_row(&place, 0, &mut look);
-        }
-        // The side on the left: known from the cell before, or looked at.
-        if band.left == 0 {
-            let corner = if place.y(side) == place.y(0) {
-                self.cell.get(0, 0)
-            } else {
-                look.trace(place.x(0), place.y(side))
-            };
-            self.cell.set(0, side, corner);
-            self.cell.look_at_column(&place, 0, &mut look);
-        }
-        self.cell.look_at_bottom(&place, &mut look);
-        self.cell.look_at_column(&place, side, &mut look);
-        let mut smooth = self.cell.refine(&place, &mut look);
-        if look.detail != Detail::Grid && among.is_some_and(|among| among.intersects(self.thin)) {
-            self.cell.trace_all(&place, &mut look);
-            smooth = false;
+        let paint = Paint {
+            settings: &self.renderer.settings,
+            width: usize::from(self.renderer.width),
+            left,
+            top: band.top,
+            side,
+        };
+        if among.is_some_and(ObjectSet::is_empty) {
+            paint.blank(self.buffer.colors, self.nothing);
+            let corners = Corners::all(self.nothing);
+            self.finish_smooth(band, corners, side);
+            return 0;
         }
 
-        let rays = look.rays;
-        for (x, sample) in (0..=side).step_by(2).zip(self.buffer.samples.iter_mut().skip(first)) {
-            // The last point is the first of the next cell, which still needs what stands there.
-            if x < side || !band.has_top || place.left + side as u32 > place.last_x {
-                *sample = self.cell.get(x, side);
+        // The corners: those on the left and above may be known.
+        let known = if band.has_top { self.buffer.samples.get(left..) } else { None };
+        let at = |i: usize| known.and_then(|known| known.get(i)).copied();
+        let cell = &mut self.cell;
+        if left == 0 {
+            cell.set(0, 0, at(0).unwrap_or_else(|| tracer.trace(0, 0)));
+            cell.set(0, side, tracer.trace(0, side));
+            band.rough_left = tracer.differ(cell.get(0, 0), cell.get(0, side), side);
+            if band.rough_left {
+                cell.look_along((0, 0), Way::Down, side, &mut tracer);
             }
         }
-        self.paint(&place, smooth);
+        let corners = Corners {
+            top_left: cell.get(0, 0),
+            top_right: at(side).unwrap_or_else(|| tracer.trace(side, 0)),
+            bottom_left: cell.get(0, side),
+            bottom_right: tracer.trace(side, side),
+        };
+        let top = tracer.differ(corners.top_left, corners.top_right, side);
+        let right = tracer.differ(corners.top_right, corners.bottom_right, side);
+        let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
+        let thin = tracer.detail != Detail::Grid && shown.is_some_and(|shown| shown.intersects(self.thin));
+        if !(top || right || bottom || band.rough_left || thin) {
+            paint.smooth(self.buffer.colors, &corners);
+            let rays = tracer.rays;
+            self.finish_smooth(band, corners, side);
+            return rays;
+        }
+
+        // The sides, then what is inside.
+        cell.set(side, 0, corners.top_right);
+        cell.set(side, side, corners.bottom_right);
+        match known {
+            Some([_, known @ ..]) if top && known.first().is_some_and(|sample| sample.is_known()) => {
+                cell.know_top(known, side, &tracer);
+            }
+            _ => cell.look_along((0, 0), Way::Right, side, &mut tracer),
+        }
+        cell.look_along((0, side), Way::Right, side, &mut tracer);
+        cell.look_along((side, 0), Way::Down, side, &mut tracer);
+        if !band.rough_left {
+            cell.look_along((0, 0), Way::Down, side, &mut tracer);
+        }
+        cell.refine(side, &mut tracer);
+        if thin {
+            cell.trace_all(side, &mut tracer);
+        }
+        paint.refined(self.buffer.colors, cell);
+        let rays = tracer.rays;
+        let first = if left == 0 { 0 } else { 1 };
+        for (x, sample) in (first..=side).zip(self.buffer.samples.iter_mut().skip(left + first)) {
+            *sample = self.cell.get(x, side);
+        }
         self.cell.advance(side);
-        band.left += side as u32;
-        if band.left >= self.renderer.width() {
-            self.row = Some(band.top + side as u32);
-        }
+        band.rough_left = right;
+        self.finish(band, side);
         rays
     }
 
-    /// Turns the light of a cell into the display's colors. A smooth one has nothing that its corners have not.
-    fn paint(&mut self, place: &Place, smooth: bool) {
-        let settings = &self.renderer.settings;
-        let width = usize::from(self.renderer.width);
-        let all =
-            (smooth && settings.dither == Dither::None).then(|| self.cell.uniform(place.side)).flatten();
-        let all = all.map(|sample| C::from_light(sample.light(), &Quantizer::new(settings, 0, 0)));
-        for y in 0..place.side {
-            let line = self.buffer.colors.iter_mut().skip(y * width).take(width).skip(place.left as usize);
-            for (x, pixel) in (0..place.side).zip(line) {
-                *pixel = all.unwrap_or_else(|| {
-                    let quantizer = Quantizer::new(settings, place.x(x), place.y(y));
-                    C::from_light(self.cell.get(x, y).light(), &quantizer)
-                });
+    /// Hands a cell's right side to the next one, and its bottom to the band below, if they are straight.
+    fn finish_smooth(&mut self, band: &mut Band, corners: Corners, side: usize) {
+        self.cell.set(0, 0, corners.top_right);
+        self.cell.set(0, side, corners.bottom_right);
+        band.rough_left = false;
+        let left = band.left as usize;
+        if let Some(row) = self.buffer.samples.get_mut(left..) {
+            if let (0, Some(first)) = (left, row.first_mut()) {
+                *first = corners.bottom_left;
             }
+            if let Some(inside) = row.get_mut(1) {
+                *inside = Sample::BLANK;
+            }
+            if let Some(last) = row.get_mut(side) {
+                *last = corners.bottom_right;
+            }
+        }
+        self.finish(band, side);
+    }
+
+    fn finish(&mut self, band: &mut Band, side: usize) {
+        band.left += side as u32;
+        if band.left >= self.renderer.width() {
+            self.row = Some(band.top + side as u32);
         }
     }
 
@@ -254,36 +311,5 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         self.lines.start = end;
         self.band = None;
         Ok(())
-    }
-}
-
-/// Traces pixels among the objects that a cell can show.
-struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, P> {
-    renderer: &'r Renderer<'p, 'm, R, S>,
-    among: Option<ObjectSet>,
-    threshold: u16,
-    detail: Detail,
-    probe: &'w mut P,
-    rays: u32,
-}
-
-impl<R: Real, S: Geometry, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, P> {
-    // Called from many places: one copy is enough.
-    #[inline(never)]
-    fn trace(&mut self, x: u16, y: u16) -> Sample {
-        let mut seen = Seen::new(self.renderer.scene, self.probe);
-        let (light, rays) =
-            self.renderer.light_at(x, y, Sight { among: self.among, shades: None }, &mut seen);
-        self.rays = self.rays.saturating_add(rays);
-        seen.sample(Light16::new(light))
-    }
-
-    #[inline]
-    fn differ(&self, a: Sample, b: Sample) -> bool {
-        match self.detail {
-            Detail::Full => a.differs(b, self.threshold),
-            Detail::Coarse => a.differs_in_color(b, self.threshold.saturating_mul(4)),
-            Detail::Grid => false,
-        }
     }
 }

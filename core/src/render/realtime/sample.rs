@@ -1,82 +1,104 @@
 //! What is known of one pixel while its surroundings are refined.
 
-use super::super::Light16;
+use super::super::Tone;
 
-/// What is known of one pixel: its light, and a digest of what it saw. Lent to the realtime mode in rows, see
+/// What is known of one pixel: its tone, and digests of what it saw. Lent to the realtime mode in rows, see
 /// [`Realtime::samples`](super::Realtime::samples).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
-    /// Light in units of 1/65536, at most 65535: on a display of up to 256 levels that looks like 65536.
-    light: [u16; 3],
-    /// Digest of what was seen, and flags above it.
-    seen: u16,
+    /// The tone's first two channels.
+    pair: u32,
+    /// Digests of what was seen, and flags, in the upper half; the tone's third channel in the lower.
+    rest: u32,
 }
 
 /// It was traced, not interpolated.
-const TRACED: u16 = 1 << 15;
+const TRACED: u32 = 1 << 31;
 /// A small highlight is near: interpolation could lose it.
-const GLINT: u16 = 1 << 14;
-const DIGEST: u16 = GLINT - 1;
+const GLINT: u32 = 1 << 30;
+/// Digest of what was met, on the way that light takes to the pixel: never 0.
+const PATH: u32 = ((1 << 9) - 1) << 16;
+/// Digest of what stood before the lights.
+const SHADE: u32 = ((1 << 14) - 1) << 16 ^ PATH;
+
+/// Digest of what a pixel met, of all that a sample keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Path(u32);
+
+impl Path {
+    pub(super) fn new(digest: u32) -> Self {
+        // The upper bits depend on all that was folded.
+        let digest = digest >> 6 & PATH;
+        Self(if digest == 0 { PATH } else { digest })
+    }
+}
 
 impl Sample {
     /// Nothing known: to fill memory that is lent.
-    pub const BLANK: Self = Self { light: [0; 3], seen: 0 };
+    pub const BLANK: Self = Self { pair: 0, rest: 0 };
 
-    /// A traced pixel that saw this. Of `digest`, 14 bits count.
-    pub(super) fn traced(light: Light16, digest: u16, near_glint: bool) -> Self {
-        let channel = |light: u32| u16::try_from(light).unwrap_or(u16::MAX);
+    /// A traced pixel that met this.
+    pub(super) fn traced(tone: Tone, path: Path, shade: u32, near_glint: bool) -> Self {
         let glint = if near_glint { GLINT } else { 0 };
         Self {
-            light: [channel(light.r), channel(light.g), channel(light.b)],
-            seen: TRACED | glint | digest & DIGEST,
+            pair: tone.pair(),
+            rest: TRACED | glint | shade >> 2 & SHADE | path.0 | u32::from(tone.third()),
         }
+    }
+
+    /// A pixel that was not traced, seen as this one.
+    #[inline(always)]
+    pub(super) fn like(self, tone: Tone) -> Self {
+        Self { pair: tone.pair(), rest: self.rest & (GLINT | PATH | SHADE) | u32::from(tone.third()) }
+    }
+
+    /// A pixel like this one, but not traced.
+    #[inline(always)]
+    pub(super) fn again(self) -> Self {
+        Self { rest: self.rest & !TRACED, ..self }
+    }
+
+    pub(super) fn is_known(self) -> bool {
+        self.rest & PATH != 0
     }
 
     pub(super) fn is_traced(self) -> bool {
-        self.seen & TRACED != 0
+        self.rest & TRACED != 0
     }
 
-    pub(super) fn light(self) -> Light16 {
-        let [r, g, b] = self.light.map(u32::from);
-        Light16 { r, g, b }
+    pub(super) fn path(self) -> Path {
+        Path(self.rest & PATH)
     }
 
-    /// Whether something may lie between the two that a straight line between their colors would not show.
-    pub(super) fn differs(self, other: Self, threshold: u16) -> bool {
-        if (self.seen ^ other.seen) & DIGEST != 0 || (self.seen | other.seen) & GLINT != 0 {
-            return true;
-        }
-        self.differs_in_color(other, threshold)
+    pub(super) fn is_shaded_like(self, other: Self) -> bool {
+        (self.rest ^ other.rest) & SHADE == 0
+    }
+
+    #[inline(always)]
+    pub(super) fn tone(self) -> Tone {
+        Tone::of_pair(self.pair, self.rest as u16)
+    }
+
+    /// Whether what the two saw differs.
+    #[inline(always)]
+    pub(super) fn saw_else(self, other: Self) -> bool {
+        (self.rest ^ other.rest) & (PATH | SHADE) != 0
+    }
+
+    /// Whether a small highlight may lie between the two.
+    #[inline(always)]
+    pub(super) fn is_near_glint(self, other: Self) -> bool {
+        (self.rest | other.rest) & GLINT != 0
     }
 
     /// Whether the two are of different color.
+    #[inline(always)]
     pub(super) fn differs_in_color(self, other: Self, threshold: u16) -> bool {
-        let [r, g, b] = self.light;
-        let [other_r, other_g, other_b] = other.light;
-        let apart = |a: u16, b: u16| {
-            // The eye, and the curve of sRGB, see ratios rather than differences: bright light may differ by more.
-            let least = if a < b { a } else { b };
-            u32::from(a.abs_diff(b)) > u32::from(threshold) + u32::from(least >> 4)
-        };
-        apart(r, other_r) || apart(g, other_g) || apart(b, other_b)
+        self.tone().differs(other.tone(), threshold)
     }
 
     /// Halfway between two that do not differ.
     pub(super) fn middle(self, other: Self) -> Self {
-        let [r, g, b] = self.light;
-        let [other_r, other_g, other_b] = other.light;
-        // Cannot overflow: half of two times 65535.
-        let half = |a: u16, b: u16| ((u32::from(a) + u32::from(b)) >> 1) as u16;
-        Self { light: [half(r, other_r), half(g, other_g), half(b, other_b)], seen: self.seen & !TRACED }
-    }
-
-    /// The light at places 0 to 2^`shift` - 1 of the way, 2^`shift` steps long, from here to there.
-    pub(super) fn along(self, other: Self, step: u32, shift: u32) -> Self {
-        let [r, g, b] = self.light;
-        let [other_r, other_g, other_b] = other.light;
-        let rest = (1u32 << shift).saturating_sub(step);
-        // At most 65535 · 8.
-        let mix = |a: u16, b: u16| ((u32::from(a) * rest + u32::from(b) * step) >> shift) as u16;
-        Self { light: [mix(r, other_r), mix(g, other_g), mix(b, other_b)], seen: self.seen & !TRACED }
+        self.like(self.tone().middle(other.tone()))
     }
 }

@@ -1,53 +1,107 @@
 //! A digest of what a pixel saw: pixels that saw the same have the same.
 
-use super::super::Light16;
-use super::Sample;
+use super::super::Tone;
+use super::sample::Path;
+use super::{Grid, Sample};
+use crate::material::PreparedMaterial;
 use crate::math::{Real, Vec3};
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
+use crate::surface::Surface;
+
+/// What leaves a mark on a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Marks<R> {
+    /// Rays that bring less of their light to the pixel than this leave none: their edges are faint, and there are
+    /// many of them.
+    faint: R,
+    /// How far from its middle a small highlight shows, and is near, see [`Shininess::shows`](crate::material::Shininess).
+    shows: R,
+    near: R,
+    /// The least cosine to the middle of a highlight that is near: those of more than 17° are not small.
+    beside: R,
+}
+
+impl<R: Real> Marks<R> {
+    pub(super) fn new(grid: Grid) -> Self {
+        // Twice as wide for twice the distance between the points of the grid.
+        let near = if grid == Grid::Eight { 4 } else { 1 };
+        Self {
+            faint: R::from_f32(1.0 / 8.0),
+            shows: R::from_f32(0.25),
+            near: R::from_u16(near),
+            beside: R::from_f32(0.954),
+        }
+    }
+}
 
 /// Folds what happens to one pixel into a digest, and tells another probe.
 pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     scene: &'s PreparedScene<'m, R, S>,
     probe: &'p mut P,
-    digest: u32,
+    /// Digests of what was met, and of what stood before the lights.
+    path: u32,
+    shade: u32,
     near_glint: bool,
+    marks: Marks<R>,
+    /// Whether small highlights are looked for that lie beside what is seen.
+    searches: bool,
     /// Whether what the current ray sees counts.
     counts: bool,
     /// Direction of the current ray, mirrored after it has hit something with a small highlight.
     direction: Vec3<R>,
-    /// The object that it hit, if that has a small highlight.
-    glossy: Option<usize>,
+    /// The object that it hit.
+    hit: Option<usize>,
 }
 
 impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, P> {
-    /// Rays that bring less of their light to the pixel than this do not count: their edges are faint, and there
-    /// are many of them.
-    const FAINT: f32 = 1.0 / 16.0;
-
-    pub(super) fn new(scene: &'s PreparedScene<'m, R, S>, probe: &'p mut P) -> Self {
+    pub(super) fn new(
+        scene: &'s PreparedScene<'m, R, S>,
+        marks: Marks<R>,
+        searches: bool,
+        probe: &'p mut P,
+    ) -> Self {
         Self {
             scene,
             probe,
-            digest: 0,
+            path: 0,
+            shade: 0,
             near_glint: false,
+            marks,
+            searches,
             counts: true,
             direction: Vec3::new(R::ZERO, R::ZERO, R::ZERO),
-            glossy: None,
+            hit: None,
         }
     }
 
-    /// The pixel, whose light is known in the end.
-    pub(super) fn sample(&self, light: Light16) -> Sample {
-        // The upper bits depend on all that was folded.
-        Sample::traced(light, (self.digest >> 16) as u16, self.near_glint)
+    /// Whether a small highlight of a surface is near. Light that shows nothing of itself makes no event.
+    #[inline(never)]
+    fn is_near_glint(&self, surface: &Surface<R>, material: &PreparedMaterial<R>) -> bool {
+        self.scene.lights.iter().any(|light| {
+            let seen = light.seen_from(surface.point, self.direction);
+            seen.is_some_and(|(_, _, cosine)| {
+                cosine > self.marks.beside && material.shininess.shows(cosine, self.marks.near)
+            })
+        })
     }
 
-    #[inline]
-    fn fold(&mut self, what: u32) {
-        self.digest = (self.digest.rotate_left(5) ^ what).wrapping_mul(0x9E37_79B9);
+    /// The pixel, whose tone is known in the end.
+    pub(super) fn sample(&self, tone: Tone) -> Sample {
+        Sample::traced(tone, self.path(), self.shade, self.near_glint)
     }
+
+    /// What was met.
+    pub(super) fn path(&self) -> Path {
+        Path::new(self.path)
+    }
+}
+
+/// A digest of one thing more.
+#[inline(always)]
+fn fold(digest: u32, what: u32) -> u32 {
+    (digest.rotate_left(5) ^ what).wrapping_mul(0x9E37_79B9)
 }
 
 impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
@@ -56,34 +110,43 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
         self.probe.record(event);
         match event {
             Event::Ray { ray, throughput, .. } => {
-                self.counts = throughput > R::from_f32(Self::FAINT);
+                self.counts = throughput > self.marks.faint;
                 self.direction = ray.direction;
-                self.glossy = None;
             }
             Event::Hit { kind, hit, .. } if self.counts => {
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
-                self.fold(hit.object as u32 | refracted);
+                self.path = fold(self.path, hit.object as u32 | refracted);
+                self.hit = None;
                 if let Some(material) = self.scene.material(hit.object) {
                     if let Some(cell) = material.color.cell(&hit.surface) {
-                        self.fold(cell);
+                        self.path = fold(self.path, cell);
                     }
+                    self.hit = Some(hit.object);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {
                         let normal = hit.surface.shading_normal;
                         let along = normal.dot(self.direction);
                         self.direction = self.direction - normal * (along + along);
-                        self.glossy = Some(hit.object);
+                        if self.searches {
+                            self.near_glint |= self.is_near_glint(&hit.surface, material);
+                        }
                     }
                 }
             }
             // A light that is turned away shows as little as one that only grazes: both leave no mark.
             Event::Light { light, toward, through, .. } if self.counts => {
-                if !(through >= R::ONE) {
-                    self.fold(1 << 24 | (light as u32) << 17 | through.to_q16());
-                } else if let Some(material) = self.glossy.and_then(|object| self.scene.material(object)) {
-                    self.near_glint |= material.shininess.is_visible(self.direction.dot(toward));
+                if let Some(material) = self.hit.and_then(|object| self.scene.material(object)) {
+                    let sharp = material.shininess.is_sharp();
+                    let cosine = self.direction.dot(toward);
+                    let glint = |share| material.shininess.shows(cosine, share);
+                    if through >= R::ONE {
+                        self.near_glint |= sharp && cosine > self.marks.beside && glint(R::ONE);
+                    } else if material.diffuse > R::ZERO || !sharp || glint(self.marks.shows) {
+                        let what = 1 << 24 | (light as u32) << 17 | through.to_q16();
+                        self.shade = fold(self.shade, what);
+                    }
                 }
             }
-            Event::Miss if self.counts => self.fold(1 << 25),
+            Event::Miss if self.counts => self.path = fold(self.path, 1 << 25),
             Event::Hit { .. } | Event::Light { .. } | Event::Miss | Event::Cut(_) => {}
         }
     }

@@ -1,0 +1,98 @@
+//! From the samples of a cell to the display's colors.
+
+use super::Sample;
+use super::cell::{Cell, Corners};
+use crate::render::tone::Step;
+use crate::render::{DisplayColor, Dither, Quantizer, Settings, Tone};
+
+/// Where a cell is painted: into a band of lines.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Paint<'s> {
+    pub(super) settings: &'s Settings,
+    /// Pixels of a line.
+    pub(super) width: usize,
+    /// The cell's upper left pixel, and the pixels along its side.
+    pub(super) left: usize,
+    pub(super) top: u32,
+    pub(super) side: usize,
+}
+
+impl Paint<'_> {
+    /// A cell of one color.
+    pub(super) fn blank<C: DisplayColor>(&self, colors: &mut [C], sample: Sample) {
+        let corners = Corners::all(sample);
+        if self.settings.dither != Dither::None {
+            return self.smooth(colors, &corners);
+        }
+        let color = C::from_tone(sample.tone(), &self.quantizer());
+        self.rows(colors, |_, row| row.fill(color));
+    }
+
+    /// A cell that has nothing that its corners have not.
+    pub(super) fn smooth<C: DisplayColor>(&self, colors: &mut [C], corners: &Corners) {
+        let shift = self.side.trailing_zeros();
+        let (mut left, mut right) = (corners.top_left.tone(), corners.top_right.tone());
+        let down_left = left.step_toward(corners.bottom_left.tone(), shift);
+        let down_right = right.step_toward(corners.bottom_right.tone(), shift);
+        self.rows(colors, |y, row| {
+            self.between(row, y, left, left.step_toward(right, shift));
+            (left, right) = (left.after(down_left), right.after(down_right));
+        });
+    }
+
+    /// A cell whose points are all known.
+    pub(super) fn refined<C: DisplayColor>(&self, colors: &mut [C], cell: &Cell) {
+        self.rows(colors, |y, row| {
+            for (x, pixel) in row.iter_mut().enumerate() {
+                *pixel = self.color(x, y, cell.get(x, y).tone());
+            }
+        });
+    }
+
+    /// A row of pixels, evenly from one tone on.
+    #[inline]
+    fn between<C: DisplayColor>(&self, row: &mut [C], y: usize, from: Tone, step: Step) {
+        let mut tone = from;
+        if self.settings.dither == Dither::None {
+            let quantizer = self.quantizer();
+            for pixel in row {
+                *pixel = C::from_tone(tone, &quantizer);
+                tone = tone.after(step);
+            }
+        } else {
+            for (x, pixel) in row.iter_mut().enumerate() {
+                *pixel = self.color(x, y, tone);
+                tone = tone.after(step);
+            }
+        }
+    }
+
+    #[inline]
+    fn color<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
+        if self.settings.dither == Dither::None {
+            return C::from_tone(tone, &self.quantizer());
+        }
+        let quantizer = Quantizer::new(self.settings, (self.left + x) as u16, (self.top + y as u32) as u16);
+        C::from_tone(tone, &quantizer)
+    }
+
+    /// Of colors that are not dithered.
+    #[inline]
+    fn quantizer(&self) -> Quantizer {
+        Quantizer::nearest(self.settings.transfer)
+    }
+
+    /// The cell's part of each line.
+    #[inline]
+    fn rows<C>(&self, colors: &mut [C], mut paint: impl FnMut(usize, &mut [C])) {
+        let mut rest = colors;
+        for y in 0..self.side {
+            let Some((line, more)) = rest.split_at_mut_checked(self.width) else { return };
+            rest = more;
+            let end = (self.left + self.side).min(self.width);
+            if let Some(row) = line.get_mut(self.left..end) {
+                paint(y, row);
+            }
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Traces pixels of one cell, and tells which are alike.
+
+use core::marker::PhantomData;
+
+use super::budget::Detail;
+use super::cell::Look;
+use super::seen::{Marks, Seen};
+use super::{Grid, Realtime, Sample};
+use crate::integrator::Sight;
+use crate::math::Real;
+use crate::prepared::PreparedScene;
+use crate::prepared::candidates::ObjectSet;
+use crate::probe::{Event, Probe};
+use crate::render::{DisplayColor, Light16, Quantizer, Renderer};
+use crate::shape::Geometry;
+
+/// What is less than this far from an edge is looked at, in 1/16 of a pixel: edges are known to half a pixel.
+const NEAR: u32 = 5;
+
+/// Traces pixels among the objects that a cell can show.
+pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
+    pub(super) renderer: &'r Renderer<'p, 'm, R, S>,
+    pub(super) unlit: &'r PreparedScene<'m, R, S>,
+    pub(super) among: Option<ObjectSet>,
+    /// The cell's upper left pixel.
+    pub(super) left: u32,
+    pub(super) top: u32,
+    pub(super) quality: &'r Realtime,
+    pub(super) marks: Marks<R>,
+    pub(super) detail: Detail,
+    pub(super) color: PhantomData<C>,
+    pub(super) probe: &'w mut P,
+    pub(super) rays: u32,
+}
+
+impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, '_, R, S, C, ()> {
+    /// A pixel that sees nothing.
+    pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Sample {
+        let mut probe = ();
+        let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, &mut probe);
+        seen.record(Event::Miss);
+        let light = Light16::new(renderer.scene.background);
+        seen.sample(C::tone(light, &Quantizer::nearest(renderer.settings.transfer)))
+    }
+}
+
+impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, R, S, C, P> {
+    /// The light of a pixel in the scene, or in one without lights, as a sample.
+    // Called from many places: one copy is enough.
+    #[inline(never)]
+    fn look(&mut self, is_lit: bool, searches: bool, x: usize, y: usize) -> Sample {
+        // The camera sees on beyond the picture.
+        let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
+        let scene = if is_lit { self.renderer.scene } else { self.unlit };
+        let mut seen = Seen::new(scene, self.marks, searches, self.probe);
+        let (x, y) = (place(self.left, x), place(self.top, y));
+        let sight = Sight { among: self.among, shades: None };
+        let (light, rays) = self.renderer.light_in(scene, x, y, sight, &mut seen);
+        self.rays = self.rays.saturating_add(rays);
+        seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
+    }
+}
+
+impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, C, P> {
+    fn trace(&mut self, x: usize, y: usize) -> Sample {
+        self.look(true, true, x, y)
+    }
+
+    fn choose(&mut self, x: usize, y: usize, a: Sample, b: Sample, distance: usize) -> Sample {
+        if distance <= 2 && a.path() != b.path() && a.is_shaded_like(b) {
+            // Two pixels away, what stands before the lights is no other.
+            let path = self.look(false, false, x, y).path();
+            if path == a.path() {
+                return a.again();
+            }
+            if path == b.path() {
+                return b.again();
+            }
+        }
+        self.look(true, distance > 2, x, y)
+    }
+
+    #[inline]
+    fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
+        let threshold = self.quality.threshold;
+        match self.detail {
+            // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
+            Detail::Full if distance <= 2 => {
+                let allowed =
+                    if a.is_near_glint(b) { threshold / 4 } else { threshold.saturating_add(threshold / 2) };
+                a.saw_else(b) || a.differs_in_color(b, allowed)
+            }
+            Detail::Full => a.saw_else(b) || a.is_near_glint(b) || a.differs_in_color(b, threshold),
+            Detail::Coarse => a.differs_in_color(b, threshold.saturating_mul(4)),
+            Detail::Grid => false,
+        }
+    }
+
+    #[inline]
+    fn is_near(&self, distance: u32) -> bool {
+        self.detail == Detail::Full && distance < NEAR
+    }
+}
