@@ -82,6 +82,9 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
+    // Counted here, and told at the end.
+    let budget = rays;
+    let rays = &mut RayBudget(budget.0);
     let mut light = LinearRgb::BLACK;
     let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
     let mut next = PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: None };
@@ -92,11 +95,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
             break;
         }
         probe.record(Event::Ray { kind, ray, bounces, throughput });
-        let hit = match from {
-            Some(from) => scene.closest_hit_leaving(&ray, from),
-            None => scene.closest_hit_among(&ray, sight.among),
-        };
-        let Some((hit, material)) = hit else {
+        let Some((hit, material)) = scene.closest_hit_from(&ray, from, sight.among) else {
             probe.record(Event::Miss);
             light = light + scene.background * throughput;
             let Some(waiting) = waiting.pop() else { break };
@@ -142,6 +141,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
         let Some(following) = reflected.or_else(|| waiting.pop()) else { break };
         next = following;
     }
+    budget.0 = rays.0;
     light
 }
 

@@ -1,6 +1,6 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
-use super::candidates::{Ball, Departure, ObjectSet};
+use super::candidates::{Ball, Candidates, Departure, ObjectSet};
 use super::hierarchy::Hierarchy;
 use super::{Hit, PreparedScene};
 use crate::limits::MAX_SHADOW_LAYERS;
@@ -64,20 +64,36 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.hit(ray, self.closest_object(ray, range, None)).map(|(hit, _)| hit)
     }
 
-    /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that can meet none but these objects.
-    pub(crate) fn closest_hit_among(&self, ray: &Ray<R>, among: Option<ObjectSet>) -> Option<HitOn<'m, R>> {
-        self.hit(ray, self.closest_object(ray, Interval::AHEAD, among))
-    }
-
-    /// As [`closest_hit`](Self::closest_hit) ahead of the origin, for a ray that leaves a surface.
-    pub(crate) fn closest_hit_leaving(&self, ray: &Ray<R>, from: Departure) -> Option<HitOn<'m, R>> {
-        let Some(candidates) = &self.candidates else { return self.closest_hit_among(ray, None) };
-        let closest = self.closest_object(ray, Interval::AHEAD, Some(candidates.leaving(from)));
-        if closest.is_none() && candidates.comes_out_again(from) {
+    /// As [`closest_hit`](Self::closest_hit) ahead of the origin: for a camera ray that can meet none but the objects
+    /// `among`, or for one that leaves a surface.
+    #[inline(always)]
+    pub(crate) fn closest_hit_from(
+        &self,
+        ray: &Ray<R>,
+        from: Option<Departure>,
+        among: Option<ObjectSet>,
+    ) -> Option<HitOn<'m, R>> {
+        let among = match (from, &self.candidates) {
+            (Some(from), Some(candidates)) => Some(candidates.leaving(from)),
+            (Some(_), None) => None,
+            (None, _) => among,
+        };
+        let mut closest = self.closest_object(ray, Interval::AHEAD, among);
+        if closest.is_none() && from.is_some_and(|from| self.comes_out_again(from)) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
-            return self.closest_hit_among(ray, Some(candidates.all()));
+            closest = self.closest_of_all(ray);
         }
         self.hit(ray, closest)
+    }
+
+    fn comes_out_again(&self, from: Departure) -> bool {
+        self.candidates.as_ref().is_some_and(|candidates| candidates.comes_out_again(from))
+    }
+
+    #[cold]
+    fn closest_of_all(&self, ray: &Ray<R>) -> Option<(R, usize)> {
+        let all = self.candidates.as_ref().map(Candidates::all);
+        self.closest_object(ray, Interval::AHEAD, all)
     }
 
     #[inline(always)]

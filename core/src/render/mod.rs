@@ -111,21 +111,29 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         sight: Sight<'_>,
         probe: &mut impl Probe<R>,
     ) -> (LinearRgb<R>, u32) {
-        let mut rays = RayBudget(self.settings.rays_per_pixel);
+        let Settings { samples_per_pixel: samples, seed, rays_per_pixel, .. } = self.settings;
+        let mut rays = RayBudget(rays_per_pixel);
         let mut light = LinearRgb::BLACK;
         // The sum of many samples may be out of reach, where their mean is not.
-        let weighs_first = R::REACH.is_some() && self.settings.samples_per_pixel > 1;
-        for sample in 0..self.settings.samples_per_pixel {
-            let (right, down) =
-                sample_position(x, y, sample, self.settings.samples_per_pixel, self.settings.seed);
+        let weighs_first = R::REACH.is_some() && samples > 1;
+        let mut sample = 0;
+        loop {
+            let (right, down) = sample_position(x, y, sample, samples, seed);
             let ray = self.viewport.ray((x, right), (y, down));
-            let sample = radiance(scene, ray, sight, &self.bounds, &mut rays, probe);
-            light = light + if weighs_first { sample * self.sample_weight } else { sample };
+            let shown = radiance(scene, ray, sight, &self.bounds, &mut rays, probe);
+            if samples <= 1 {
+                return (shown, rays_per_pixel.saturating_sub(rays.0));
+            }
+            light = light + if weighs_first { shown * self.sample_weight } else { shown };
+            sample += 1;
+            if sample >= samples {
+                break;
+            }
         }
-        if self.settings.samples_per_pixel > 1 && !weighs_first {
+        if !weighs_first {
             light = light * self.sample_weight;
         }
-        (light, self.settings.rays_per_pixel.saturating_sub(rays.0))
+        (light, rays_per_pixel.saturating_sub(rays.0))
     }
 
     /// Renders line `y` into a slice of the picture's width.
