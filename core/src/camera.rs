@@ -128,6 +128,7 @@ impl<R: Real> Viewport<R> {
     }
 
     /// The directions of its rays, of any length.
+    #[inline(never)]
     pub(crate) fn directions(&self) -> Affine<Vec3<R::Setup>> {
         let camera = &self.camera;
         let (half_width, half_height) = self.middle;

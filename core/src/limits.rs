@@ -21,6 +21,9 @@ pub const MAX_COUNT: usize = 65_535;
 /// The largest width or height of a picture in pixels: a coordinate is a `u16`.
 pub const MAX_SIDE: u32 = 65_535;
 
+/// The most objects of a scene that needs no hierarchy: so many fit in a set of 32 bits.
+pub const FEW_OBJECTS: usize = 32;
+
 /// The most nodes, one inside the other, that a scene's hierarchy has around an object: each costs a ray 24 bytes of
 /// stack in `f32`.
 ///

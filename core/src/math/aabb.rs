@@ -23,6 +23,7 @@ impl<R: Real> Aabb<R> {
     }
 
     /// The smallest box that holds both.
+    #[inline(never)]
     pub fn union(self, other: Self) -> Self {
         let smaller = |a: R, b: R| if b < a { b } else { a };
         let (a, b) = (self, other);
@@ -33,12 +34,14 @@ impl<R: Real> Aabb<R> {
     }
 
     /// The box, larger by `margin` on every side.
+    #[inline(never)]
     pub fn padded(self, margin: R) -> Self {
         let margin = Vec3::new(margin, margin, margin);
         Self { min: self.min - margin, max: self.max + margin }
     }
 
     /// The largest absolute value among all coordinates.
+    #[inline(never)]
     pub fn magnitude(self) -> R {
         self.min.magnitude().larger(self.max.magnitude())
     }

@@ -13,6 +13,7 @@ use super::PreparedObject;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
+use crate::limits::FEW_OBJECTS;
 use crate::math::{Product, Real, Vec3};
 use crate::shape::{Form, Intersect};
 
@@ -22,7 +23,7 @@ pub(crate) struct ObjectSet(u32);
 
 impl ObjectSet {
     /// How many objects a scene may have for its sets to be worked out.
-    pub(crate) const CAPACITY: usize = 32;
+    pub(crate) const CAPACITY: usize = FEW_OBJECTS;
     pub(crate) const NONE: Self = Self(0);
 
     /// The first `count` objects.
@@ -104,6 +105,7 @@ pub(crate) struct Occluder<R: Real> {
 impl<R: Real> Occluder<R> {
     const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, tangent_squared: R::Product::ZERO };
 
+    #[inline(never)]
     fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
         let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
             return Self::UNKNOWN;
@@ -284,6 +286,7 @@ impl<R: Real> Ball<R> {
     /// Room for rounding, relative: well above the errors of the tests below.
     const SLACK: f32 = 1e-3;
 
+    #[inline(never)]
     pub(super) fn around<P: Intersect<R>>(object: &PreparedObject<'_, R, P>) -> Option<Self> {
         let (center, radius) = match object.shape.form() {
             Form::Ball { center, radius } => (center.to_setup(), radius.to_setup()),
@@ -309,6 +312,7 @@ impl<R: Real> Ball<R> {
     }
 
     /// Whether any of `other` may stand between a point inside and the light.
+    #[inline(never)]
     fn is_shaded_by(&self, other: &Body<R>, light: &Source<R>) -> bool {
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.

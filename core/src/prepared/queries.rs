@@ -111,7 +111,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         among: Option<ObjectSet>,
     ) -> Option<(R, usize)> {
         if among.is_none()
-            && let Some(hierarchy) = &self.hierarchy
+            && let Some(hierarchy) = self.hierarchy()
         {
             return self.closest_in_hierarchy(hierarchy, ray, range);
         }
@@ -155,6 +155,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             Some(closest.map_or(range.max, |(t, _)| t))
         });
         closest
+    }
+
+    /// The hierarchy, if there can be one: without the feature, the compiler sees that there is none and drops its code.
+    #[inline(always)]
+    fn hierarchy(&self) -> Option<&Hierarchy<'m, R>> {
+        if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 
     /// The share of light, 0 to 1, that comes through from a light at `distance` along `ray`, and whether it
@@ -206,7 +212,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         };
         let blocked = match among {
             Some(mut some) => some.any(&mut blocks),
-            None => match &self.hierarchy {
+            None => match self.hierarchy() {
                 Some(hierarchy) => {
                     hierarchy.walk(ray, range.max, |index| (!blocks(index)).then_some(range.max))
                 }

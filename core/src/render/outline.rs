@@ -86,7 +86,7 @@ impl Outline {
                     .plus(R::Setup::ONE, viewport.directions().map(|d| radius * normal.dot(d)))
                     .plus(R::Setup::ONE, places.map(|place| place.dot(toward)))
                     .plus_squares(-R::Setup::ONE, places)
-                    .outline(viewport.half_size(), |_, _| true)
+                    .outline(viewport.half_size(), None)
             }
             Source::Far(..) => Self::Everywhere,
         }
@@ -169,9 +169,7 @@ fn seen_from_origin<N: Real>(
     let unit = middle.larger(right).larger(down).recip();
     let directions = directions.map(|direction| direction * unit);
     let along = directions.map(|direction| c.dot(direction));
-    // The other half of the cone is behind.
-    let is_in_front = |u, v| along.middle + along.right * u + along.down * v > N::ZERO;
-    Conic::EMPTY.plus(N::ONE, along).plus_squares(-k, directions).outline(half_size, is_in_front)
+    Conic::EMPTY.plus(N::ONE, along).plus_squares(-k, directions).outline(half_size, Some(along))
 }
 
 /// Half the width or height beyond which an outline is everywhere, in half pictures: its conic may be open, and be seen
@@ -211,9 +209,10 @@ impl<N: Real> Conic<N> {
             .plus(weight, vector.map(|vector| vector.z))
     }
 
-    /// In pixels, where the picture has this half width and height.
+    /// In pixels, where the picture has this half width and height; nowhere, if its middle is where `front` is not
+    /// positive: behind, in the other half of a cone.
     #[inline(never)]
-    fn outline(&self, (width, height): (N, N), is_in_front: impl Fn(N, N) -> bool) -> Outline {
+    fn outline(&self, (width, height): (N, N), front: Option<Affine<N>>) -> Outline {
         let Self { uu, uv, vv, u, v, one } = *self;
         // On the line v its ends are (uv·v + u ± √(−p2 v² + 2 p1 v + p0)) / a.
         let a = -uu;
@@ -239,7 +238,8 @@ impl<N: Real> Conic<N> {
         if !(is_closed && is_near && half_width < N::from_f32(60_000.0)) {
             return Outline::Everywhere;
         }
-        if !is_in_front(middle_u, middle_v) {
+        let is_in_front = |front: Affine<N>| front.middle + front.right * middle_u + front.down * middle_v > N::ZERO;
+        if !front.is_none_or(is_in_front) {
             return Outline::Nowhere;
         }
         // A pixel more on each side.

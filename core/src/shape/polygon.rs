@@ -120,6 +120,7 @@ impl Axis {
     }
 
     /// The point of the plane that was flattened to (u, v).
+    #[inline(never)]
     fn unflatten<R: Real>(self, u: R, v: R, plane: &PreparedPlane<R>) -> Vec3<R> {
         let PreparedPlane { normal: n, distance } = *plane;
         // The plane's equation gives the coordinate that was dropped; its share of the normal is the largest.

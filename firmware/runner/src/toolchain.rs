@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
+use rayline::limits::FEW_OBJECTS;
 use serde_json::Value;
 
 use crate::board::Board;
@@ -110,7 +111,10 @@ impl Toolchain {
         if let Self::Debian { .. } = self {
             command.arg("-Zbuild-std=core");
         }
-        let features = [board.program.features, features].concat();
+        let mut features = [board.program.features, features].concat();
+        if picture.scene.scene.objects.len() > FEW_OBJECTS {
+            features.push("hierarchy");
+        }
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);
         }

@@ -102,7 +102,7 @@ const MOST_WAITING: usize = (WIDTH - 1) * MAX_HIERARCHY_DEPTH + 1;
 impl<'m, R: Real> Hierarchy<'m, R> {
     /// For how many objects a hierarchy is stored: none where a scene has sets of candidates.
     const fn stored(objects: usize) -> usize {
-        if objects > ObjectSet::CAPACITY { objects } else { 0 }
+        if cfg!(feature = "hierarchy") && objects > ObjectSet::CAPACITY { objects } else { 0 }
     }
 
     /// How many bytes the hierarchy of a scene takes.
