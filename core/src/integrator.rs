@@ -69,8 +69,8 @@ struct PendingRay<R> {
     throughput: R,
     bounces: u8,
     kind: RayKind,
-    /// The surface that it leaves.
-    from: Option<Departure>,
+    /// The surface that it leaves; of a camera ray, none.
+    from: Departure,
 }
 
 /// The light that comes to the origin of a camera ray from where it points.
@@ -87,7 +87,8 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     let rays = &mut RayBudget(budget.0);
     let mut light = LinearRgb::BLACK;
     let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
-    let mut next = PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: None };
+    let mut next =
+        PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: Departure::NONE };
     loop {
         let PendingRay { ray, throughput, bounces, kind, from } = next;
         if !rays.spend() {
@@ -95,32 +96,35 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
             break;
         }
         probe.record(Event::Ray { kind, ray, bounces, throughput });
+        let from = if kind == RayKind::Camera { None } else { Some(from) };
         let Some((hit, material)) = scene.closest_hit_from(&ray, from, sight.among) else {
             probe.record(Event::Miss);
             light = light + scene.background * throughput;
-            let Some(waiting) = waiting.pop() else { break };
-            next = waiting;
+            if !take(&mut waiting, &mut next) {
+                break;
+            }
             continue;
         };
         let vertex = Vertex::new(&ray, hit, material, kind, probe);
-        let shades = sight.shades.filter(|shades| from.is_none() && shades.receiver == vertex.hit.object);
+        let shades =
+            sight.shades.filter(|shades| kind == RayKind::Camera && shades.receiver == vertex.hit.object);
         light = light + vertex.local_light(scene, shades, rays, probe) * throughput;
 
-        let mut follow = |share: R, direction: Vec3<R>, kind| {
+        // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
+        let mut followed = |share: R| {
             let throughput = throughput * share;
             if !(throughput > R::ZERO) {
-                return None;
+                return R::ZERO;
             }
             if bounces >= bounds.bounces {
                 probe.record(Event::Cut(Cut::Bounces));
-                return None;
+                return R::ZERO;
             }
             if throughput < bounds.cutoff {
                 probe.record(Event::Cut(Cut::Throughput));
-                return None;
+                return R::ZERO;
             }
-            let (ray, from) = (vertex.spawn(direction), vertex.departure(direction));
-            Some(PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from: Some(from) })
+            throughput
         };
         let (mut reflectance, mut refracted) = (material.reflectance, None);
         if material.transmittance > R::ZERO {
@@ -130,19 +134,33 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
                 reflectance = reflectance + material.transmittance;
             }
         }
-        let reflected = follow(reflectance, vertex.mirrored, RayKind::Reflected);
-        if let Some(refracted) =
-            refracted.and_then(|direction| follow(material.transmittance, direction, RayKind::Refracted))
-            // There is always room, as shown above.
-            && waiting.push(refracted).is_err()
-        {
-            probe.record(Event::Cut(Cut::Bounces));
+        let mirrors = followed(reflectance);
+        if let Some(direction) = refracted {
+            let transmits = followed(material.transmittance);
+            if transmits > R::ZERO
+                // There is always room, as shown above.
+                && waiting.push(vertex.leave(direction, transmits, bounces, RayKind::Refracted)).is_err()
+            {
+                probe.record(Event::Cut(Cut::Bounces));
+            }
         }
-        let Some(following) = reflected.or_else(|| waiting.pop()) else { break };
-        next = following;
+        if mirrors > R::ZERO {
+            next = vertex.leave(vertex.mirrored, mirrors, bounces, RayKind::Reflected);
+        } else if !take(&mut waiting, &mut next) {
+            break;
+        }
     }
     budget.0 = rays.0;
     light
+}
+
+/// Takes the last ray that waits, if there is one. Without an `Option` of it, which would be copied byte by byte.
+#[inline(always)]
+fn take<R: Real, const N: usize>(waiting: &mut Vec<PendingRay<R>, N>, next: &mut PendingRay<R>) -> bool {
+    let Some(last) = waiting.last() else { return false };
+    *next = *last;
+    waiting.truncate(waiting.len().saturating_sub(1));
+    true
 }
 
 /// A hit, seen from the ray that met it.
@@ -175,6 +193,12 @@ impl<'s, R: Real> Vertex<'s, R> {
         probe.record(Event::Hit { kind, hit, color });
         let mirrored = incoming + normal * (cosine + cosine);
         Self { hit, material, color, incoming, normal, cosine, mirrored }
+    }
+
+    /// A ray that is to be followed from here, after so many bounces.
+    fn leave(&self, direction: Vec3<R>, throughput: R, bounces: u8, kind: RayKind) -> PendingRay<R> {
+        let (ray, from) = (self.spawn(direction), self.departure(direction));
+        PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
     }
 
     /// A ray that leaves the surface.

@@ -78,6 +78,11 @@ pub(crate) struct Departure {
     pub(crate) outward: bool,
 }
 
+impl Departure {
+    /// No surface.
+    pub(crate) const NONE: Self = Self { object: usize::MAX, outward: true };
+}
+
 /// The sets of a scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Candidates<'m, R: Real> {

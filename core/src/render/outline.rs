@@ -238,7 +238,8 @@ impl<N: Real> Conic<N> {
         if !(is_closed && is_near && half_width < N::from_f32(60_000.0)) {
             return Outline::Everywhere;
         }
-        let is_in_front = |front: Affine<N>| front.middle + front.right * middle_u + front.down * middle_v > N::ZERO;
+        let is_in_front =
+            |front: Affine<N>| front.middle + front.right * middle_u + front.down * middle_v > N::ZERO;
         if !front.is_none_or(is_in_front) {
             return Outline::Nowhere;
         }
