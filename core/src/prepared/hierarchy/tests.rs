@@ -201,3 +201,38 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
     check::<f64>();
     check::<Fixed>();
 }
+
+/// Objects that a ray tests, on average: the same number on every run, as times are not. It may rise by 5 %.
+#[test]
+fn a_ray_tests_few_of_many_objects() {
+    // Boxes of many sizes in a cube, and rays between points of it, from one generator.
+    let mut state = 1u32;
+    let mut number = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
+    };
+    let mut point = || Vec3::new(number(), number(), number());
+    for (count, most) in [(91, 0.9), (820, 3.07)] {
+        let boxes: Vec<_> = (0..count)
+            .map(|i| {
+                let reach = if i % 9 == 0 { 0.1 } else { 0.03 };
+                Aabb::around(point(), Vec3::new(reach, reach, reach))
+            })
+            .collect();
+        let mut memory = vec![MaybeUninit::uninit(); Hierarchy::<f32>::bytes(count)];
+        let bounds = |object| Some(boxes[usize::from(object)]);
+        let hierarchy = build::build(count, bounds, &mut Arena::new(&mut memory)).unwrap();
+        let mut tested = 0u32;
+        for _ in 0..1000 {
+            let (origin, target) = (point(), point());
+            let ray = Ray { origin, direction: (target - origin).normalized().unwrap() };
+            hierarchy.walk(&ray, (target - origin).length(), |_| {
+                tested += 1;
+                Some((target - origin).length())
+            });
+        }
+        let tested = tested as f32 / 1000.0;
+        std::println!("{count} boxes: {tested} tested");
+        assert!(tested <= most, "{count} boxes: {tested} tested");
+    }
+}
