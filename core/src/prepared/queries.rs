@@ -78,7 +78,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (Some(_), None) => None,
             (None, _) => among,
         };
-        let mut closest = self.closest_object(ray, Interval::AHEAD, among);
+        let mut closest = match among {
+            Some(among) => self.closest_among(ray, Interval::AHEAD, among),
+            None => self.closest_object(ray, Interval::AHEAD, None),
+        };
         if closest.is_none() && from.is_some_and(|from| self.comes_out_again(from)) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
             closest = self.closest_of_all(ray);
@@ -104,29 +107,36 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// Distance and position of the first object that a ray meets, of all or of some.
+    #[inline(never)]
     fn closest_object(
         &self,
         ray: &Ray<R>,
-        mut range: Interval<R>,
+        range: Interval<R>,
         among: Option<ObjectSet>,
     ) -> Option<(R, usize)> {
-        if among.is_none()
-            && let Some(hierarchy) = self.hierarchy()
-        {
-            return self.closest_in_hierarchy(hierarchy, ray, range);
+        match (among, self.hierarchy()) {
+            (Some(among), _) => self.closest_among(ray, range, among),
+            (None, Some(hierarchy)) => self.closest_in_hierarchy(hierarchy, ray, range),
+            (None, None) => self.closest_among(ray, range, 0..self.objects.len()),
         }
+    }
+
+    /// The same among the objects of these positions.
+    #[inline(always)]
+    fn closest_among(
+        &self,
+        ray: &Ray<R>,
+        mut range: Interval<R>,
+        among: impl IntoIterator<Item = usize>,
+    ) -> Option<(R, usize)> {
         let mut closest = None;
-        let mut test = |index: usize| {
+        for index in among {
             if let Some(object) = self.objects.get(index)
                 && let Some(t) = object.shape.intersect(ray, range)
             {
                 range.max = t;
                 closest = Some((t, index));
             }
-        };
-        match among {
-            Some(some) => some.for_each(&mut test),
-            None => (0..self.objects.len()).for_each(&mut test),
         }
         closest
     }
