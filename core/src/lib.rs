@@ -112,7 +112,7 @@ pub use math::{Real, Vec3};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
-    Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Progress,
+    Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Pattern, Progress,
     Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Tone,
     Transfer,
 };

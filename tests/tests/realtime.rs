@@ -12,8 +12,9 @@ use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{Cylinder, Shape, Sphere};
 use rayline::{
-    Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object, PreparedScene,
-    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Vec3,
+    Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object, Pattern,
+    PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene,
+    Settings, Vec3,
 };
 use rayline_simulator::Orbit;
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
@@ -437,4 +438,53 @@ fn a_budget_of_rays_is_kept_and_quality_falls_with_it() {
             last = close;
         }
     });
+}
+
+#[test]
+fn patterns_draw_every_pixel_once() {
+    for pattern in [Pattern::Checkerboard, Pattern::Square] {
+        with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
+            let mut screen = Screen::new(renderer);
+            for frame in 0..pattern.frames() {
+                // The screen refuses no pixel that is drawn again: count them.
+                let drawn = (0..43u16)
+                    .flat_map(|y| (0..61u16).map(move |x| (x, y)))
+                    .filter(|(x, y)| pattern.draws(*x, *y, frame))
+                    .count();
+                assert!(drawn.abs_diff(61 * 43 / pattern.frames() as usize) <= 61, "{drawn} pixels");
+                renderer.draw_pattern(pattern, frame, &mut screen).expect("a frame");
+            }
+            assert!(picture_on(&screen) == exact(renderer, &mut ()), "{pattern:?}");
+        });
+    }
+}
+
+#[test]
+fn lines_that_are_told_unchanged_are() {
+    // As seen on the way past, and from above, where the horizon leaves the picture.
+    let mut skipped = 0;
+    for (from, to) in [((0.0, 0.0), (0.5, 0.0)), ((0.0, 0.0), (0.0, 0.4)), ((0.0, 9.0), (0.0, 9.2))] {
+        let scene = |(x, y): (f32, f32)| {
+            let eye = Vec3::new(x, y, 0.0);
+            Scene { camera: Camera { eye, ..CLASSIC.camera }, ..CLASSIC }
+        };
+        let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
+        with_renderer::<f32, _>(&scene(from), settings, |before| {
+            let first = exact(before, &mut ());
+            assert!((0..120).all(|y| before.is_unchanged(before, y)) && !before.is_unchanged(before, 120));
+            with_renderer::<f32, _>(&scene(to), settings, |now| {
+                let second = exact(now, &mut ());
+                for y in (0..120).filter(|y| now.is_unchanged(before, *y)) {
+                    let line = y as usize * 160..(y as usize + 1) * 160;
+                    assert!(first.pixels[line.clone()] == second.pixels[line], "line {y}");
+                    skipped += 1;
+                }
+            });
+            let other = Settings { transfer: rayline::Transfer::Linear, ..settings };
+            with_renderer::<f32, _>(&scene(from), other, |now| {
+                assert!((0..120).all(|y| !now.is_unchanged(before, y)));
+            });
+        });
+    }
+    assert!(skipped > 60, "{skipped} lines");
 }

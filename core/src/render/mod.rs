@@ -8,16 +8,19 @@ mod interleave;
 mod line_candidates;
 mod outline;
 mod painter;
+mod pattern;
 mod quantize;
 mod realtime;
 mod settings;
 mod tone;
+mod unchanged;
 
 pub use digest::Digest;
 pub use display_color::DisplayColor;
 pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use interleave::Interleave;
+pub use pattern::Pattern;
 pub use quantize::{Dither, Light16, Quantizer, Transfer};
 pub use realtime::{Grid, Realtime, RealtimeBuffer, RealtimeFrame, Sample};
 pub use settings::Settings;
@@ -98,16 +101,16 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
 
     /// As [`pixel`](Self::pixel), with what is known of it.
     fn light_at(&self, x: u16, y: u16, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_in(self.scene, x, y, sight, probe)
+        self.light_in(self.scene, &self.bounds, (x, y), sight, probe)
     }
 
-    /// As [`light_at`](Self::light_at), in another scene.
+    /// As [`light_at`](Self::light_at), in another scene and with other bounds.
     #[inline(always)]
     fn light_in(
         &self,
         scene: &PreparedScene<'m, R, S>,
-        x: u16,
-        y: u16,
+        bounds: &Bounds<R>,
+        (x, y): (u16, u16),
         sight: Sight<'_>,
         probe: &mut impl Probe<R>,
     ) -> (LinearRgb<R>, u32) {
@@ -120,7 +123,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         loop {
             let (right, down) = sample_position(x, y, sample, samples, seed);
             let ray = self.viewport.ray((x, right), (y, down));
-            let shown = radiance(scene, ray, sight, &self.bounds, &mut rays, probe);
+            let shown = radiance(scene, ray, sight, bounds, &mut rays, probe);
             if samples <= 1 {
                 return (shown, rays_per_pixel.saturating_sub(rays.0));
             }

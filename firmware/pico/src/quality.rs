@@ -42,7 +42,7 @@ impl Memory {
     /// Begins to trace some lines.
     pub(crate) fn begin<'r, 'b>(
         &'b mut self,
-        renderer: &Renderer<'r, 'static, Number>,
+        renderer: &'r Renderer<'r, 'static, Number>,
         lines: Range<u32>,
     ) -> Result<Tracing<'r, 'b>, LineError> {
         let Self { colors, samples } = self;

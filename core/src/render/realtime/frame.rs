@@ -14,6 +14,7 @@ use super::seen::Marks;
 use super::strip::{Strip, thin_objects};
 use super::tracer::Tracer;
 use super::{Realtime, RealtimeBuffer, Sample};
+use crate::integrator::Bounds;
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
@@ -31,7 +32,9 @@ const CUTOFF: f32 = 1.0 / 64.0;
 /// drawn at once, in any order of lines. No pixel is traced twice for one band of lines.
 #[derive(Debug)]
 pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
-    renderer: Renderer<'p, 'm, R, S>,
+    renderer: &'p Renderer<'p, 'm, R, S>,
+    /// When rays are no longer followed.
+    bounds: Bounds<R>,
     /// The scene without its lights.
     unlit: PreparedScene<'m, R, S>,
     quality: Realtime,
@@ -67,7 +70,7 @@ struct Band {
 
 impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, 'm, 'b, R, S, C> {
     pub(super) fn new(
-        renderer: Renderer<'p, 'm, R, S>,
+        renderer: &'p Renderer<'p, 'm, R, S>,
         lines: Range<u32>,
         quality: Realtime,
         buffer: RealtimeBuffer<'b, C>,
@@ -86,11 +89,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         }
         let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
         // What is as wide and high as two cells covers a point of the grid wherever it is.
-        let mut renderer = renderer;
-        renderer.bounds.cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
+        let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let thin = thin_objects(&renderer, quality.grid.pixels() as u16 * 2);
+        let thin = thin_objects(renderer, quality.grid.pixels() as u16 * 2);
         Ok(Self {
             quality,
             buffer,
@@ -99,7 +101,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             thin,
             band: None,
             row: None,
-            nothing: Tracer::<R, S, C, ()>::nothing(&renderer),
+            nothing: Tracer::<R, S, C, ()>::nothing(renderer),
+            bounds: Bounds { cutoff, ..renderer.bounds },
             unlit,
             renderer,
             marks: Marks::new(quality.grid),
@@ -169,7 +172,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = self.lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, self.lines.end.saturating_sub(self.lines.start));
-        let strip = Strip::new(&self.renderer, top as u16, bottom as u16);
+        let strip = Strip::new(self.renderer, top as u16, bottom as u16);
         Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip }
     }
 
@@ -182,7 +185,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let is_inside = band.left + (side as u32) < self.renderer.width();
         let among = if is_inside { shown } else { None };
         let mut tracer = Tracer {
-            renderer: &self.renderer,
+            renderer: self.renderer,
+            bounds: &self.bounds,
             unlit: &self.unlit,
             among,
             left: band.left,

@@ -171,12 +171,12 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     ///
     /// # Errors
     /// Where a buffer has the wrong length, or the picture has no such lines.
-    pub fn realtime_frame<'b, C: DisplayColor>(
-        &self,
+    pub fn realtime_frame<'r, 'b, C: DisplayColor>(
+        &'r self,
         lines: Range<u32>,
         quality: Realtime,
         buffer: RealtimeBuffer<'b, C>,
-    ) -> Result<RealtimeFrame<'p, 'm, 'b, R, S, C>, LineError> {
-        RealtimeFrame::new(*self, lines, quality, buffer)
+    ) -> Result<RealtimeFrame<'r, 'm, 'b, R, S, C>, LineError> {
+        RealtimeFrame::new(self, lines, quality, buffer)
     }
 }

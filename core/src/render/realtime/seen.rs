@@ -51,8 +51,8 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     counts: bool,
     /// Direction of the current ray, mirrored after it has hit something with a small highlight.
     direction: Vec3<R>,
-    /// The object that it hit.
-    hit: Option<usize>,
+    /// The material that it hit.
+    hit: Option<&'s PreparedMaterial<R>>,
 }
 
 impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, P> {
@@ -121,7 +121,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     if let Some(cell) = material.color.cell(&hit.surface) {
                         self.path = fold(self.path, cell);
                     }
-                    self.hit = Some(hit.object);
+                    self.hit = Some(material);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {
                         let normal = hit.surface.shading_normal;
                         let along = normal.dot(self.direction);
@@ -134,7 +134,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
             }
             // A light that is turned away shows as little as one that only grazes: both leave no mark.
             Event::Light { light, toward, through, .. } if self.counts => {
-                if let Some(material) = self.hit.and_then(|object| self.scene.material(object)) {
+                if let Some(material) = self.hit {
                     let sharp = material.shininess.is_sharp();
                     let cosine = self.direction.dot(toward);
                     let glint = |share| material.shininess.shows(cosine, share);

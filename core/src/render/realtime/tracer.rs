@@ -6,7 +6,7 @@ use super::budget::Detail;
 use super::cell::Look;
 use super::seen::{Marks, Seen};
 use super::{Grid, Realtime, Sample};
-use crate::integrator::Sight;
+use crate::integrator::{Bounds, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
@@ -20,6 +20,7 @@ const NEAR: u32 = 5;
 /// Traces pixels among the objects that a cell can show.
 pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) renderer: &'r Renderer<'p, 'm, R, S>,
+    pub(super) bounds: &'r Bounds<R>,
     pub(super) unlit: &'r PreparedScene<'m, R, S>,
     pub(super) among: Option<ObjectSet>,
     /// The cell's upper left pixel.
@@ -55,7 +56,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         let mut seen = Seen::new(scene, self.marks, searches, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight { among: self.among, shades: None };
-        let (light, rays) = self.renderer.light_in(scene, x, y, sight, &mut seen);
+        let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
     }

@@ -1,0 +1,57 @@
+//! Which lines of a picture are surely those of the picture before.
+
+use super::Renderer;
+use super::line_candidates::{Line, Span};
+use crate::math::Real;
+use crate::shape::Geometry;
+
+impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
+    /// Whether line `y` surely looks as it did when `before` drew it, so that it need not be drawn again. In realtime
+    /// quality that holds for a band of lines if it does for all of them and the one below.
+    ///
+    /// True where nothing has changed at all: the very same prepared scene and the same settings; and where none of
+    /// the objects can be seen on that line, neither now nor then, before the same background. Else false, also for
+    /// lines that happen to be the same.
+    ///
+    /// ```
+    /// use rayline::builtin::CLASSIC;
+    /// use rayline::{PreparedScene, Renderer, Settings, Workspace};
+    ///
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+    /// let (mut memory, mut other) = (Workspace::<8192>::new(), Workspace::<8192>::new());
+    /// let mut moved = CLASSIC;
+    /// moved.camera.vertical_fov = 1.0;
+    /// let (first, second) =
+    ///     (PreparedScene::<f32>::new(&CLASSIC, memory.lend())?, PreparedScene::new(&moved, other.lend())?);
+    /// let (before, now) = (
+    ///     Renderer::new(&first, Settings::new(160, 120))?,
+    ///     Renderer::new(&second, Settings::new(160, 120))?,
+    /// );
+    /// // The sky above, not the spheres.
+    /// assert!(now.is_unchanged(&before, 0) && !now.is_unchanged(&before, 60));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn is_unchanged<T: Geometry>(&self, before: &Renderer<'_, '_, R, T>, y: u32) -> bool {
+        let Some(line) = u16::try_from(y).ok().filter(|y| *y < self.height) else { return false };
+        if self.settings != before.settings {
+            return false;
+        }
+        let is_same_scene = core::ptr::addr_eq(self.scene, before.scene);
+        is_same_scene
+            || self.scene.background == before.scene.background
+                && self.sees_nothing(line)
+                && before.sees_nothing(line)
+    }
+
+    /// Whether surely no object is seen on a line.
+    fn sees_nothing(&self, y: u16) -> bool {
+        // Spans hold for the centers of pixels.
+        if self.settings.samples_per_pixel > 1 {
+            return false;
+        }
+        let line = Line::strip(&self.viewport, self.width, y, y);
+        let enclosures = self.scene.enclosures();
+        enclosures.is_some_and(|mut all| all.all(|enclosure| line.span(enclosure) == Span::NOWHERE))
+    }
+}
