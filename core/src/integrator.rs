@@ -232,9 +232,9 @@ impl<'s, R: Real> Vertex<'s, R> {
         for (index, light) in scene.lights.iter().enumerate() {
             let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
-            let highlight =
-                if shines { material.shininess.power_of(self.mirrored.dot(toward)) } else { R::ZERO };
-            if !(diffuses || highlight > R::ZERO) {
+            let along = if shines { self.mirrored.dot(toward) } else { R::ZERO };
+            let glints = shines && material.shininess.is_visible(along);
+            if !(diffuses || glints) {
                 continue;
             }
             if !rays.spend() {
@@ -252,11 +252,13 @@ impl<'s, R: Real> Vertex<'s, R> {
                     probe.record(Event::Cut(Cut::ShadowLayers));
                 }
             }
+            // The power takes long: it is for what is seen.
+            let highlight = if glints && through > R::ZERO { material.shininess.power_of(along) } else { R::ZERO };
             if through > R::ZERO {
                 diffuse = diffuse + light.color * (cosine * through);
-                if highlight > R::ZERO {
-                    specular = specular + light.color * (highlight * through);
-                }
+            }
+            if highlight > R::ZERO {
+                specular = specular + light.color * (highlight * through);
             }
             if probe.is_watching() {
                 let shown = self.color * (material.diffuse * cosine);

@@ -140,6 +140,12 @@ impl<R: Real> Shininess<R> {
         self.least > R::from_f32(0.85)
     }
 
+    /// Whether a highlight can be seen at this cosine.
+    #[inline]
+    pub(crate) fn is_visible(&self, cosine: R) -> bool {
+        cosine > self.least
+    }
+
     /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at
     /// 1/4 about the fourth root of that, 2^-6.
     pub(crate) fn shows(&self, cosine: R, share: R) -> bool {
@@ -150,7 +156,7 @@ impl<R: Real> Shininess<R> {
     /// The power of a cosine; 0 where it is invisible.
     #[inline]
     pub(crate) fn power_of(&self, cosine: R) -> R {
-        if !(cosine > self.least) {
+        if !self.is_visible(cosine) {
             return R::ZERO;
         }
         if cosine >= R::ONE {
