@@ -149,14 +149,6 @@ impl<R: Real> Viewport<R> {
         self.camera.eye
     }
 
-    /// The direction, of any length, to the beginning of line `y`, and the way from there to its end.
-    pub(crate) fn line(&self, y: R::Setup) -> (Vec3<R::Setup>, Vec3<R::Setup>) {
-        let (half_width, _) = self.middle;
-        let pixel = R::Setup::from_f32((1u32 << (self.shift & 31)) as f32).recip();
-        let (right, down) = (self.right.to_setup() * pixel, self.down.to_setup() * pixel);
-        (self.corner.to_setup() + down * y, right * (half_width + half_width))
-    }
-
     /// The power of two that brings a direction of this length, or less, to 16 or less, and the same times
     /// `2^shift`.
     fn unit(length: R::Setup, shift: u32) -> (R::Setup, R::Setup) {

@@ -253,7 +253,8 @@ impl<'s, R: Real> Vertex<'s, R> {
                 }
             }
             // The power takes long: it is for what is seen.
-            let highlight = if glints && through > R::ZERO { material.shininess.power_of(along) } else { R::ZERO };
+            let highlight =
+                if glints && through > R::ZERO { material.shininess.power_of(along) } else { R::ZERO };
             if through > R::ZERO {
                 diffuse = diffuse + light.color * (cosine * through);
             }

@@ -139,7 +139,7 @@ impl Outline {
 }
 
 /// The pixel of a place, and some more.
-fn pixel<N: Real>(place: N, more: i32) -> u16 {
+pub(super) fn pixel<N: Real>(place: N, more: i32) -> u16 {
     let place = place.floor_to_i32().saturating_add(more).max(0);
     u16::try_from(place).unwrap_or(u16::MAX)
 }

@@ -1,7 +1,6 @@
 //! Which lines of a picture are surely those of the picture before.
 
 use super::Renderer;
-use super::line_candidates::{Line, Span};
 use crate::math::Real;
 use crate::shape::Geometry;
 
@@ -46,12 +45,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
 
     /// Whether surely no object is seen on a line.
     fn sees_nothing(&self, y: u16) -> bool {
-        // Spans hold for the centers of pixels.
-        if self.settings.samples_per_pixel > 1 {
-            return false;
-        }
-        let line = Line::strip(&self.viewport, self.width, y, y);
-        let enclosures = self.scene.enclosures();
-        enclosures.is_some_and(|mut all| all.all(|enclosure| line.span(enclosure) == Span::NOWHERE))
+        let spans = self.outlines.strip(y, y);
+        spans.is_some_and(|mut spans| spans.all(|span| span.start >= span.end || span.start >= self.width))
     }
 }

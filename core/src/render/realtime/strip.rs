@@ -2,7 +2,8 @@
 //! between the points of the grid.
 
 use super::super::Renderer;
-use super::super::line_candidates::{Line, Span};
+use super::super::line_candidates::Span;
+use super::super::outline::pixel;
 use super::stadium::Stadium;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
@@ -24,20 +25,18 @@ impl Strip {
         top: u16,
         bottom: u16,
     ) -> Option<Self> {
-        if renderer.settings.samples_per_pixel > 1 {
-            return None;
-        }
-        let scene = renderer.scene;
-        let line = Line::strip(&renderer.viewport, renderer.width, top, bottom);
+        // A pixel of room for rounding.
+        let half = R::Setup::from_f32(0.5);
+        let (upper, lower) =
+            (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE);
         let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
         let mut objects = 0;
-        for ((span, enclosure), spine) in spans.iter_mut().zip(scene.enclosures()?).zip(scene.spines()) {
-            *span = line.span(enclosure);
+        let known = renderer.outlines.strip(top, bottom)?;
+        for ((span, known), spine) in spans.iter_mut().zip(known).zip(renderer.scene.spines()) {
+            *span = known;
             if let Some(stadium) = spine.and_then(|spine| Stadium::new(&renderer.viewport, &spine)) {
-                // A pixel of room for rounding.
-                let (top, bottom) = line.reach_of_pixels(R::Setup::ONE);
-                *span = match stadium.extent(top, bottom) {
-                    Some((left, right)) => span.common(line.pixels(left, right)),
+                *span = match stadium.extent(upper, lower) {
+                    Some((left, right)) => span.common(Span { start: pixel(left, -1), end: pixel(right, 2) }),
                     None => Span::NOWHERE,
                 };
             }
