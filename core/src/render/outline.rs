@@ -243,14 +243,14 @@ impl<N: Real> Conic<N> {
         if !front.is_none_or(is_in_front) {
             return Outline::Nowhere;
         }
-        // A pixel more on each side.
-        let inverse_half_height = N::from_f32(2_147_483_648.0) / (half_height + N::ONE);
+        // A little more, for the roundings here.
+        let inverse_half_height = N::from_f32(2_147_483_648.0) / (half_height + N::from_f32(0.125));
         let place = |middle: N, half: N| ((half + middle * half) * N::from_f32(256.0)).floor_to_i32();
         Outline::Ellipse {
             x: place(middle_u, width),
             y: place(middle_v, height),
             slope: (slope * N::from_f32(65536.0)).floor_to_i32(),
-            half_width: pixel(half_width, 2),
+            half_width: pixel(half_width, 1),
             inverse_half_height: inverse_half_height.floor_to_i32() as u32,
         }
     }
