@@ -15,7 +15,7 @@ mod axis;
 mod build;
 mod segment;
 mod slabs;
-#[cfg(test)]
+#[cfg(all(test, feature = "hierarchy"))]
 mod tests;
 
 use heapless::Vec;
