@@ -268,6 +268,8 @@ struct Line<'c> {
     points: &'c mut [Sample],
     start: (usize, usize),
     way: Way,
+    /// How far apart they are in the cell.
+    stride: usize,
 }
 
 impl<'c> Line<'c> {
@@ -275,7 +277,8 @@ impl<'c> Line<'c> {
     #[inline(always)]
     fn new(cell: &'c mut Cell, (x, y): (usize, usize), way: Way) -> Self {
         let points = cell.points.get_mut(y * POINTS + x..).unwrap_or_default();
-        Self { points, start: (x, y), way }
+        let stride = if way == Way::Right { 1 } else { POINTS };
+        Self { points, start: (x, y), way, stride }
     }
 
     /// Where a point is in the cell.
@@ -284,19 +287,14 @@ impl<'c> Line<'c> {
         if self.way == Way::Right { (x + i, y) } else { (x, y + i) }
     }
 
-    fn index(&self, i: usize) -> usize {
-        if self.way == Way::Right { i } else { i * POINTS }
-    }
-
     #[inline(always)]
     fn get(&self, i: usize) -> Sample {
-        self.points.get(self.index(i)).copied().unwrap_or(Sample::BLANK)
+        self.points.get(i * self.stride).copied().unwrap_or(Sample::BLANK)
     }
 
     #[inline(always)]
     fn set(&mut self, i: usize, sample: Sample) {
-        let index = self.index(i);
-        if let Some(point) = self.points.get_mut(index) {
+        if let Some(point) = self.points.get_mut(i * self.stride) {
             *point = sample;
         }
     }

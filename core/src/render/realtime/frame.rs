@@ -9,6 +9,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::budget::{Budget, Detail};
 use super::cell::{Cell, Corners, Look, Way};
+use super::limits::Limits;
 use super::paint::Paint;
 use super::seen::Marks;
 use super::strip::{Strip, thin_objects};
@@ -184,6 +185,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         // Candidates are not known beyond the picture's right end.
         let is_inside = band.left + (side as u32) < self.renderer.width();
         let among = if is_inside { shown } else { None };
+        let detail = self.budget.detail();
         let mut tracer = Tracer {
             renderer: self.renderer,
             bounds: &self.bounds,
@@ -191,9 +193,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             among,
             left: band.left,
             top: band.top,
-            quality: &self.quality,
+            limits: Limits::new(self.quality.threshold, detail),
             marks: self.marks,
-            detail: self.budget.detail(),
             color: PhantomData::<C>,
             probe,
             rays: 0,
@@ -233,7 +234,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = tracer.differ(corners.top_left, corners.top_right, side);
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);
         let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
-        let thin = tracer.detail != Detail::Grid && shown.is_some_and(|shown| shown.intersects(self.thin));
+        let thin = detail != Detail::Grid && shown.is_some_and(|shown| shown.intersects(self.thin));
         if !(top || right || bottom || band.rough_left || thin) {
             paint.smooth(self.buffer.colors, &corners);
             let rays = tracer.rays;

@@ -53,6 +53,7 @@ mod budget;
 mod cell;
 mod edge;
 mod frame;
+mod limits;
 mod paint;
 mod sample;
 mod seen;

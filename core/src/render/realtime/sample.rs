@@ -79,10 +79,13 @@ impl Sample {
         Tone::of_pair(self.pair, self.rest as u16)
     }
 
-    /// Whether what the two saw differs.
+    /// What was seen.
+    pub(super) const SEEN: u32 = PATH | SHADE;
+
+    /// Whether the two differ in any of these bits of what was seen.
     #[inline(always)]
-    pub(super) fn saw_else(self, other: Self) -> bool {
-        (self.rest ^ other.rest) & (PATH | SHADE) != 0
+    pub(super) fn marks_differ(self, other: Self, marks: u32) -> bool {
+        (self.rest ^ other.rest) & marks != 0
     }
 
     /// Whether a small highlight may lie between the two.

@@ -8,7 +8,6 @@ use crate::math::{Real, Vec3};
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
-use crate::surface::Surface;
 
 /// What leaves a mark on a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -78,9 +77,9 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
 
     /// Whether a small highlight of a surface is near. Light that shows nothing of itself makes no event.
     #[inline(never)]
-    fn is_near_glint(&self, surface: &Surface<R>, material: &PreparedMaterial<R>) -> bool {
+    fn is_near_glint(&self, point: Vec3<R>, material: &PreparedMaterial<R>) -> bool {
         self.scene.lights.iter().any(|light| {
-            let seen = light.seen_from(surface.point, self.direction);
+            let seen = light.seen_from(point, self.direction);
             seen.is_some_and(|(_, _, cosine)| {
                 cosine > self.marks.beside && material.shininess.shows(cosine, self.marks.near)
             })
@@ -127,7 +126,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                         let along = normal.dot(self.direction);
                         self.direction = self.direction - normal * (along + along);
                         if self.searches {
-                            self.near_glint |= self.is_near_glint(&hit.surface, material);
+                            self.near_glint |= self.is_near_glint(hit.surface.point, material);
                         }
                     }
                 }

@@ -2,10 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::budget::Detail;
 use super::cell::Look;
+use super::limits::Limits;
 use super::seen::{Marks, Seen};
-use super::{Grid, Realtime, Sample};
+use super::{Grid, Sample};
 use crate::integrator::{Bounds, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
@@ -26,9 +26,8 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     /// The cell's upper left pixel.
     pub(super) left: u32,
     pub(super) top: u32,
-    pub(super) quality: &'r Realtime,
+    pub(super) limits: Limits,
     pub(super) marks: Marks<R>,
-    pub(super) detail: Detail,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
@@ -81,24 +80,13 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_,
         self.look(true, distance > 2, x, y)
     }
 
-    #[inline]
+    #[inline(always)]
     fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
-        let threshold = self.quality.threshold;
-        match self.detail {
-            // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
-            Detail::Full if distance <= 2 => {
-                let allowed =
-                    if a.is_near_glint(b) { threshold / 4 } else { threshold.saturating_add(threshold / 2) };
-                a.saw_else(b) || a.differs_in_color(b, allowed)
-            }
-            Detail::Full => a.saw_else(b) || a.is_near_glint(b) || a.differs_in_color(b, threshold),
-            Detail::Coarse => a.differs_in_color(b, threshold.saturating_mul(4)),
-            Detail::Grid => false,
-        }
+        self.limits.differ(a, b, distance)
     }
 
     #[inline]
     fn is_near(&self, distance: u32) -> bool {
-        self.detail == Detail::Full && distance < NEAR
+        self.limits.is_full() && distance < NEAR
     }
 }

@@ -1,0 +1,59 @@
+//! How much two pixels may differ before one looks between them.
+
+use super::Sample;
+use super::budget::Detail;
+
+/// How much two pixels may differ before one looks between them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Of what both saw, the bits that count.
+    marks: u32,
+    /// The most that their tones may differ: far apart, two pixels apart, and there near a small highlight.
+    far: u16,
+    near: u16,
+    glint: u16,
+}
+
+impl Limits {
+    pub(super) fn new(threshold: u16, detail: Detail) -> Self {
+        match detail {
+            // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
+            Detail::Full => Self {
+                marks: Sample::SEEN,
+                far: threshold,
+                near: threshold.saturating_add(threshold / 2),
+                glint: threshold / 4,
+            },
+            Detail::Coarse => {
+                let far = threshold.saturating_mul(4);
+                Self { marks: 0, far, near: far, glint: far }
+            }
+            Detail::Grid => Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX },
+        }
+    }
+
+    /// Whether something may lie between two points so many pixels apart.
+    #[inline(always)]
+    pub(super) fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
+        if a.marks_differ(b, self.marks) {
+            return true;
+        }
+        let limit = if a.is_near_glint(b) {
+            if distance > 2 && self.is_full() {
+                return true;
+            }
+            self.glint
+        } else if distance > 2 {
+            self.far
+        } else {
+            self.near
+        };
+        a.differs_in_color(b, limit)
+    }
+
+    /// Whether neighbors are looked at wherever they differ.
+    #[inline(always)]
+    pub(super) fn is_full(&self) -> bool {
+        self.marks != 0
+    }
+}
