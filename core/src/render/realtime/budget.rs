@@ -34,12 +34,13 @@ impl Budget {
         let share = u64::from(self.left) * u64::from(lines) / u64::from(lines_left.max(1));
         let share = u32::try_from(share).unwrap_or(u32::MAX);
         let next = match self.detail {
-            Detail::Full | Detail::Coarse if self.spent / 3 > share / 2 => self.detail.coarser(),
-            Detail::Coarse | Detail::Grid if self.spent < share => self.detail.finer(),
+            Detail::Full | Detail::Coarse if self.spent / 4 > share => self.detail.coarser(),
+            Detail::Coarse | Detail::Grid if self.spent / 2 < share => self.detail.finer(),
             same => same,
         };
-        // Bands differ: each may take twice its share.
-        let limit = share.saturating_mul(2).min(self.left);
+        // Bands differ: where there is much to see, one may take five times its share, as long as half is left for those below.
+        let half = if lines_left > lines { self.left / 2 } else { self.left };
+        let limit = share.saturating_mul(5).min(half);
         (self.limit, self.spent, self.detail) = (limit, 0, next);
     }
 
@@ -91,11 +92,11 @@ mod tests {
     fn what_is_spent_too_fast_is_made_up_for() {
         let mut budget = Budget::new(1000);
         budget.share(4, 40);
-        budget.spend(200);
+        budget.spend(500);
         assert_eq!(budget.detail(), Detail::Full);
         budget.spend(1);
         assert_eq!(budget.detail(), Detail::Grid);
-        // 799 rays for 36 lines: 88 for four.
+        // 499 rays for 36 lines: 55 for four.
         budget.share(4, 36);
         assert_eq!(budget.detail(), Detail::Coarse);
         budget.spend(10);
