@@ -30,7 +30,7 @@ const CUTOFF: f32 = 1.0 / 64.0;
 ///
 /// # Guarantees
 /// [`step`](Self::step) performs a bounded amount of work, and a picture drawn in steps has the same bytes as one
-/// drawn at once, in any order of lines. No pixel is traced twice for one band of lines.
+/// drawn at once, in any order of lines. A pixel is traced once for one band of lines, and some once more without lights.
 #[derive(Debug)]
 pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     renderer: &'p Renderer<'p, 'm, R, S>,
