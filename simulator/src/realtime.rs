@@ -35,7 +35,8 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
         C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
     {
         let Self { renderer, lines, rgb, line_done } = self;
-        let quality = Realtime::new();
+        // In small pictures everything is smaller.
+        let quality = if renderer.width() < 240 { Realtime::fine() } else { Realtime::new() };
         let band = quality.grid.pixels();
         let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
         let line_bytes = renderer.width() as usize * 3;
