@@ -14,4 +14,6 @@ pub struct Surface<R> {
     /// The largest number that entered the computation of `point`: its rounding error is a few units in the
     /// last place of this.
     pub magnitude: R,
+    /// Which part of the shape this is, where it has parts that differ in more than their place: a face, a triangle.
+    pub part: u16,
 }

@@ -119,7 +119,8 @@ mod tests {
         let white_at = |x, y, z| {
             let point = Vec3::new(x, y, z);
             let normal = Vec3::new(0.0, 1.0, 0.0);
-            checker.color(&Surface { point, normal, shading_normal: normal, magnitude: 1.0 }).r == 1.0
+            checker.color(&Surface { point, normal, shading_normal: normal, magnitude: 1.0, part: 0 }).r
+                == 1.0
         };
         for y in [-4.0, -4.0001, 3.0] {
             assert!(white_at(1.0, y, 1.0));

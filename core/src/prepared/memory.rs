@@ -6,7 +6,7 @@ use super::hierarchy::Hierarchy;
 use crate::arena::Arena;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
-use crate::math::{Real, Vec3};
+use crate::math::Real;
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
 
@@ -21,28 +21,28 @@ impl Scene<'_> {
     /// assert!(prepared.is_ok());
     /// ```
     pub const fn bytes<R: Real>(&self) -> usize {
-        let mut vectors: usize = 0;
+        let mut shapes: usize = 0;
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
-            vectors = vectors.saturating_add(object.shape.const_vectors());
+            shapes = shapes.saturating_add(object.shape.const_bytes::<R>());
             objects = rest;
         }
-        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), vectors)
+        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), shapes)
     }
 }
 
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
-/// objects, materials and lights, and for `vectors`, the sum of [`Geometry::vectors`] over all objects.
+/// objects, materials and lights, and for `shapes`, the sum of [`Geometry::bytes`] over all objects.
 pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     objects: usize,
     materials: usize,
     lights: usize,
-    vectors: usize,
+    shapes: usize,
 ) -> usize {
     Arena::bytes::<PreparedObject<'m, R, S::Prepared<'m, R>>>(objects)
         .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
-        .saturating_add(Arena::bytes::<Vec3<R>>(vectors))
+        .saturating_add(shapes)
         .saturating_add(Candidates::<R>::bytes(objects, lights))
         .saturating_add(Hierarchy::<R>::bytes(objects))
 }

@@ -82,8 +82,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 return Err(part.error()(Fault::TooMany { given }));
             }
         }
-        let vectors = objects.iter().fold(0, |sum: usize, object| sum.saturating_add(object.shape.vectors()));
-        let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), vectors);
+        let shapes =
+            objects.iter().fold(0, |sum: usize, object| sum.saturating_add(object.shape.bytes::<R>()));
+        let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), shapes);
         if memory.len() < needed {
             return Err(Part::Memory.error()(Fault::Memory { needed, lent: memory.len() }));
         }

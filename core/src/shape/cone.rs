@@ -218,7 +218,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             let normal = (outward - self.axis * self.slope).normalized().unwrap_or(outward);
             (self.base + self.axis * height + outward * radius, normal)
         };
-        Surface { point, normal, shading_normal: normal, magnitude: self.magnitude }
+        Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 }
 

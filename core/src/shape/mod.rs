@@ -11,6 +11,7 @@ mod cylinder;
 mod plane;
 mod polygon;
 mod set;
+mod spans;
 mod sphere;
 #[cfg(test)]
 mod testing;
@@ -22,6 +23,7 @@ pub use cone::{Cone, PreparedCone};
 pub use cylinder::Cylinder;
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
+pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
 pub use triangle::{PreparedTriangle, Triangle};
 
@@ -32,14 +34,19 @@ use crate::surface::Surface;
 
 /// The description of a shape: plain `f32` data, `Copy` and small.
 pub trait Geometry: Copy + Debug {
-    /// What the description becomes in the number system `R`; it may keep vectors in lent memory.
+    /// What the description becomes in the number system `R`; it may keep more in lent memory.
     type Prepared<'m, R: Real>: Intersect<R> + Copy + Debug + Send + Sync
     where
         Self: 'm;
 
-    /// How many vectors [`prepare`](Self::prepare) takes from the memory that the caller lends.
-    fn vectors(&self) -> usize {
+    /// The most bytes that [`prepare`](Self::prepare) takes from the memory that the caller lends.
+    fn bytes<R: Real>(&self) -> usize {
         0
+    }
+
+    /// Whether it has an inside, so that it can be put together with others: then [`Intersect::spans`] tells it.
+    fn is_solid(&self) -> bool {
+        false
     }
 
     /// How far the shape extends, for scenes that are scaled into the range of a number system.
@@ -75,6 +82,12 @@ pub trait Intersect<R: Real> {
     /// The middle line of a long shape, so that one that is thin is known to be; `None` where there is none.
     fn spine(&self) -> Option<Spine<R>> {
         None
+    }
+
+    /// The parts of a ray's whole line that lie inside, also behind its origin. A shape that is not
+    /// [solid](Geometry::is_solid) has none.
+    fn spans(&self, _ray: &Ray<R>) -> Spans<R> {
+        Spans::NONE
     }
 
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
@@ -135,11 +148,11 @@ crate::shape_set! {
 }
 
 impl Shape<'_> {
-    /// [`Geometry::vectors`], usable in constants.
-    pub(crate) const fn const_vectors(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub(crate) const fn const_bytes<R: Real>(&self) -> usize {
         match self {
-            Self::Triangle(triangle) => triangle.const_vectors(),
-            Self::Polygon(polygon) => polygon.vertices.len(),
+            Self::Triangle(triangle) => triangle.const_bytes::<R>(),
+            Self::Polygon(polygon) => polygon.const_bytes::<R>(),
             Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) => 0,
         }
     }

@@ -88,7 +88,7 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let point = project_onto_plane(ray.at(t), self.normal, self.distance);
         let magnitude = point.magnitude().larger(self.distance.abs());
-        Surface { point, normal: self.normal, shading_normal: self.normal, magnitude }
+        Surface { point, normal: self.normal, shading_normal: self.normal, magnitude, part: 0 }
     }
 }
 

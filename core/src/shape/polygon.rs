@@ -21,6 +21,10 @@ impl<'a> Polygon<'a> {
     pub const fn new(vertices: &'a [Vec3]) -> Self {
         Self { vertices }
     }
+
+    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+        Arena::bytes::<Vec3<R>>(self.vertices.len())
+    }
 }
 
 /// Off its plane by this share of its extent, a vertex is wrong rather than rounded.
@@ -32,8 +36,8 @@ impl Geometry for Polygon<'_> {
     where
         Self: 'm;
 
-    fn vectors(&self) -> usize {
-        self.vertices.len()
+    fn bytes<R: Real>(&self) -> usize {
+        self.const_bytes::<R>()
     }
 
     fn extent(&self) -> Extent {

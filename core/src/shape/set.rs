@@ -44,9 +44,15 @@ macro_rules! shape_set {
         impl $(<$life>)? $crate::shape::Geometry for $Set $(<$life>)? {
             type Prepared<'m, R: $crate::math::Real> = $Prepared<$($life,)? 'm, R> where Self: 'm;
 
-            fn vectors(&self) -> usize {
+            fn bytes<R: $crate::math::Real>(&self) -> usize {
                 match self {
-                    $(Self::$Variant(shape) => $crate::shape::Geometry::vectors(shape)),+
+                    $(Self::$Variant(shape) => $crate::shape::Geometry::bytes::<R>(shape)),+
+                }
+            }
+
+            fn is_solid(&self) -> bool {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Geometry::is_solid(shape)),+
                 }
             }
 
@@ -101,6 +107,12 @@ macro_rules! shape_set {
             fn spine(&self) -> Option<$crate::shape::Spine<R>> {
                 match self {
                     $(Self::$Variant(shape) => shape.spine()),+
+                }
+            }
+
+            fn spans(&self, ray: &$crate::math::Ray<R>) -> $crate::shape::Spans<R> {
+                match self {
+                    $(Self::$Variant(shape) => shape.spans(ray)),+
                 }
             }
 

@@ -88,6 +88,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
             normal,
             shading_normal: normal,
             magnitude: self.magnitude,
+            part: 0,
         }
     }
 }

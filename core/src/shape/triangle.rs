@@ -23,16 +23,16 @@ impl Triangle {
         Self { vertices: [a, b, c], normals: None }
     }
 
-    pub(super) const fn const_vectors(&self) -> usize {
-        if self.normals.is_some() { 3 } else { 0 }
+    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+        if self.normals.is_some() { Arena::bytes::<[Vec3<R>; 3]>(1) } else { 0 }
     }
 }
 
 impl Geometry for Triangle {
     type Prepared<'m, R: Real> = PreparedTriangle<'m, R>;
 
-    fn vectors(&self) -> usize {
-        self.const_vectors()
+    fn bytes<R: Real>(&self) -> usize {
+        self.const_bytes::<R>()
     }
 
     fn extent(&self) -> Extent {

@@ -1,0 +1,59 @@
+//! The parts of a line that lie inside a solid.
+
+use crate::math::{Interval, Real};
+
+/// The parts of a line that lie inside a solid: [`MOST`](Self::MOST) or fewer, in order, that do not overlap.
+///
+/// Where one has no end it ends at ±[`Real::FARTHEST`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spans<R> {
+    parts: [Interval<R>; 2],
+    count: usize,
+}
+
+impl<R: Real> Spans<R> {
+    /// A line meets a torus four times: no shape by itself has more parts.
+    pub const MOST: usize = 2;
+
+    /// Of a line that passes by.
+    pub const NONE: Self = Self { parts: [Interval { min: R::ZERO, max: R::ZERO }; 2], count: 0 };
+
+    /// One part, if it is one: `from` before `to`.
+    pub fn one(from: R, to: R) -> Self {
+        let mut spans = Self::NONE;
+        spans.push(from, to);
+        spans
+    }
+
+    /// Adds a part that lies behind those before. One without length is left out, as is what is more than
+    /// [`MOST`](Self::MOST).
+    pub fn push(&mut self, from: R, to: R) {
+        if from < to
+            && let Some(part) = self.parts.get_mut(self.count)
+        {
+            *part = Interval { min: from, max: to };
+            self.count += 1;
+        }
+    }
+
+    /// The parts.
+    pub fn as_slice(&self) -> &[Interval<R>] {
+        self.parts.get(..self.count).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_without_length_are_left_out() {
+        let mut spans = Spans::one(2.0f32, 1.0);
+        assert_eq!(spans, Spans::NONE);
+        spans.push(f32::NAN, 1.0);
+        spans.push(1.0, 3.0);
+        spans.push(4.0, 5.0);
+        spans.push(6.0, 7.0);
+        assert_eq!(spans.as_slice(), [Interval { min: 1.0, max: 3.0 }, Interval { min: 4.0, max: 5.0 }]);
+    }
+}
