@@ -42,9 +42,9 @@
 //! | radiance | how much light comes along a ray | `integrator` |
 //! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
 //!
-//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `color`, `surface`,
-//! `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`, `render`,
-//! `builtin`.
+//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `hierarchy`, `color`,
+//! `surface`, `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
+//! `render`, `builtin`.
 //!
 //! # Number systems
 //!
@@ -92,6 +92,7 @@ pub mod builtin;
 mod camera;
 mod color;
 mod fault;
+mod hierarchy;
 mod integrator;
 mod light;
 pub mod limits;

@@ -66,7 +66,7 @@ fn one_door_for_each_external_crate() {
     for (external, doors) in [
         ("libm", vec!["math"]),
         ("micromath", vec!["math"]),
-        ("heapless", vec!["integrator", "prepared", "scene"]),
+        ("heapless", vec!["hierarchy", "integrator", "scene"]),
         ("embedded_graphics", vec!["render"]),
     ] {
         for file in files(&core()) {

@@ -1,8 +1,7 @@
 //! How much memory a prepared scene takes.
 
-use super::PreparedObject;
 use super::candidates::Candidates;
-use super::hierarchy::Hierarchy;
+use super::objects::{PreparedObject, hierarchy_bytes};
 use crate::arena::Arena;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -44,5 +43,5 @@ pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
         .saturating_add(shapes)
         .saturating_add(Candidates::<R>::bytes(objects, lights))
-        .saturating_add(Hierarchy::<R>::bytes(objects))
+        .saturating_add(hierarchy_bytes::<R>(objects))
 }

@@ -2,8 +2,8 @@
 
 pub(crate) mod candidates;
 mod error;
-mod hierarchy;
 mod memory;
+mod objects;
 pub(crate) mod queries;
 
 use core::mem::MaybeUninit;
@@ -12,15 +12,15 @@ pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
 
 use candidates::Candidates;
-use hierarchy::Hierarchy;
+use objects::PreparedObject;
 
 use crate::arena::Arena;
 use crate::camera::{Camera, PreparedCamera};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
+use crate::hierarchy::Hierarchy;
 use crate::light::{PreparedLight, check_emission};
 use crate::limits::MAX_COUNT;
-use crate::material::PreparedMaterial;
 use crate::math::{Extent, Real, Scale};
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
@@ -41,12 +41,6 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     candidates: Option<Candidates<'m, R>>,
     /// `None`: few objects, or not wanted.
     hierarchy: Option<Hierarchy<'m, R>>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct PreparedObject<'m, R: Real, P> {
-    shape: P,
-    material: &'m PreparedMaterial<R>,
 }
 
 /// Where a ray met an object.
@@ -101,7 +95,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         let candidates = candidates.map_err(Part::Memory.error())?;
-        let hierarchy = Hierarchy::new(prepared_objects, arena).map_err(Part::Memory.error())?;
+        let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
         Ok(Self {
             camera,
             background: background.to(),

@@ -1,8 +1,8 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
 use super::candidates::{Ball, Candidates, Departure, ObjectSet};
-use super::hierarchy::Hierarchy;
 use super::{Hit, PreparedScene};
+use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};

@@ -7,8 +7,9 @@
 //! Cuts that cost least may part one object from thousands. So in nodes that lie in [`CUT_DEPTH`] others the objects are
 //! halved and halved again: eight such nodes part 65535, and a leaf lies in at most [`MAX_HIERARCHY_DEPTH`] nodes.
 //!
-//! A node without nodes in it holds three objects or more, and one with some has four parts: so there are at most 4/9 as many
-//! nodes as objects, which take 52 bytes an object in `f32`.
+//! A node without nodes in it holds one object more than a leaf may, or more; one with some nodes in it has four parts, each of
+//! at least one object. So where a leaf holds two objects there are at most 4/9 as many nodes as objects, which take 50 bytes an
+//! object in `f32`; where it holds three or four, at most 1/3, which take 38.
 
 use heapless::Vec;
 
@@ -19,8 +20,8 @@ use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
 use crate::math::{Aabb, Real, Vec3};
 
-/// The most objects in a leaf.
-const LEAF: usize = 2;
+/// The fewest that may be the most objects in a leaf: with more, all is less.
+const SMALLEST_LEAF: usize = 2;
 /// In so many nodes, objects are halved.
 const CUT_DEPTH: usize = 12;
 /// Places along an axis.
@@ -29,7 +30,7 @@ const BINS: usize = 8;
 /// How many nodes lie in one another where objects are halved.
 const fn halving_nodes(mut objects: usize) -> usize {
     let mut nodes = 0;
-    while objects > LEAF {
+    while objects > SMALLEST_LEAF {
         objects = objects.div_ceil(WIDTH);
         nodes += 1;
     }
@@ -39,8 +40,8 @@ const fn halving_nodes(mut objects: usize) -> usize {
 const _: () = assert!(CUT_DEPTH + halving_nodes(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
 
 /// How many nodes there may be, of more objects than there are in a leaf.
-pub(super) const fn most_nodes(objects: usize) -> usize {
-    objects * 4 / 9
+pub(super) const fn most_nodes(objects: usize, leaf: usize) -> usize {
+    if leaf > SMALLEST_LEAF { objects / 3 } else { objects.saturating_mul(4) / 9 }
 }
 
 /// Objects that lie together.
@@ -72,17 +73,19 @@ struct Pending {
     of: (u16, u8),
 }
 
-/// Builds the hierarchy of so many objects.
+/// Builds the hierarchy of the objects in a list. See [`Hierarchy::new`].
 pub(super) fn build<'m, R: Real>(
-    objects: usize,
+    order: &'m mut [u16],
+    leaf: usize,
     bounds: impl Fn(u16) -> Option<Aabb<R>>,
     arena: &mut Arena<'m>,
 ) -> Result<Hierarchy<'m, R>, Fault> {
-    let order: &'m mut [u16] = arena.try_store_with(objects, |index, _| Ok::<u16, Fault>(index as u16))?;
+    let objects = order.len();
     let unbounded = partition(order, |object| bounds(object).is_none());
     let zero = [[R::ZERO; WIDTH]; 3];
     let empty = Node { lower: zero, upper: zero, content: [Content::NOTHING; WIDTH] };
-    let nodes: &'m mut [Node<R>] = arena.try_store_with(most_nodes(objects), |_, _| Ok::<_, Fault>(empty))?;
+    let nodes: &'m mut [Node<R>] =
+        arena.try_store_with(most_nodes(objects, leaf), |_, _| Ok::<_, Fault>(empty))?;
 
     let mut used: u16 = 0;
     // The root lies in no node; what it says there is overwritten with its parts.
@@ -106,7 +109,7 @@ pub(super) fn build<'m, R: Real>(
             // What is rounded is of the size of this box, not of the shapes in it.
             node.enclose(place, around.padded(R::offset(around.magnitude())));
             let first = first + begin;
-            if count > LEAF {
+            if count > leaf {
                 let of = (used, place as u8);
                 let part = Pending { first: first as u16, count: count as u16, depth: depth + 1, of };
                 let pushed = waiting.push(part);

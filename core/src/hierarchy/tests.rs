@@ -11,11 +11,26 @@ use crate::math::{Aabb, Fixed};
 
 type Boxes = Vec<Option<Aabb<f32>>>;
 
-/// Builds the hierarchy of these boxes and checks all that it promises; returns the depth.
+/// A list of so many objects.
+fn list(objects: usize) -> Vec<u16> {
+    (0..objects).map(|object| object as u16).collect()
+}
+
+/// Memory for the hierarchy of so many objects.
+fn memory<R: Real>(objects: usize, leaf: usize) -> Vec<MaybeUninit<u8>> {
+    vec![MaybeUninit::uninit(); Hierarchy::<R>::bytes(objects, leaf)]
+}
+
+/// Builds hierarchies of these boxes and checks all that they promise; returns the depth with small leaves.
 fn check(boxes: &Boxes) -> usize {
-    let mut memory = vec![MaybeUninit::uninit(); Hierarchy::<f32>::bytes(boxes.len())];
-    let mut arena = Arena::new(&mut memory);
-    let hierarchy = build::build(boxes.len(), |object| boxes[usize::from(object)], &mut arena).unwrap();
+    check_leaves(boxes, 4);
+    check_leaves(boxes, 2)
+}
+
+fn check_leaves(boxes: &Boxes, leaf: usize) -> usize {
+    let (mut order, mut memory) = (list(boxes.len()), memory::<f32>(boxes.len(), leaf));
+    let bounds = |object| boxes[usize::from(object)];
+    let hierarchy = Hierarchy::new(&mut order, leaf, bounds, &mut Arena::new(&mut memory)).unwrap();
     let mut found: Vec<u16> = hierarchy.order[..hierarchy.unbounded].to_vec();
     assert!(found.iter().all(|object| boxes[usize::from(*object)].is_none()));
     let mut deepest = 0;
@@ -28,6 +43,7 @@ fn check(boxes: &Boxes) -> usize {
             match content {
                 Content::Node(inner) => stack.push((inner, path)),
                 Content::Objects { count, first } => {
+                    assert!(usize::from(count) <= leaf);
                     let first = usize::from(first);
                     for object in &hierarchy.order[first..first + usize::from(count)] {
                         found.push(*object);
@@ -86,12 +102,12 @@ fn no_tree_is_too_deep() {
 }
 
 #[test]
-fn at_most_64_bytes_an_object() {
+fn at_most_50_bytes_an_object() {
     assert_eq!(size_of::<Node<Fixed>>(), 112);
-    assert_eq!(Hierarchy::<f32>::bytes(32), 0);
     for objects in [33, 820, 65_535] {
-        assert!(Hierarchy::<f32>::bytes(objects) <= 52 * objects);
-        assert!(Hierarchy::<Fixed>::bytes(objects) <= 52 * objects);
+        assert!(Hierarchy::<f32>::bytes(objects, 2) <= 50 * objects);
+        assert!(Hierarchy::<Fixed>::bytes(objects, 2) <= 50 * objects);
+        assert!(Hierarchy::<f32>::bytes(objects, 4) <= 38 * objects);
     }
 }
 
@@ -175,10 +191,10 @@ fn boxes_behind_beside_and_beyond_are_passed() {
 fn the_nearest_box_comes_first_and_hides_the_others() {
     fn check<R: Real>() {
         let at = |x: f32| Aabb::around(Vec3::new(x, 0.0, 0.0).to::<R>(), Vec3::new(0.25, 0.25, 0.25).to());
-        let mut memory = vec![MaybeUninit::uninit(); Hierarchy::<R>::bytes(40)];
+        let (mut order, mut memory) = (list(40), memory::<R>(40, 2));
         let place = |object: usize| object * 7 % 40;
         let bounds = |object: u16| Some(at(place(usize::from(object)) as f32 - 20.0));
-        let hierarchy = build::build(40, bounds, &mut Arena::new(&mut memory)).unwrap();
+        let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
         for (x, first) in [(1.0f32, 0), (-1.0, 39)] {
             let direction = Vec3::new(x, 0.0, 0.0).to::<R>();
             let ray = Ray { origin: Vec3::new(x * -30.0, 0.0, 0.0).to(), direction };
@@ -219,9 +235,9 @@ fn a_ray_tests_few_of_many_objects() {
                 Aabb::around(point(), Vec3::new(reach, reach, reach))
             })
             .collect();
-        let mut memory = vec![MaybeUninit::uninit(); Hierarchy::<f32>::bytes(count)];
+        let (mut order, mut memory) = (list(count), memory::<f32>(count, 2));
         let bounds = |object| Some(boxes[usize::from(object)]);
-        let hierarchy = build::build(count, bounds, &mut Arena::new(&mut memory)).unwrap();
+        let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
         let mut tested = 0u32;
         for _ in 0..1000 {
             let (origin, target) = (point(), point());

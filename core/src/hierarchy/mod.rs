@@ -1,7 +1,7 @@
 //! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it. Nine times the
 //! objects, 820 balls for 91, then cost 1.21 times the instructions for each ray.
 //!
-//! Scenes with more objects than an [`ObjectSet`] holds have a hierarchy. A node holds four boxes, coordinate by
+//! Scenes of many objects have a hierarchy, and so has a mesh of its triangles. A node holds four boxes, coordinate by
 //! coordinate, so that a processor that computes four numbers at once tests them at once (Dammertz, Hanika and Keller,
 //! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
 //! the instructions that it took with nodes of one box. To sort all boxes of a node by distance visits fewer, but takes 5 %
@@ -20,23 +20,20 @@ mod tests;
 
 use heapless::Vec;
 
-use super::PreparedObject;
-use super::candidates::ObjectSet;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::{Aabb, Ray, Real, Vec3};
-use crate::shape::Intersect;
 use axis::Axis;
 use segment::Segment;
 use slabs::Slabs;
 
-/// The objects of a scene by where they are.
+/// Objects, by where they are.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hierarchy<'m, R> {
     /// All nodes; the first is the root. What comes after the last is never visited.
     nodes: &'m [Node<R>],
-    /// The positions of all objects: first those without bounds, then leaf by leaf.
+    /// The objects: first those without bounds, then leaf by leaf.
     order: &'m [u16],
     /// How many have no bounds.
     unbounded: usize,
@@ -70,7 +67,7 @@ fn points<R: Copy>([x, y, z]: &[[R; WIDTH]; 3]) -> impl Iterator<Item = Vec3<R>>
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Content {
-    /// So many positions of the order, from `first` on.
+    /// So many objects of the order, from `first` on.
     Objects { count: u8, first: u16 },
     /// Another node.
     Node(u16),
@@ -100,32 +97,26 @@ type Waiting<R> = (R, Content);
 const MOST_WAITING: usize = (WIDTH - 1) * MAX_HIERARCHY_DEPTH + 1;
 
 impl<'m, R: Real> Hierarchy<'m, R> {
-    /// For how many objects a hierarchy is stored: none where a scene has sets of candidates.
-    const fn stored(objects: usize) -> usize {
-        if cfg!(feature = "hierarchy") && objects > ObjectSet::CAPACITY { objects } else { 0 }
+    /// How many bytes the hierarchy of so many objects takes, with up to `leaf` of them in a leaf, besides the list of them.
+    pub(crate) const fn bytes(objects: usize, leaf: usize) -> usize {
+        Arena::bytes::<Node<R>>(build::most_nodes(objects, leaf))
     }
 
-    /// How many bytes the hierarchy of a scene takes.
-    pub(super) const fn bytes(objects: usize) -> usize {
-        let objects = Self::stored(objects);
-        Arena::bytes::<Node<R>>(build::most_nodes(objects)).saturating_add(Arena::bytes::<u16>(objects))
-    }
-
-    /// Builds the hierarchy, unless the scene has few objects.
-    pub(super) fn new<P: Intersect<R>>(
-        objects: &[PreparedObject<'_, R, P>],
+    /// Builds the hierarchy of the objects in a list, and brings that in its own order. There are to be more than `leaf`, the
+    /// most in a leaf: 2 or more.
+    pub(crate) fn new(
+        objects: &'m mut [u16],
+        leaf: usize,
+        bounds: impl Fn(u16) -> Option<Aabb<R>>,
         arena: &mut Arena<'m>,
-    ) -> Result<Option<Self>, Fault> {
-        if Self::stored(objects.len()) == 0 {
-            return Ok(None);
-        }
-        build::build(objects.len(), |object| bounds(objects, object), arena).map(Some)
+    ) -> Result<Self, Fault> {
+        build::build(objects, leaf, bounds, arena)
     }
 
     /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
     /// first, roughly. It says what the largest distance is from then on, or `None` to stop. Returns whether it stopped.
     #[inline]
-    pub(super) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> Option<R>) -> bool {
+    pub(crate) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> Option<R>) -> bool {
         if R::REACH.is_none() {
             self.walk_boxes(Slabs::new(ray, max), test)
         } else {
@@ -165,12 +156,6 @@ impl<'m, R: Real> Hierarchy<'m, R> {
             };
         }
     }
-}
-
-/// In one place for all shapes: in preparation size counts more than time.
-#[inline(never)]
-fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<R, P>], object: u16) -> Option<Aabb<R>> {
-    objects.get(usize::from(object)).and_then(|object| object.shape.bounds())
 }
 
 /// The nearest of the boxes that were met; the others wait.

@@ -1,0 +1,63 @@
+//! The objects of a scene, and where they are.
+
+use super::candidates::ObjectSet;
+use crate::arena::Arena;
+use crate::fault::Fault;
+use crate::hierarchy::Hierarchy;
+use crate::material::PreparedMaterial;
+use crate::math::{Aabb, Real};
+use crate::shape::Intersect;
+
+/// An object that was checked and converted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PreparedObject<'m, R: Real, P> {
+    pub(super) shape: P,
+    pub(super) material: &'m PreparedMaterial<R>,
+}
+
+/// The most objects in a leaf of their hierarchy.
+const LEAF: usize = 2;
+
+/// Of how many objects a hierarchy is stored: none where a scene has sets of candidates.
+const fn stored(objects: usize) -> usize {
+    if cfg!(feature = "hierarchy") && objects > ObjectSet::CAPACITY { objects } else { 0 }
+}
+
+/// How many bytes the hierarchy of a scene takes.
+pub(super) const fn hierarchy_bytes<R: Real>(objects: usize) -> usize {
+    let objects = stored(objects);
+    Arena::bytes::<u16>(objects).saturating_add(Hierarchy::<R>::bytes(objects, LEAF))
+}
+
+/// Builds the hierarchy of a scene, unless that has few objects.
+pub(super) fn hierarchy<'m, R: Real, P: Intersect<R>>(
+    objects: &[PreparedObject<'_, R, P>],
+    arena: &mut Arena<'m>,
+) -> Result<Option<Hierarchy<'m, R>>, Fault> {
+    if stored(objects.len()) == 0 {
+        return Ok(None);
+    }
+    let order = arena.try_store_with(objects.len(), |index, _| Ok::<u16, Fault>(index as u16))?;
+    Hierarchy::new(order, LEAF, |object| bounds(objects, object), arena).map(Some)
+}
+
+/// In one place for all shapes: in preparation size counts more than time.
+#[inline(never)]
+fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<R, P>], object: u16) -> Option<Aabb<R>> {
+    objects.get(usize::from(object)).and_then(|object| object.shape.bounds())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    #[test]
+    fn at_most_64_bytes_an_object() {
+        assert_eq!(hierarchy_bytes::<f32>(32), 0);
+        for objects in [33, 820, 65_535] {
+            assert!(hierarchy_bytes::<f32>(objects) <= 52 * objects);
+            assert!(hierarchy_bytes::<Fixed>(objects) <= 52 * objects);
+        }
+    }
+}
