@@ -2,7 +2,7 @@
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
 
-use super::{Geometry, Intersect, Spine};
+use super::{Geometry, Intersect, Spans, Spine};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -25,6 +25,10 @@ pub struct Cone {
 
 impl Geometry for Cone {
     type Prepared<'m, R: Real> = PreparedCone<R>;
+
+    fn is_solid(&self) -> bool {
+        self.capped
+    }
 
     fn extent(&self) -> Extent {
         let radius = self.base_radius.larger(self.top_radius);
@@ -83,7 +87,85 @@ pub struct PreparedCone<R> {
     capped: bool,
 }
 
+/// A line's way through a cone of infinite length, and its mirror image.
+struct Passage<R: Real> {
+    /// Height of the line's start, and by how much it rises with each unit.
+    height: R,
+    climb: R,
+    /// Distance from the axis, squared, less the cone's radius there, squared: a t² + 2 b t + c.
+    a: R,
+    b: R,
+    c: R::Product,
+    discriminant: R::Product,
+}
+
+impl<R: Real> Passage<R> {
+    /// Where the line meets the cone, if the discriminant is positive. Along a line of the cone the second is the first.
+    #[inline(always)]
+    fn roots(&self) -> (R, R) {
+        let root = self.discriminant.sqrt();
+        let q = if self.b > R::ZERO { -self.b - root } else { root - self.b };
+        // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
+        // far away; without floats it might not be representable.
+        let one = self.c.over(q);
+        (one, if self.is_met_twice() { q / self.a } else { one })
+    }
+
+    #[inline(always)]
+    fn is_met_twice(&self) -> bool {
+        self.a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
+    }
+
+    /// The part of `-reach..reach` that lies inside the cone, where the `slope` is how much it widens with height. Of
+    /// the line that runs through the mirror image as well, the part in the cone.
+    fn inside(&self, slope: R, reach: R) -> (R, R) {
+        if !(self.discriminant > R::Product::ZERO) {
+            return if self.c < R::Product::ZERO { (-reach, reach) } else { (reach, -reach) };
+        }
+        let (one, other) = self.roots();
+        let (near, far) = if one < other { (one, other) } else { (other, one) };
+        let rises = if self.is_met_twice() {
+            if self.a > R::ZERO {
+                return (near, far);
+            }
+            self.climb * slope > R::ZERO
+        } else {
+            self.b < R::ZERO
+        };
+        if rises { (far, reach) } else { (-reach, near) }
+    }
+}
+
 impl<R: Real> PreparedCone<R> {
+    /// The point of a ray nearest to the base, and its distance from the origin: computed from there, the coefficients
+    /// stay of the cone's own size, however far away the ray begins. `None` where the ray passes by so far away that they
+    /// would be out of range.
+    #[inline(always)]
+    fn nearest_to_base(&self, ray: &Ray<R>) -> Option<(Vec3<R>, R)> {
+        let advance = (self.base - ray.origin).dot(ray.direction);
+        let start = ray.at(advance);
+        if R::REACH.is_some() {
+            let from_base = start - self.base;
+            if from_base.dot_wide(from_base) > self.size.times(self.size) {
+                return None;
+            }
+        }
+        Some((start, advance))
+    }
+
+    #[inline(always)]
+    fn passage(&self, start: Vec3<R>, direction: Vec3<R>) -> Passage<R> {
+        let from_base = start - self.base;
+        let height = from_base.dot(self.axis);
+        let climb = direction.dot(self.axis);
+        let radius = self.base_radius + self.slope * height;
+        let a = R::ONE - self.steepness * climb * climb;
+        let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
+        let across = from_base - self.axis * height;
+        let c = across.dot_wide(across) - radius.times(radius);
+        Passage { height, climb, a, b, c, discriminant: b.times(b) - c.times(a) }
+    }
+
     /// The nearest hit of the side. `start` lies on the ray at distance `advance` from its origin.
     fn intersect_side(
         &self,
@@ -92,27 +174,13 @@ impl<R: Real> PreparedCone<R> {
         direction: Vec3<R>,
         range: Interval<R>,
     ) -> Option<R> {
-        let from_base = start - self.base;
-        let height = from_base.dot(self.axis);
-        let climb = direction.dot(self.axis);
-        let radius = self.base_radius + self.slope * height;
-        // Distance from the axis, squared, less the cone's radius there, squared: a t² + 2 b t + c.
-        let a = R::ONE - self.steepness * climb * climb;
-        let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
-        let across = from_base - self.axis * height;
-        let c = across.dot_wide(across) - radius.times(radius);
-        let discriminant = b.times(b) - c.times(a);
-        if !(discriminant > R::Product::ZERO) {
+        let passage = self.passage(start, direction);
+        if !(passage.discriminant > R::Product::ZERO) {
             return None;
         }
-        let root = discriminant.sqrt();
-        let q = if b > R::ZERO { -b - root } else { root - b };
-        // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
-        // far away; without floats it might not be representable.
-        let one = c.over(q);
-        let other = if a.abs() > R::RAY_OFFSET * R::RAY_OFFSET { q / a } else { one };
+        let (one, other) = passage.roots();
         let on_side = |t: R| {
-            let at = height + climb * t;
+            let at = passage.height + passage.climb * t;
             // Beyond its apex the quadratic describes a second cone: there the radius is negative.
             at >= R::ZERO && at <= self.length && self.base_radius + self.slope * at >= R::ZERO
         };
@@ -161,17 +229,7 @@ impl<R: Real> PreparedCone<R> {
 
 impl<R: Real> Intersect<R> for PreparedCone<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        // Start from the point of the ray nearest to the base: the coefficients stay of the cone's own size,
-        // however far away the ray begins.
-        let advance = (self.base - ray.origin).dot(ray.direction);
-        let start = ray.at(advance);
-        if R::REACH.is_some() {
-            // The coefficients of a ray that passes far away would be out of range.
-            let from_base = start - self.base;
-            if from_base.dot_wide(from_base) > self.size.times(self.size) {
-                return None;
-            }
-        }
+        let (start, advance) = self.nearest_to_base(ray)?;
         let side = self.intersect_side(start, advance, ray.direction, range);
         if !self.capped {
             return side;
@@ -198,6 +256,27 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             to: self.base + self.axis * self.length,
             radius: self.base_radius.larger(top_radius),
         })
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        let (true, Some((start, advance))) = (self.capped, self.nearest_to_base(ray)) else {
+            return Spans::NONE;
+        };
+        let passage = self.passage(start, ray.direction);
+        // Between the planes of the ends the radius is positive, so that the mirror image has no part there.
+        let (mut from, mut to) = passage.inside(self.slope, self.size);
+        let (to_base, to_top) = (-passage.height, self.length - passage.height);
+        if passage.climb == R::ZERO {
+            if !(to_base < R::ZERO && to_top > R::ZERO) {
+                return Spans::NONE;
+            }
+        } else {
+            let (base, top) = (to_base / passage.climb, to_top / passage.climb);
+            let (enters, leaves) = if base < top { (base, top) } else { (top, base) };
+            from = from.larger(enters);
+            to = if leaves < to { leaves } else { to };
+        }
+        Spans::one(from + advance, to + advance)
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -293,6 +372,46 @@ mod tests {
         let can = super::super::Cylinder { capped: true, ..pipe };
         assert_meets(can, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0), 5.0, [0.0, 0.0, 1.0]);
         assert_meets(can, Vec3::new(1.0, 0.1, 3.0), Vec3::new(0.0, 0.0, -1.0), 3.0, [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn its_inside_is_one_part_of_a_line() {
+        let up = -DOWN;
+        // Side to side, base to side, from inside, and by its mirror image above.
+        assert_spans(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, &[(4.0, 6.0)]);
+        assert_spans(TENT, Vec3::new(1.0, -3.0, 0.0), up, &[(3.0, 4.0)]);
+        assert_spans(TENT, Vec3::new(1.0, 0.5, 0.0), up, &[(-0.5, 0.5)]);
+        assert_spans(TENT, Vec3::new(5.0, 3.0, 0.0), LEFT, &[]);
+        // Through the apex, and in the plane of the base.
+        assert_spans(TENT, Vec3::new(0.0, 5.0, 0.0), DOWN, &[(3.0, 5.0)]);
+        assert_spans(TENT, Vec3::new(5.0, -0.1, 0.0), LEFT, &[]);
+        // Along a line of the cone, half a unit inside and half a unit outside.
+        let along = Vec3::new(-1.0, -1.0, 0.0);
+        let unit = f64::sqrt(2.0);
+        assert_spans(TENT, Vec3::new(-0.5, 1.0, 0.0), along, &[(-0.75 * unit, unit)]);
+        assert_spans(TENT, Vec3::new(-1.5, 1.0, 0.0), along, &[]);
+        assert_spans(Cone { capped: false, ..TENT }, Vec3::new(5.0, 1.0, 0.0), LEFT, &[]);
+        let can = super::super::Cylinder { base: Vec3::ZERO, top: up * 2.0, radius: 1.0, capped: true };
+        assert_spans(can, Vec3::new(0.5, 5.0, 0.5), DOWN, &[(3.0, 5.0)]);
+        assert_spans(can, Vec3::new(1.5, 5.0, 0.5), DOWN, &[]);
+        assert_spans(can, Vec3::new(5.0, 1.0, 0.0), LEFT, &[(4.0, 6.0)]);
+        assert_spans(can, Vec3::new(1.5, -0.5, 0.0), Vec3::new(-1.0, 1.0, 0.0), &[(0.5 * unit, 2.5 * unit)]);
+    }
+
+    #[test]
+    fn where_it_is_entered_it_is_met() {
+        for extent in EXTENTS {
+            for top_radius in [0.0, 0.4, 0.8, 3.0] {
+                let cone = Cone {
+                    base: Vec3::new(-0.7, 0.1, -0.2) * extent,
+                    base_radius: 0.8 * extent,
+                    top: Vec3::new(0.6, 0.3, 0.5) * extent,
+                    top_radius: top_radius * extent,
+                    capped: true,
+                };
+                assert_spans_are_met(cone, Vec3::ZERO, extent, 2_000);
+            }
+        }
     }
 
     #[test]

@@ -21,6 +21,10 @@ pub struct Cylinder {
 impl Geometry for Cylinder {
     type Prepared<'m, R: Real> = PreparedCone<R>;
 
+    fn is_solid(&self) -> bool {
+        self.capped
+    }
+
     fn extent(&self) -> Extent {
         Cone::from(*self).extent()
     }

@@ -1,12 +1,12 @@
-//! An infinite plane.
+//! An infinite plane; as a solid, the half of space behind it.
 
-use super::{Form, Geometry, Intersect, project_onto_plane};
+use super::{Form, Geometry, Intersect, Spans, project_onto_plane};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// An infinite plane.
+/// An infinite plane. What lies behind it is its inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     /// Any point of the plane.
@@ -24,6 +24,10 @@ impl Plane {
 
 impl Geometry for Plane {
     type Prepared<'m, R: Real> = PreparedPlane<R>;
+
+    fn is_solid(&self) -> bool {
+        true
+    }
 
     fn extent(&self) -> Extent {
         let normal = check_direction::<f32>(self.normal).unwrap_or(Vec3::ZERO);
@@ -66,15 +70,19 @@ impl<R: Real> PreparedPlane<R> {
         let t = height / slope;
         range.contains(t).then_some(t)
     }
+
+    /// Whether a hit is at a place that can be computed with: the next ray begins there.
+    #[inline(always)]
+    fn is_held(ray: &Ray<R>, t: R) -> bool {
+        R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach))
+    }
 }
 
 impl<R: Real> Intersect<R> for PreparedPlane<R> {
     #[inline]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.meet(ray, range)?;
-        // The next ray begins there, so it must be a place that can be computed with.
-        let held = R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach));
-        held.then_some(t)
+        Self::is_held(ray, t).then_some(t)
     }
 
     fn form(&self) -> Form<R> {
@@ -83,6 +91,25 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
 
     fn bounds(&self) -> Option<Aabb<R>> {
         None
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        let farthest = R::FARTHEST;
+        let height = self.distance - self.normal.dot(ray.origin);
+        let slope = self.normal.dot(ray.direction);
+        if slope == R::ZERO {
+            return if height > R::ZERO { Spans::one(-farthest, farthest) } else { Spans::NONE };
+        }
+        let t = height / slope;
+        // What is met too far away is not met.
+        let t = if t.abs() < farthest && Self::is_held(ray, t) {
+            t
+        } else if t > R::ZERO {
+            farthest
+        } else {
+            -farthest
+        };
+        if slope > R::ZERO { Spans::one(-farthest, t) } else { Spans::one(t, farthest) }
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -112,6 +139,22 @@ mod tests {
         assert_misses(FLOOR, Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
         assert_misses(FLOOR, Vec3::new(0.0, 2.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
         assert_misses(FLOOR, Vec3::new(0.0, -1.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn its_inside_is_what_lies_behind() {
+        let (down, up) = (Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+        let along = Vec3::new(1.0, 0.0, 0.0);
+        let endless = f64::INFINITY;
+        assert_spans(FLOOR, Vec3::new(0.0, 2.0, 0.0), down, &[(3.0, endless)]);
+        assert_spans(FLOOR, Vec3::new(0.0, -4.0, 0.0), down, &[(-3.0, endless)]);
+        assert_spans(FLOOR, Vec3::new(0.0, 2.0, 0.0), up, &[(-endless, -3.0)]);
+        assert_spans(FLOOR, Vec3::new(0.0, 2.0, 0.0), along, &[]);
+        assert_spans(FLOOR, Vec3::new(0.0, -2.0, 0.0), along, &[(-endless, endless)]);
+        for extent in EXTENTS {
+            let point = Vec3::new(0.3, -0.7, 0.2) * extent;
+            assert_spans_are_met(Plane::new(point, Vec3::new(0.3, 0.9, -0.2)), point, extent, 2_000);
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect};
+use super::{Form, Geometry, Intersect, Spans};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -25,6 +25,10 @@ impl Sphere {
 
 impl Geometry for Sphere {
     type Prepared<'m, R: Real> = PreparedSphere<R>;
+
+    fn is_solid(&self) -> bool {
+        true
+    }
 
     fn extent(&self) -> Extent {
         Extent::solid(self.center.magnitude() + self.radius)
@@ -54,9 +58,10 @@ pub struct PreparedSphere<R: Real> {
     magnitude: R,
 }
 
-impl<R: Real> Intersect<R> for PreparedSphere<R> {
-    #[inline]
-    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+impl<R: Real> PreparedSphere<R> {
+    /// Where a ray's line enters and where it leaves.
+    #[inline(always)]
+    fn chord(&self, ray: &Ray<R>) -> Option<(R, R)> {
         let from_center = ray.origin - self.center;
         let middle = -from_center.dot(ray.direction);
         // The discriminant from the point of the ray nearest to the center, not from b² − c: that would lose
@@ -65,10 +70,18 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         let discriminant = self.radius_squared - nearest.dot_wide(nearest);
         if discriminant > R::Product::ZERO {
             let half_chord = discriminant.sqrt();
-            range.first(middle - half_chord, middle + half_chord)
+            Some((middle - half_chord, middle + half_chord))
         } else {
             None
         }
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedSphere<R> {
+    #[inline]
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let (near, far) = self.chord(ray)?;
+        range.first(near, far)
     }
 
     fn form(&self) -> Form<R> {
@@ -79,6 +92,10 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         let reach = Vec3::new(self.radius, self.radius, self.radius);
         let bounds = Aabb::around(self.center, reach);
         Some(bounds.padded(R::offset(bounds.magnitude())))
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        self.chord(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -126,6 +143,23 @@ mod tests {
     fn found_from_a_hundred_thousand_radii_away() {
         let marble = Sphere::new(Vec3::ZERO, 1.0);
         assert_meets(marble, Vec3::new(0.0, 0.0, 1e5), Vec3::new(0.0, 0.0, -1.0), 1e5 - 1.0, [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn its_inside_is_a_chord() {
+        let along = Vec3::new(0.0, 0.0, -1.0);
+        // From outside, from inside, and from beyond it.
+        for z in [10.0, 3.5, -5.0] {
+            let middle = f64::from(z) - 3.0;
+            assert_spans(BALL, Vec3::new(1.0, 2.0, z), along, &[(middle - 2.0, middle + 2.0)]);
+        }
+        let half = 3f64.sqrt();
+        assert_spans(BALL, Vec3::new(2.0, 2.0, 3.0), along, &[(-half, half)]);
+        assert_spans(BALL, Vec3::new(3.5, 2.0, 3.0), along, &[]);
+        for extent in EXTENTS {
+            let center = Vec3::new(3.0, -2.0, 1.0) * extent;
+            assert_spans_are_met(Sphere::new(center, extent), center, extent, 2_000);
+        }
     }
 
     #[test]

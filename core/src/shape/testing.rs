@@ -92,6 +92,80 @@ pub(super) fn assert_misses<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) {
     assert_eq!(meet_in::<Fixed, G>(shape, origin, toward), None);
 }
 
+fn spans_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Vec<(f64, f64)> {
+    let direction = Vec3::from_setup(toward.to::<R::Setup>().normalized().expect("a direction"));
+    let mut memory = Memory::new();
+    let (scale, prepared) = prepared_for::<G, R>(shape, origin, &mut memory).expect("a legal shape");
+    let spans = prepared.spans(&Ray { origin: scale.point(origin.to()), direction });
+    let unscaled = |t: R| {
+        let end = f64::from(t.to_f32() / scale.to_f32());
+        if t.abs() < R::FARTHEST { end } else { end * f64::INFINITY }
+    };
+    spans.as_slice().iter().map(|part| (unscaled(part.min), unscaled(part.max))).collect()
+}
+
+/// The line from `origin` along `toward` lies inside the shape in these parts; infinity is where it has no end.
+pub(super) fn assert_spans<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, expected: &[(f64, f64)]) {
+    let near = |a: f64, b: f64| a == b || (a - b).abs() < 2e-5 * b.abs().max(1.0);
+    for spans in [
+        spans_in::<f32, G>(shape, origin, toward),
+        spans_in::<f64, G>(shape, origin, toward),
+        spans_in::<Fixed, G>(shape, origin, toward),
+    ] {
+        let same = spans.iter().zip(expected).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
+        assert!(same && spans.len() == expected.len(), "{shape:?}: {spans:?}, not {expected:?}");
+    }
+}
+
+/// Fires `rays` at points around `middle`: each must meet the shape where the parts of its line inside say so, and there
+/// alone.
+pub(super) fn assert_spans_are_met<G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
+    assert!(shape.is_solid());
+    assert_spans_are_met_in::<f32, G>(shape, middle, extent, rays);
+    assert_spans_are_met_in::<f64, G>(shape, middle, extent, rays);
+    assert_spans_are_met_in::<Fixed, G>(shape, middle, extent, rays);
+}
+
+fn assert_spans_are_met_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
+    let mut random = Random(extent.to_bits().into());
+    let mut met = 0;
+    let mut memory = Memory::new();
+    let eye = Vec3::new(middle.magnitude() + 5.0 * extent, 0.0, 0.0);
+    let (scale, prepared) = prepared_for::<G, R>(shape, eye, &mut memory).expect("a legal shape");
+    let tolerance = f64::from(1e-3 * extent * scale.to_f32());
+    let double = |t: R| f64::from(t.to_f32());
+    for _ in 0..rays {
+        // From outside as well as from inside.
+        let origin = middle + random.direction() * (extent * (2.0 + 2.0 * random.next()));
+        let aim = middle + random.vector() * extent;
+        let Some(direction) = (aim - origin).normalized() else { continue };
+        let ray = Ray { origin: scale.point(origin.to()), direction: Vec3::from_setup(direction.to()) };
+        let spans = prepared.spans(&ray);
+        let parts = spans.as_slice();
+        assert!(parts.iter().zip(parts.iter().skip(1)).all(|(a, b)| a.max <= b.min), "{spans:?}");
+        // What is hardly touched may be missed.
+        if parts.iter().any(|part| double(part.max) - double(part.min) < 10.0 * tolerance) {
+            continue;
+        }
+        let ends: Vec<R> = parts.iter().flat_map(|part| [part.min, part.max]).collect();
+        let mut range = Interval::AHEAD;
+        while let Some(t) = prepared.intersect(&ray, range) {
+            let found = ends.iter().any(|end| (double(*end) - double(t)).abs() < tolerance);
+            assert!(found || double(t) < tolerance, "{shape:?}: {ray:?} meets it at {t:?}, inside {spans:?}");
+            range.min = t + R::from_f32(tolerance as f32);
+            met += 1;
+        }
+        let expected = ends.iter().filter(|end| double(**end) > tolerance && **end < R::FARTHEST);
+        for end in expected {
+            let before = Interval { min: *end - R::from_f32(tolerance as f32), max: R::FARTHEST };
+            let t = prepared.intersect(&ray, before);
+            let near = t.is_some_and(|t| (double(t) - double(*end)).abs() < tolerance);
+            assert!(near, "{shape:?}: {ray:?} does not meet it at {end:?}, but at {t:?}");
+        }
+    }
+    assert!(met > rays / 20, "only {met} of {rays} rays met {shape:?}");
+}
+
 /// Numbers in [-1, 1) that are the same on every run (Knuth's MMIX generator).
 pub(super) struct Random(pub(super) u64);
 
