@@ -15,7 +15,9 @@ pub enum Fault {
     TooFar,
     /// A radius is zero or negative. Give a positive one; a cone needs one of its two.
     RadiusNotPositive,
-    /// The three corners of a triangle lie on one line. Remove the triangle or move a corner.
+    /// The hole of a ring is negative, or as large as the ring. Give it 0 or more, and less than the radius.
+    HoleTooLarge,
+    /// The three corners of a triangle, or two edges of a rectangle, lie on one line. Remove it or move a corner.
     Collinear,
     /// A polygon has fewer than three vertices, or encloses no area. Remove it or add vertices.
     NoArea,
@@ -75,7 +77,8 @@ impl fmt::Display for Fault {
             Self::NotFinite => "a number is NaN or infinite; replace it",
             Self::TooFar => "a coordinate, radius or distance is beyond ±1e6; scale the scene down",
             Self::RadiusNotPositive => "the radius is not positive; a cone needs one of its two to be",
-            Self::Collinear => "the corners lie on one line; remove the triangle or move a corner",
+            Self::HoleTooLarge => "the hole of a ring is not between 0 and its radius; make it smaller",
+            Self::Collinear => "the corners lie on one line; remove the shape or move a corner",
             Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
             Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",

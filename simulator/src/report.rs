@@ -138,6 +138,8 @@ impl Tree<'_> {
         let kind = match object.shape {
             Shape::Sphere(_) => "sphere",
             Shape::Plane(_) => "plane",
+            Shape::Disc(_) => "disc",
+            Shape::Rectangle(_) => "rectangle",
             Shape::Triangle(_) => "triangle",
             Shape::Polygon(_) => "polygon",
             Shape::Cylinder(_) => "cylinder",

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use rayline::Vec3;
-use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::shape::{Cone, Cylinder, Disc, Plane, Polygon, Rectangle, Shape, Sphere, Triangle};
 
 /// Points and directions of such coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
@@ -16,6 +16,12 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
         (vector.clone(), number.clone())
             .prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
         (vector.clone(), vector.clone()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
+        (vector.clone(), vector.clone(), number.clone(), number.clone())
+            .prop_map(|(center, normal, hole, radius)| Shape::Disc(Disc { center, normal, radius, hole })),
+        (vector.clone(), vector.clone(), number.clone())
+            .prop_map(|(center, normal, radius)| Shape::Disc(Disc::new(center, normal, radius))),
+        (vector.clone(), vector.clone(), vector.clone())
+            .prop_map(|(corner, right, up)| Shape::Rectangle(Rectangle::new(corner, right, up))),
         (
             [vector.clone(), vector.clone(), vector.clone()],
             proptest::option::of([vector.clone(), vector.clone(), vector.clone()])

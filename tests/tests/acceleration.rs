@@ -7,7 +7,7 @@ use std::mem::MaybeUninit;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
-use rayline::shape::{Cone, Geometry, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::shape::{Cone, Disc, Geometry, Plane, Polygon, Rectangle, Shape, Sphere, Triangle};
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
@@ -69,6 +69,11 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
             // A parallelogram.
             Shape::Polygon(Polygon::new(Box::leak(Box::new([a, b, c, a + c - b]))))
         }),
+        1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..1.0).prop_map(|(center, normal, radius, share)| {
+            Shape::Disc(Disc::ring(center, normal, radius * share, radius))
+        }),
+        1 => (vector(), vector(), vector())
+            .prop_map(|(corner, right, up)| Shape::Rectangle(Rectangle::new(corner, right, up))),
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..2.0, any::<bool>()).prop_map(
             |(base, top, base_radius, top_radius, capped)| {
                 Shape::Cone(Cone { base, base_radius, top, top_radius, capped })

@@ -8,8 +8,11 @@
 
 mod cone;
 mod cylinder;
+mod disc;
+mod patch;
 mod plane;
 mod polygon;
+mod rectangle;
 mod set;
 mod spans;
 mod sphere;
@@ -21,8 +24,10 @@ use core::fmt::Debug;
 
 pub use cone::{Cone, PreparedCone};
 pub use cylinder::Cylinder;
+pub use disc::{Disc, PreparedDisc};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
+pub use rectangle::{PreparedRectangle, Rectangle};
 pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
 pub use triangle::{PreparedTriangle, Triangle};
@@ -136,6 +141,10 @@ crate::shape_set! {
         Sphere(Sphere),
         /// An infinite plane.
         Plane(Plane),
+        /// A disc or ring.
+        Disc(Disc),
+        /// A rectangle or parallelogram.
+        Rectangle(Rectangle),
         /// A triangle.
         Triangle(Triangle),
         /// A planar polygon.
@@ -153,7 +162,12 @@ impl Shape<'_> {
         match self {
             Self::Triangle(triangle) => triangle.const_bytes::<R>(),
             Self::Polygon(polygon) => polygon.const_bytes::<R>(),
-            Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) => 0,
+            Self::Sphere(_)
+            | Self::Plane(_)
+            | Self::Disc(_)
+            | Self::Rectangle(_)
+            | Self::Cylinder(_)
+            | Self::Cone(_) => 0,
         }
     }
 }

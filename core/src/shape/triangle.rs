@@ -1,11 +1,10 @@
-//! A triangle as three planes, after Woop's affine triangle as Havel and Herout give it, "Yet Faster
-//! Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9: one plane holds the triangle, and the
-//! other two measure its barycentric coordinates.
+//! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
 
-use super::{Form, Geometry, Intersect, PreparedPlane, bounds_of};
+use super::patch::Patch;
+use super::{Form, Geometry, Intersect, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Extent, Interval, Linear, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A triangle; its front is the side from which the vertices run counterclockwise.
@@ -50,17 +49,7 @@ impl Geometry for Triangle {
     {
         self.vertices.into_iter().try_for_each(check_point)?;
         let [a, b, c] = self.vertices.map(Vec3::to::<R::Setup>);
-        let (ab, ac) = (b - a, c - a);
-        let area_normal = ab.cross(ac);
-        let doubled_area = area_normal.length();
-        // Thinner than a millionth of its length, a triangle has no direction that could be trusted.
-        if !(doubled_area > R::Setup::from_f32(1e-6) * ab.length() * ac.length()) {
-            return Err(Fault::Collinear);
-        }
-        let normal = area_normal * doubled_area.recip();
-        // The gradient of each barycentric coordinate lies in the plane, across the opposite edge.
-        let gradient_b = ac.cross(normal) * doubled_area.recip();
-        let gradient_c = normal.cross(ab) * doubled_area.recip();
+        let patch = Patch::new(a, b - a, c - a, scale).ok_or(Fault::Collinear)?;
         let normals = match self.normals {
             None => None,
             Some(normals) => {
@@ -71,66 +60,37 @@ impl Geometry for Triangle {
                 memory.store(units).map(Some)?
             }
         };
-        let zero = scale.setup_point::<R>(a);
-        let per_unit = R::Setup::from_f32(1.0 / scale.to_f32());
-        Ok(PreparedTriangle {
-            plane: PreparedPlane::new(normal, normal.dot(a), scale),
-            weight_b: R::Linear::new(gradient_b * per_unit, zero),
-            weight_c: R::Linear::new(gradient_c * per_unit, zero),
-            normals,
-        })
+        Ok(PreparedTriangle { patch, normals })
     }
 }
 
 /// A [`Triangle`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedTriangle<'m, R: Real> {
-    plane: PreparedPlane<R>,
-    /// The barycentric coordinate that is 1 at the second corner.
-    weight_b: R::Linear,
-    /// The one that is 1 at the third.
-    weight_c: R::Linear,
+    /// Its coordinates are the weights of the second and the third corner.
+    patch: Patch<R>,
     normals: Option<&'m [Vec3<R>; 3]>,
-}
-
-impl<R: Real> PreparedTriangle<'_, R> {
-    /// The corners, from the gradients of the barycentric coordinates: each coordinate grows by 1 on the way
-    /// from the opposite edge to its own corner.
-    fn corners(&self) -> [Vec3<R>; 3] {
-        let (u, v) = (self.weight_b.gradient(), self.weight_c.gradient());
-        let (n, distance) = (self.plane.normal.to_setup(), self.plane.distance.to_setup());
-        // Edge vectors are the dual basis of the gradients.
-        let volume = u.cross(v).dot(n).recip();
-        let (ab, ac) = (v.cross(n) * volume, n.cross(u) * volume);
-        let a = n * distance - ab * self.weight_b.offset() - ac * self.weight_c.offset();
-        [a, a + ab, a + ac].map(Vec3::from_setup)
-    }
-
-    /// The weights of the second and third corner at a point of the plane.
-    fn barycentric(&self, point: Vec3<R>) -> (R, R) {
-        (self.weight_b.at(point), self.weight_c.at(point))
-    }
 }
 
 impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let t = self.plane.meet(ray, range)?;
-        let (b, c) = self.barycentric(ray.at(t));
+        let (t, b, c) = self.patch.meet(ray, range)?;
         (b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE).then_some(t)
     }
 
     fn form(&self) -> Form<R> {
-        self.plane.form()
+        self.patch.plane.form()
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        bounds_of(self.corners().into_iter())
+        let [a, ab, ac] = self.patch.edges();
+        bounds_of([a, a + ab, a + ac].into_iter().map(Vec3::from_setup))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let surface = self.plane.surface(ray, t);
+        let surface = self.patch.plane.surface(ray, t);
         let shading_normal = self.normals.and_then(|[at_a, at_b, at_c]| {
-            let (b, c) = self.barycentric(surface.point);
+            let (b, c) = self.patch.coordinates(surface.point);
             (*at_a * (R::ONE - b - c) + *at_b * b + *at_c * c).normalized()
         });
         Surface { shading_normal: shading_normal.unwrap_or(surface.normal), ..surface }

@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Shape, Sphere};
+use rayline::shape::{Rectangle, Shape, Sphere};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -96,6 +96,8 @@ fn extent(scene: &Scene<'_>) -> f64 {
     let shapes = scene.objects.iter().flat_map(|object| match object.shape {
         Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
         Shape::Plane(plane) => vec![plane.point],
+        Shape::Disc(disc) => vec![disc.center, Vec3::new(disc.radius, 0.0, 0.0)],
+        Shape::Rectangle(rectangle) => corners(&rectangle).to_vec(),
         Shape::Triangle(triangle) => triangle.vertices.to_vec(),
         Shape::Polygon(polygon) => polygon.vertices.to_vec(),
         Shape::Cylinder(cylinder) => vec![cylinder.base, cylinder.top],
@@ -163,7 +165,7 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
             return Err(PovrayError::UnknownMaterial(index));
         };
         let (kind, geometry) = shape(&object.shape);
-        if material.transmittance > 0.0 && matches!(object.shape, Shape::Triangle(_) | Shape::Polygon(_)) {
+        if material.transmittance > 0.0 && is_face(&object.shape) {
             *faces += &format!("  {kind} {{ {geometry} }}\n");
         } else {
             let interior = interior(material, enclosing_ior(scene, object));
@@ -177,6 +179,11 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         }
     }
     Ok(text)
+}
+
+/// Whether the shape is flat and bounded, so that several can enclose a space.
+fn is_face(shape: &Shape<'_>) -> bool {
+    matches!(shape, Shape::Disc(_) | Shape::Rectangle(_) | Shape::Triangle(_) | Shape::Polygon(_))
 }
 
 /// What lies behind a transparent surface, within a medium of the index `outside`.
@@ -212,6 +219,11 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
             let normal = normal * normal.length().recip();
             ("plane", format!("{}, {}", xyz(normal), normal.dot(plane.point.to())))
         }
+        Shape::Disc(disc) => (
+            "disc",
+            format!("{}, {}, {}, {}", point(disc.center), point(disc.normal), disc.radius, disc.hole),
+        ),
+        Shape::Rectangle(rectangle) => polygon(&corners(rectangle)),
         Shape::Triangle(triangle) => match triangle.normals {
             None => ("triangle", points(&triangle.vertices)),
             Some(normals) => {
@@ -220,11 +232,7 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
                 ("smooth_triangle", points(&corners.collect::<Vec<_>>()))
             }
         },
-        Shape::Polygon(polygon) => {
-            // POV-Ray wants the first point again at the end.
-            let closed: Vec<_> = polygon.vertices.iter().chain(polygon.vertices.first()).copied().collect();
-            ("polygon", format!("{}, {}", closed.len(), points(&closed)))
-        }
+        Shape::Polygon(polygon) => self::polygon(polygon.vertices),
         Shape::Cylinder(shape) => (
             "cylinder",
             format!("{}, {}{}", points(&[shape.base, shape.top]), shape.radius, open(shape.capped)),
@@ -241,6 +249,17 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
             ),
         ),
     }
+}
+
+fn polygon(vertices: &[Vec3]) -> (&'static str, String) {
+    // POV-Ray wants the first point again at the end.
+    let closed: Vec<_> = vertices.iter().chain(vertices.first()).copied().collect();
+    ("polygon", format!("{}, {}", closed.len(), points(&closed)))
+}
+
+fn corners(rectangle: &Rectangle) -> [Vec3; 4] {
+    let Rectangle { corner, right, up } = *rectangle;
+    [corner, corner + right, corner + right + up, corner + up]
 }
 
 fn points(vertices: &[Vec3]) -> String {

@@ -1,7 +1,7 @@
 //! Where rays go through shapes.
 
 use glam::{DQuat, DVec3};
-use rayline::shape::{Shape, Triangle};
+use rayline::shape::{Disc, Rectangle, Shape, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -12,6 +12,8 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
         Shape::Plane(plane) => {
             self::plane(vector(plane.point), vector(plane.normal), ray).into_iter().collect()
         }
+        Shape::Disc(disc) => self::disc(&disc, ray).into_iter().collect(),
+        Shape::Rectangle(rectangle) => self::rectangle(&rectangle, ray).into_iter().collect(),
         Shape::Triangle(triangle) => self::triangle(&triangle, ray).into_iter().collect(),
         Shape::Polygon(polygon) => {
             let vertices: Vec<DVec3> = polygon.vertices.iter().copied().map(vector).collect();
@@ -60,6 +62,27 @@ fn plane(point: DVec3, normal: DVec3, ray: Ray) -> Option<Crossing> {
     let normal = normal.normalize();
     let slope = ray.direction.dot(normal);
     (slope != 0.0).then(|| flat((point - ray.origin).dot(normal) / slope, normal))
+}
+
+/// A point of the plane, by its distance from the center.
+fn disc(disc: &Disc, ray: Ray) -> Option<Crossing> {
+    let center = vector(disc.center);
+    let crossing = plane(center, vector(disc.normal), ray)?;
+    let distance = center.distance(ray.origin + ray.direction * crossing.t);
+    (distance >= f64::from(disc.hole) && distance <= f64::from(disc.radius)).then_some(crossing)
+}
+
+/// A point of the plane, between two opposite sides and between the other two.
+fn rectangle(rectangle: &Rectangle, ray: Ray) -> Option<Crossing> {
+    let (corner, right, up) = (vector(rectangle.corner), vector(rectangle.right), vector(rectangle.up));
+    let crossing = plane(corner, right.cross(up), ray)?;
+    let from_corner = ray.origin + ray.direction * crossing.t - corner;
+    let from_opposite = from_corner - right - up;
+    let between = |side: DVec3| {
+        let turn = |from: DVec3| side.cross(from).dot(crossing.normal);
+        turn(from_corner) * turn(from_opposite) <= 0.0
+    };
+    (between(right) && between(up)).then_some(crossing)
 }
 
 /// o + t d = (1 - u - v) a + u b + v c, by Cramer's rule (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle

@@ -1,0 +1,176 @@
+//! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
+//! Introduction to Ray Tracing", 1989, ch. 2).
+
+use super::{Form, Geometry, Intersect, PreparedPlane};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// A flat disc, or a ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disc {
+    /// The middle.
+    pub center: Vec3,
+    /// Toward its front; any length but 0.
+    pub normal: Vec3,
+    /// More than 0.
+    pub radius: f32,
+    /// Radius of the hole, 0 or more and less than `radius`.
+    pub hole: f32,
+}
+
+impl Disc {
+    /// The disc around `center`, across `normal`.
+    pub const fn new(center: Vec3, normal: Vec3, radius: f32) -> Self {
+        Self { center, normal, radius, hole: 0.0 }
+    }
+
+    /// The same with a round hole in the middle.
+    pub const fn ring(center: Vec3, normal: Vec3, hole: f32, radius: f32) -> Self {
+        Self { center, normal, radius, hole }
+    }
+}
+
+impl Geometry for Disc {
+    type Prepared<'m, R: Real> = PreparedDisc<R>;
+
+    fn extent(&self) -> Extent {
+        Extent::flat(self.center.magnitude() + self.radius)
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedDisc<R>, Fault>
+    where
+        Self: 'm,
+    {
+        check_point(self.center)?;
+        check_radius(self.radius)?;
+        check_coordinate(self.hole)?;
+        if !(self.hole >= 0.0 && self.hole < self.radius) {
+            return Err(Fault::HoleTooLarge);
+        }
+        let normal: Vec3<R::Setup> = check_direction(self.normal)?;
+        let center: Vec3<R::Setup> = self.center.to();
+        let radius: R = scale.length(R::Setup::from_f32(self.radius));
+        let hole: R = scale.length(R::Setup::from_f32(self.hole));
+        check_size(radius - hole)?;
+        Ok(PreparedDisc {
+            plane: PreparedPlane::new(normal, normal.dot(center), scale),
+            center: scale.point(center),
+            radius,
+            radius_squared: radius.times(radius),
+            hole_squared: hole.times(hole),
+        })
+    }
+}
+
+/// A [`Disc`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedDisc<R: Real> {
+    plane: PreparedPlane<R>,
+    center: Vec3<R>,
+    radius: R,
+    radius_squared: R::Product,
+    hole_squared: R::Product,
+}
+
+impl<R: Real> Intersect<R> for PreparedDisc<R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let t = self.plane.meet(ray, range)?;
+        let from_center = ray.at(t) - self.center;
+        let distance_squared = from_center.dot_wide(from_center);
+        (distance_squared < self.radius_squared && distance_squared >= self.hole_squared).then_some(t)
+    }
+
+    fn form(&self) -> Form<R> {
+        self.plane.form()
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        let bounds = Aabb::around(self.center, reach_across(self.plane.normal) * self.radius);
+        Some(bounds.padded(R::offset(bounds.magnitude())))
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+}
+
+/// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.
+pub(super) fn reach_across<R: Real>(normal: Vec3<R>) -> Vec3<R> {
+    // √(y² + z²) is √(1 - x²), but not rounded to 0 where the normal lies almost along x.
+    let hypotenuse = |a: R, b: R| (a.times(a) + b.times(b)).sqrt();
+    let Vec3 { x, y, z } = normal;
+    Vec3::new(hypotenuse(y, z), hypotenuse(z, x), hypotenuse(x, y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    const UP: Vec3 = Vec3::new(0.0, 3.0, 0.0);
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+    const PLATE: Disc = Disc::new(Vec3::new(1.0, 2.0, 3.0), UP, 2.0);
+
+    #[test]
+    fn met_within_the_radius_from_both_sides() {
+        for (x, z) in [(1.0, 3.0), (2.9, 3.0), (1.0, 1.1), (2.4, 4.4)] {
+            assert_meets(PLATE, Vec3::new(x, 6.0, z), DOWN, 4.0, [0.0, 1.0, 0.0]);
+            assert_meets(PLATE, Vec3::new(x, -1.0, z), UP, 3.0, [0.0, 1.0, 0.0]);
+        }
+        for (x, z) in [(3.1, 3.0), (1.0, 0.9), (2.5, 4.5)] {
+            assert_misses(PLATE, Vec3::new(x, 6.0, z), DOWN);
+        }
+        assert_misses(PLATE, Vec3::new(1.0, 6.0, 3.0), UP);
+        // In its plane.
+        assert_misses(PLATE, Vec3::new(9.0, 2.0, 3.0), Vec3::new(-1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn met_at_a_slant() {
+        // A normal of 45 degrees: half as far along it as to the side.
+        let half = core::f64::consts::FRAC_1_SQRT_2;
+        let leaning = Disc::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 1.0), 1.0);
+        assert_meets(leaning, Vec3::new(0.0, 0.7, 5.0), Vec3::new(0.0, 0.0, -1.0), 5.7, [0.0, half, half]);
+        assert_misses(leaning, Vec3::new(0.0, 0.72, 5.0), Vec3::new(0.0, 0.0, -1.0));
+    }
+
+    #[test]
+    fn a_ring_has_a_hole() {
+        let ring = Disc::ring(PLATE.center, UP, 1.0, 2.0);
+        assert_meets(ring, Vec3::new(2.1, 6.0, 3.0), DOWN, 4.0, [0.0, 1.0, 0.0]);
+        assert_misses(ring, Vec3::new(1.9, 6.0, 3.0), DOWN);
+        assert_misses(ring, Vec3::new(1.0, 6.0, 3.0), DOWN);
+        assert_misses(ring, Vec3::new(3.1, 6.0, 3.0), DOWN);
+    }
+
+    #[test]
+    fn bounds_are_tight() {
+        let mut memory = Memory::new();
+        let leaning = Disc::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 1.0), 2.0);
+        let bounds = prepared::<_, f32>(leaning, &mut memory).unwrap().bounds().unwrap();
+        let expected = Vec3::new(2.0, 2f32.sqrt(), 2f32.sqrt());
+        assert!((bounds.max - expected).magnitude() < 1e-4 && (bounds.min + expected).magnitude() < 1e-4);
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let center = Vec3::new(0.3, -0.7, 0.2) * extent;
+            let normal = Vec3::new(0.3, 0.9, -0.2);
+            assert_no_self_hits(Disc::new(center, normal, extent), center, extent, 20_000);
+            assert_no_self_hits(Disc::ring(center, normal, 0.5 * extent, extent), center, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn bad_discs_are_refused() {
+        assert_eq!(refusal(Disc { radius: 0.0, ..PLATE }), Fault::RadiusNotPositive);
+        assert_eq!(refusal(Disc { hole: 2.0, ..PLATE }), Fault::HoleTooLarge);
+        assert_eq!(refusal(Disc { hole: -1.0, ..PLATE }), Fault::HoleTooLarge);
+        assert_eq!(refusal(Disc { hole: f32::NAN, ..PLATE }), Fault::NotFinite);
+        assert_eq!(refusal(Disc { normal: Vec3::ZERO, ..PLATE }), Fault::ZeroLength);
+        assert_eq!(refusal(Disc { center: UP * f32::INFINITY, ..PLATE }), Fault::NotFinite);
+    }
+}

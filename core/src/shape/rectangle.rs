@@ -1,0 +1,141 @@
+//! A rectangle or parallelogram: the two coordinates of a [`Patch`], both from 0 to 1.
+
+use super::patch::Patch;
+use super::{Form, Geometry, Intersect, bounds_of};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_point};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// A rectangle, or a parallelogram where its edges are not at right angles; its front is the side from which `right`
+/// turns counterclockwise toward `up`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rectangle {
+    /// One corner.
+    pub corner: Vec3,
+    /// From there to the next.
+    pub right: Vec3,
+    /// And to the other next.
+    pub up: Vec3,
+}
+
+impl Rectangle {
+    /// The rectangle that two edges from a corner span.
+    pub const fn new(corner: Vec3, right: Vec3, up: Vec3) -> Self {
+        Self { corner, right, up }
+    }
+
+    fn corners<R: Real>(corner: Vec3<R>, right: Vec3<R>, up: Vec3<R>) -> [Vec3<R>; 4] {
+        [corner, corner + right, corner + right + up, corner + up]
+    }
+}
+
+impl Geometry for Rectangle {
+    type Prepared<'m, R: Real> = PreparedRectangle<R>;
+
+    fn extent(&self) -> Extent {
+        let corners = Self::corners(self.corner, self.right, self.up);
+        Extent::flat(corners.into_iter().fold(0.0, |most: f32, corner| most.larger(corner.magnitude())))
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedRectangle<R>, Fault>
+    where
+        Self: 'm,
+    {
+        [self.right, self.up].into_iter().try_for_each(check_point)?;
+        Self::corners(self.corner, self.right, self.up).into_iter().try_for_each(check_point)?;
+        let patch = Patch::new(self.corner.to(), self.right.to(), self.up.to(), scale);
+        Ok(PreparedRectangle { patch: patch.ok_or(Fault::Collinear)? })
+    }
+}
+
+/// A [`Rectangle`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedRectangle<R: Real> {
+    patch: Patch<R>,
+}
+
+impl<R: Real> Intersect<R> for PreparedRectangle<R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let (t, u, v) = self.patch.meet(ray, range)?;
+        (u >= R::ZERO && v >= R::ZERO && u <= R::ONE && v <= R::ONE).then_some(t)
+    }
+
+    fn form(&self) -> Form<R> {
+        self.patch.plane.form()
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        let [corner, right, up] = self.patch.edges();
+        bounds_of(Rectangle::corners(corner, right, up).into_iter().map(Vec3::from_setup))
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.patch.plane.surface(ray, t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    // Three wide, two deep, in the plane y = 1.
+    const TABLE: Rectangle =
+        Rectangle::new(Vec3::new(-1.0, 1.0, 1.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 0.0, -2.0));
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+
+    #[test]
+    fn met_between_its_edges_from_both_sides() {
+        for (x, z) in [(-0.99, 0.0), (1.99, 0.99), (0.5, -0.99), (0.0, 0.0)] {
+            assert_meets(TABLE, Vec3::new(x, 5.0, z), DOWN, 4.0, [0.0, 1.0, 0.0]);
+            assert_meets(TABLE, Vec3::new(x, -5.0, z), -DOWN, 6.0, [0.0, 1.0, 0.0]);
+        }
+        for (x, z) in [(-1.01, 0.0), (2.01, 0.99), (0.5, -1.01), (0.0, 1.01)] {
+            assert_misses(TABLE, Vec3::new(x, 5.0, z), DOWN);
+        }
+        assert_misses(TABLE, Vec3::new(0.0, 5.0, 0.0), -DOWN);
+        // In its plane.
+        assert_misses(TABLE, Vec3::new(-9.0, 1.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn edges_at_any_angle_make_a_parallelogram() {
+        let leaning = Rectangle { up: Vec3::new(2.0, 0.0, -2.0), ..TABLE };
+        for (x, z) in [(-0.9, 0.99), (1.9, 0.8), (1.1, -0.99), (3.9, -0.99)] {
+            assert_meets(leaning, Vec3::new(x, 5.0, z), DOWN, 4.0, [0.0, 1.0, 0.0]);
+        }
+        for (x, z) in [(-0.9, 0.8), (2.3, 0.8), (0.9, -0.99)] {
+            assert_misses(leaning, Vec3::new(x, 5.0, z), DOWN);
+        }
+    }
+
+    #[test]
+    fn bounds_are_tight() {
+        let mut memory = Memory::new();
+        let bounds = prepared::<_, f32>(TABLE, &mut memory).unwrap().bounds().unwrap();
+        assert!((bounds.min - Vec3::new(-1.0, 1.0, -1.0)).magnitude() < 1e-4, "{bounds:?}");
+        assert!((bounds.max - Vec3::new(2.0, 1.0, 1.0)).magnitude() < 1e-4, "{bounds:?}");
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let tilted = Rectangle {
+                corner: Vec3::new(-0.8, -0.5, 0.3) * extent,
+                right: Vec3::new(1.5, 0.2, -0.4) * extent,
+                up: Vec3::new(0.1, 1.2, 0.3) * extent,
+            };
+            assert_no_self_hits(tilted, Vec3::ZERO, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn bad_rectangles_are_refused() {
+        assert_eq!(refusal(Rectangle { up: TABLE.right * 2.0, ..TABLE }), Fault::Collinear);
+        assert_eq!(refusal(Rectangle { right: Vec3::ZERO, ..TABLE }), Fault::Collinear);
+        assert_eq!(refusal(Rectangle { up: DOWN * f32::NAN, ..TABLE }), Fault::NotFinite);
+        assert_eq!(refusal(Rectangle { up: DOWN * 2e6, ..TABLE }), Fault::TooFar);
+        assert_eq!(refusal(Rectangle { corner: DOWN * 9.99e5, up: DOWN * 2e3, ..TABLE }), Fault::TooFar);
+    }
+}
