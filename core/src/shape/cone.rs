@@ -2,6 +2,7 @@
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
 
+use super::disc::reach_across;
 use super::{Geometry, Intersect, Spans, Spine};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
@@ -239,9 +240,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        // A disc across the axis reaches r √(1 - a²) along a coordinate axis.
-        let across = |a: R| (R::ONE - a * a).larger(R::ZERO).sqrt();
-        let reach = Vec3::new(across(self.axis.x), across(self.axis.y), across(self.axis.z));
+        let reach = reach_across(self.axis);
         let disc = |height: R| {
             let radius = (self.base_radius + self.slope * height).larger(R::ZERO);
             Aabb::around(self.base + self.axis * height, reach * radius)
@@ -372,6 +371,17 @@ mod tests {
         let can = super::super::Cylinder { capped: true, ..pipe };
         assert_meets(can, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0), 5.0, [0.0, 0.0, 1.0]);
         assert_meets(can, Vec3::new(1.0, 0.1, 3.0), Vec3::new(0.0, 0.0, -1.0), 3.0, [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn bounds_hold_the_ends_of_one_that_lies_almost_along_an_axis() {
+        let plate = Cone { base_radius: 1.0, top: Vec3::new(1.0, 2e-4, 0.0), top_radius: 1.0, ..TENT };
+        let mut memory = Memory::new();
+        let plate = prepared::<_, f32>(plate, &mut memory).unwrap();
+        let ray = Ray { origin: Vec3::new(-3.0, 0.99, 0.0), direction: -LEFT };
+        let t = plate.intersect(&ray, Interval::AHEAD).unwrap();
+        assert!((t - (3.0 - 0.99 * 2e-4)).abs() < 1e-6);
+        assert!(plate.bounds().unwrap().contains(ray.at(t)));
     }
 
     #[test]
