@@ -20,13 +20,20 @@ impl Scene<'_> {
     /// assert!(prepared.is_ok());
     /// ```
     pub const fn bytes<R: Real>(&self) -> usize {
+        let shapes = self.shape_bytes::<R>();
+        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), shapes)
+    }
+
+    /// How many of those bytes the shapes take: the last argument of [`prepared_bytes`](crate::prepared_bytes), where the scene is
+    /// prepared with a set of fewer shapes.
+    pub const fn shape_bytes<R: Real>(&self) -> usize {
         let mut shapes: usize = 0;
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
             shapes = shapes.saturating_add(object.shape.const_bytes::<R>());
             objects = rest;
         }
-        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), shapes)
+        shapes
     }
 }
 

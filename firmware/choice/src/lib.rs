@@ -5,12 +5,14 @@
 //! be seen with. `RAYLINE_NUMBER` and `RAYLINE_MODE` choose among what a program offers, see [`write_number`] and
 //! [`write_mode`].
 
+mod narrow;
+
 use std::env;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use rayline::builtin;
+use rayline::builtin::{self, Builtin};
 
 /// Writes the constants of the picture into `picture.rs` in the build's output folder.
 ///
@@ -19,7 +21,7 @@ use rayline::builtin;
 pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
     let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
     let size = variable("RAYLINE_SIZE").unwrap_or_else(|| usual_size.into());
-    let builtin = path(&name).ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
+    let (builtin, chosen) = find(&name).ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
     let (width, height) = size.split_once('x').ok_or_else(|| format!("{size:?} is not such as 320x240"))?;
     let (width, height): (u16, u16) = (width.parse()?, height.parse()?);
     let bounces = match variable("RAYLINE_BOUNCES") {
@@ -27,7 +29,8 @@ pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
         None => "BUILTIN.bounces".into(),
     };
     let picture = format!(
-        "const BUILTIN: rayline::builtin::Builtin = {builtin};\n\
+        "/// The scene with its name.\n\
+         pub(crate) const BUILTIN: rayline::builtin::Builtin = {builtin};\n\
          /// Width of the picture in pixels.\n\
          pub const WIDTH: usize = {width};\n\
          /// Height of the picture in pixels.\n\
@@ -35,15 +38,16 @@ pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
          /// How often light may be mirrored or refracted.\n\
          pub const BOUNCES: u8 = {bounces};\n"
     );
+    let picture = picture + &narrow::scene(chosen.scene);
     fs::write(Path::new(&env::var("OUT_DIR")?).join("picture.rs"), picture)?;
     Ok(())
 }
 
-/// Where the library has the built-in scene of this name.
-fn path(name: &str) -> Option<String> {
+/// The built-in scene of this name, and where the library has it.
+fn find(name: &str) -> Option<(String, Builtin)> {
     [("ALL", &builtin::ALL[..]), ("GROWTH", &builtin::GROWTH)].into_iter().find_map(|(list, builtins)| {
         let index = builtins.iter().position(|builtin| builtin.name == name)?;
-        Some(format!("rayline::builtin::{list}[{index}]"))
+        Some((format!("rayline::builtin::{list}[{index}]"), *builtins.get(index)?))
     })
 }
 

@@ -1,17 +1,14 @@
 //! The picture: scene, size, bounces, number system and mode, chosen when the program is built.
 
 use embedded_graphics::prelude::PixelColor;
-use rayline::{Sample, Scene, Settings, Workspace};
+use rayline::{Sample, Settings, Workspace};
 
 include!(concat!(env!("OUT_DIR"), "/picture.rs"));
 include!(concat!(env!("OUT_DIR"), "/number.rs"));
 include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 
-/// The scene, in flash.
-pub const SCENE: &Scene<'static> = BUILTIN.scene;
-
 /// Memory for the prepared scene.
-pub type Memory = Workspace<{ SCENE.bytes::<Number>() }>;
+pub type Memory = Workspace<PREPARED_BYTES>;
 
 /// How the picture is rendered.
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };

@@ -9,7 +9,7 @@ use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
 use crate::InstructionCounter;
 use crate::fpu;
 use crate::meter::Meter;
-use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
+use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, Set, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 
@@ -67,7 +67,7 @@ where
     if fpu::flushes_to_zero() {
         return Err(Fault::FlushToZero);
     }
-    let scene = PreparedScene::<Number, _>::new(SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
+    let scene = PreparedScene::<Number, _>::new(&SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
     let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
     let mut meter = Meter::new(counter, display);
     meter.resume();
@@ -91,7 +91,7 @@ where
 
 /// Draws line by line: the way that spends nothing on anything but pixels.
 fn draw_exact<D: DrawTarget<Color: DisplayColor>>(
-    renderer: &Renderer<'_, '_, Number>,
+    renderer: &Renderer<'_, '_, Number, Set>,
     display: &mut D,
     line: &mut [D::Color],
 ) -> Result<(), Fault> {

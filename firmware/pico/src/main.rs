@@ -95,7 +95,7 @@ fn main() -> ! {
         bus,
         pins,
         || {
-            let scene = PreparedScene::new(SCENE, WORKSPACE.lend())?;
+            let scene = PreparedScene::new(&SCENE, WORKSPACE.lend())?;
             #[cfg(feature = "second-core")]
             second_core::start(p.CORE1, scene)?;
             Ok(Tracer::new(scene, MEMORY))

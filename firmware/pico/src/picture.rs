@@ -1,19 +1,16 @@
 //! The picture: scene, size, bounces and quality, chosen when the program is built.
 
-use rayline::{PreparedScene, Scene, Settings};
+use rayline::{PreparedScene, Settings};
 use rayline_show::Number;
 
 include!(concat!(env!("OUT_DIR"), "/picture.rs"));
 include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 
-/// The scene, in flash.
-pub(crate) const SCENE: &Scene<'static> = BUILTIN.scene;
-
 /// The scene, prepared.
-pub(crate) type Prepared = PreparedScene<'static, Number>;
+pub(crate) type Prepared = PreparedScene<'static, Number, Set>;
 
 /// Memory for the prepared scene.
-pub(crate) type Workspace = rayline::Workspace<{ SCENE.bytes::<Number>() }>;
+pub(crate) type Workspace = rayline::Workspace<PREPARED_BYTES>;
 
 /// How the picture is rendered.
 pub(crate) const SETTINGS: Settings =

@@ -2,14 +2,13 @@
 
 use core::ops::Range;
 
-use rayline::shape::Shape;
 use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
 use rayline_show::Number;
 
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::panel_color::PanelColor;
-use crate::picture::{QUALITY, WIDTH};
+use crate::picture::{QUALITY, Set, WIDTH};
 
 const COLORS: usize = match QUALITY {
     None => WIDTH,
@@ -30,8 +29,8 @@ pub(crate) struct Memory {
 /// Lines that are being traced.
 #[derive(Debug)]
 pub(crate) enum Tracing<'r, 'b> {
-    Exact(Frame<'r, 'static, 'b, Number, Shape<'static>, PanelColor>),
-    Realtime(RealtimeFrame<'r, 'static, 'b, Number, Shape<'static>, PanelColor>),
+    Exact(Frame<'r, 'static, 'b, Number, Set, PanelColor>),
+    Realtime(RealtimeFrame<'r, 'static, 'b, Number, Set, PanelColor>),
 }
 
 impl Memory {
@@ -42,7 +41,7 @@ impl Memory {
     /// Begins to trace some lines.
     pub(crate) fn begin<'r, 'b>(
         &'b mut self,
-        renderer: &'r Renderer<'r, 'static, Number>,
+        renderer: &'r Renderer<'r, 'static, Number, Set>,
         lines: Range<u32>,
     ) -> Result<Tracing<'r, 'b>, LineError> {
         let Self { colors, samples } = self;
