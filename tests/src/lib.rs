@@ -6,6 +6,7 @@
 
 mod comparison;
 mod core_picture;
+mod counted;
 mod picture;
 mod povray;
 mod random;
@@ -15,6 +16,7 @@ pub mod textbook;
 
 pub use comparison::{Comparison, assert_alike};
 pub use core_picture::{core_picture, ray_counts};
+pub use counted::{Counted, Operations, operations_of};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
 pub use random::{shapes, vectors};

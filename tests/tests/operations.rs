@@ -1,0 +1,69 @@
+//! How much arithmetic a picture takes. It is the same on every processor; what a chip needs beyond it is loads, stores,
+//! branches and whatever its products and quotients take: the floor under the boards' figures.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::mem::MaybeUninit;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use rayline::{PreparedScene, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings};
+use rayline_tests::{Counted, Operations, Screen, operations_of, with_scene};
+
+/// The picture in exact mode or realtime quality, and what drawing it took once the scene was prepared.
+fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -> (Vec<Rgb888>, Operations) {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::<R>::new(scene, &mut memory).unwrap();
+    let renderer = Renderer::new(&prepared, settings).unwrap();
+    let mut screen = Screen::new(&renderer);
+    let width = settings.width as u16;
+    let ((), operations) = operations_of(|| match quality {
+        None => renderer.draw(&mut screen, &mut vec![Rgb888::BLACK; width.into()]).unwrap(),
+        Some(quality) => {
+            let mut colors = vec![Rgb888::BLACK; quality.colors(width)];
+            let mut samples = vec![Sample::BLANK; quality.samples(width)];
+            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
+            renderer.draw_realtime(quality, &mut screen, buffer).unwrap();
+        }
+    });
+    (screen.picture(), operations)
+}
+
+/// Prints a table: `cargo test --release -p rayline-tests --test operations -- --nocapture`.
+#[test]
+fn arithmetic_per_pixel_does_not_grow() {
+    let most = [
+        ("classic", 189.0, 70.0),
+        ("whitted", 615.0, 195.0),
+        ("flake", 1790.0, 683.0),
+        ("prism", 2113.0, 831.0),
+    ];
+    println!(
+        "| scene | mode | sums | products | quotients and roots | comparisons | in all |\n|---|---|---:|---:|---:|---:|---:|"
+    );
+    for (name, exact, realtime) in most {
+        with_scene(name, |scene, bounces| {
+            let settings = Settings { bounces, ..Settings::new(320, 240) };
+            let pixels = f64::from(settings.width * settings.height);
+            for (mode, quality, most) in
+                [("exact", None, exact), ("realtime", Some(Realtime::new()), realtime)]
+            {
+                let (picture, operations) = draw::<Counted>(scene, settings, quality);
+                assert_eq!(
+                    picture,
+                    draw::<f32>(scene, settings, quality).0,
+                    "{name}: counting changes the picture"
+                );
+                let per_pixel = |count: u64| count as f64 / pixels;
+                let all = per_pixel(operations.all());
+                println!(
+                    "| {name} | {mode} | {:.1} | {:.1} | {:.1} | {:.1} | {all:.1} |",
+                    per_pixel(operations.sums),
+                    per_pixel(operations.products),
+                    per_pixel(operations.slow),
+                    per_pixel(operations.comparisons),
+                );
+                assert!(all <= most, "{name}, {mode}: {all:.2} operations a pixel, not {most}");
+            }
+        });
+    }
+}
