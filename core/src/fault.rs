@@ -23,6 +23,10 @@ pub enum Fault {
     NoArea,
     /// The vertices of a polygon do not lie in one plane. Split it into triangles.
     NotPlanar,
+    /// The three axes of an ellipsoid lie in one plane, or a box has no room inside. Give it a thickness.
+    NoVolume,
+    /// All coefficients of a quadric are zero, but for the last. Give it another.
+    NoSurface,
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -81,6 +85,8 @@ impl fmt::Display for Fault {
             Self::Collinear => "the corners lie on one line; remove the shape or move a corner",
             Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
             Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
+            Self::NoVolume => "the axes lie in one plane, or the box has no room inside; give it a thickness",
+            Self::NoSurface => "the coefficients are zero, but for the last; give it another",
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",

@@ -144,6 +144,8 @@ impl Tree<'_> {
             Shape::Polygon(_) => "polygon",
             Shape::Cylinder(_) => "cylinder",
             Shape::Cone(_) => "cone",
+            Shape::Ellipsoid(_) => "ellipsoid",
+            Shape::Quadric(_) => "quadric",
         };
         let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
         format!("object {index} ({kind}, material {}{line})", object.material.0)

@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use rayline::Vec3;
-use rayline::shape::{Cone, Cylinder, Disc, Plane, Polygon, Rectangle, Shape, Sphere, Triangle};
+use rayline::shape::{
+    Cone, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Triangle,
+};
 
 /// Points and directions of such coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
@@ -39,6 +41,25 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
         ),
         (vector.clone(), vector.clone(), number.clone(), any::<bool>())
             .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
+        (vector.clone(), [vector.clone(), vector.clone(), vector.clone()])
+            .prop_map(|(center, axes)| Shape::Ellipsoid(Ellipsoid { center, axes })),
+        (
+            vector.clone(),
+            [vector.clone(), vector.clone(), vector.clone()],
+            number.clone(),
+            vector,
+            any::<bool>()
+        )
+            .prop_map(|(center, [squares, mixed, linear], constant, corner, capped)| {
+                let [a, b, c] = [squares, mixed, linear].map(|v| [v.x, v.y, v.z]);
+                let mut coefficients = [constant; 10];
+                coefficients
+                    .iter_mut()
+                    .zip(a.into_iter().chain(b).chain(c))
+                    .for_each(|(to, from)| *to = from);
+                let max = Vec3::new(corner.x.abs(), corner.y.abs(), corner.z.abs());
+                Shape::Quadric(Quadric { center, coefficients, min: -max, max, capped })
+            }),
     ]
     .boxed()
 }

@@ -7,7 +7,9 @@ use std::mem::MaybeUninit;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
-use rayline::shape::{Cone, Disc, Geometry, Plane, Polygon, Rectangle, Shape, Sphere, Triangle};
+use rayline::shape::{
+    Cone, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Triangle,
+};
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
@@ -77,6 +79,16 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..2.0, any::<bool>()).prop_map(
             |(base, top, base_radius, top_radius, capped)| {
                 Shape::Cone(Cone { base, base_radius, top, top_radius, capped })
+            }
+        ),
+        1 => (vector(), [vector(), vector(), vector()])
+            .prop_map(|(center, axes)| Shape::Ellipsoid(Ellipsoid { center, axes })),
+        1 => (vector(), vector(), vector(), vector(), any::<bool>()).prop_map(
+            |(center, squares, linear, corner, capped)| {
+                let (a, b) = (squares, linear);
+                let coefficients = [a.x, a.y, a.z, b.x, 0.0, b.y, b.z, 0.0, b.x, -1.0];
+                let max = Vec3::new(corner.x.abs(), corner.y.abs(), corner.z.abs());
+                Shape::Quadric(Quadric { center, coefficients, min: -max, max, capped })
             }
         ),
     ]

@@ -6,7 +6,7 @@ use std::mem::MaybeUninit;
 
 use proptest::prelude::*;
 use rayline::builtin::{CLASSIC, PRISM};
-use rayline::shape::{Cone, Cylinder, Plane, Polygon, Shape, Sphere, Triangle};
+use rayline::shape::{Cone, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Sphere, Triangle};
 use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
@@ -86,6 +86,14 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 top: Vec3::ZERO,
                 top_radius: 0.0,
                 capped: false,
+            }),
+            Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
+            Shape::Quadric(Quadric {
+                center: Vec3::ZERO,
+                coefficients: [1.0; 10],
+                min: Vec3::ZERO,
+                max: point,
+                capped: true,
             }),
         ]
         .into_iter()

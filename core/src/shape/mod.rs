@@ -9,9 +9,11 @@
 mod cone;
 mod cylinder;
 mod disc;
+mod ellipsoid;
 mod patch;
 mod plane;
 mod polygon;
+mod quadric;
 mod rectangle;
 mod set;
 mod spans;
@@ -25,8 +27,10 @@ use core::fmt::Debug;
 pub use cone::{Cone, PreparedCone};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
+pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
+pub use quadric::{PreparedQuadric, Quadric};
 pub use rectangle::{PreparedRectangle, Rectangle};
 pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
@@ -153,6 +157,10 @@ crate::shape_set! {
         Cylinder(Cylinder),
         /// A cone or frustum, open or capped.
         Cone(Cone),
+        /// An ellipsoid.
+        Ellipsoid(Ellipsoid),
+        /// A quadric in a box, open or capped.
+        Quadric(Quadric),
     }
 }
 
@@ -162,6 +170,8 @@ impl Shape<'_> {
         match self {
             Self::Triangle(triangle) => triangle.const_bytes::<R>(),
             Self::Polygon(polygon) => polygon.const_bytes::<R>(),
+            Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
+            Self::Quadric(_) => Quadric::const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

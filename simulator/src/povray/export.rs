@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Rectangle, Shape, Sphere};
+use rayline::shape::{Quadric, Rectangle, Shape, Sphere};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -102,6 +102,8 @@ fn extent(scene: &Scene<'_>) -> f64 {
         Shape::Polygon(polygon) => polygon.vertices.to_vec(),
         Shape::Cylinder(cylinder) => vec![cylinder.base, cylinder.top],
         Shape::Cone(cone) => vec![cone.base, cone.top],
+        Shape::Ellipsoid(shape) => shape.axes.iter().map(|axis| shape.center + *axis).collect(),
+        Shape::Quadric(shape) => vec![shape.center + shape.min, shape.center + shape.max],
     });
     shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
 }
@@ -248,6 +250,26 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
                 open(shape.capped)
             ),
         ),
+        Shape::Ellipsoid(shape) => {
+            // The images of the axes, and of the origin.
+            let [a, b, c] = shape.axes;
+            let matrix = [a, b, c, shape.center].map(|v| format!("{}, {}, {}", v.x, v.y, v.z)).join(", ");
+            ("sphere", format!("0, 1 matrix <{matrix}>"))
+        }
+        Shape::Quadric(shape) => quadric(shape),
+    }
+}
+
+/// Cut out of a box by it, or clipped by it.
+fn quadric(shape: &Quadric) -> (&'static str, String) {
+    let [squares @ .., constant] = &shape.coefficients;
+    let equation = squares.chunks(3).map(list).collect::<Vec<_>>().join(", ");
+    let equation = format!("{equation}, {constant} translate {}", point(shape.center));
+    let corners = format!("box {{ {} }}", points(&[shape.center + shape.min, shape.center + shape.max]));
+    if shape.capped {
+        ("intersection", format!("quadric {{ {equation} }} {corners}"))
+    } else {
+        ("quadric", format!("{equation} clipped_by {{ {corners} }}"))
     }
 }
 
@@ -290,7 +312,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Cylinder, Polygon, Triangle};
+    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Triangle};
 
     const GLASS: Material = Material {
         transmittance: 0.75,
@@ -362,6 +384,27 @@ union {
 }
 "
         );
+    }
+
+    #[test]
+    fn ellipsoids_and_quadrics() {
+        let egg = Ellipsoid::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 1.0, 2.0));
+        let (kind, text) = shape(&Shape::Ellipsoid(egg));
+        assert_eq!((kind, text.as_str()), ("sphere", "0, 1 matrix <0.5, 0, 0, 0, 1, 0, 0, 0, 2, 1, 2, 3>"));
+        let corner = Vec3::new(1.0, 1.0, 1.0);
+        let bowl = Quadric {
+            center: UP,
+            coefficients: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, -10.0],
+            min: -corner,
+            max: corner,
+            capped: true,
+        };
+        let equation = "<1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -10 translate <0, 1, 0>";
+        let corners = "box { <-1, 0, -1>, <1, 2, 1> }";
+        let (kind, text) = shape(&Shape::Quadric(bowl));
+        assert_eq!((kind, text), ("intersection", format!("quadric {{ {equation} }} {corners}")));
+        let (kind, text) = shape(&Shape::Quadric(Quadric { capped: false, ..bowl }));
+        assert_eq!((kind, text), ("quadric", format!("{equation} clipped_by {{ {corners} }}")));
     }
 
     #[test]

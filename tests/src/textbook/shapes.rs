@@ -1,7 +1,7 @@
 //! Where rays go through shapes.
 
-use glam::{DQuat, DVec3};
-use rayline::shape::{Disc, Rectangle, Shape, Triangle};
+use glam::{DMat3, DQuat, DVec3};
+use rayline::shape::{Disc, Quadric, Rectangle, Shape, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -27,6 +27,8 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
             let (base_radius, top_radius) = (f64::from(shape.base_radius), f64::from(shape.top_radius));
             frustum(vector(shape.base), base_radius, vector(shape.top), top_radius, shape.capped, ray)
         }
+        Shape::Ellipsoid(shape) => ellipsoid(vector(shape.center), shape.axes.map(vector), ray),
+        Shape::Quadric(shape) => self::quadric(&shape, ray),
     }
 }
 
@@ -55,6 +57,52 @@ fn sphere(center: DVec3, radius: f64, ray: Ray) -> Vec<Crossing> {
         from_center.dot(from_center) - radius * radius,
     );
     roots.into_iter().map(|t| flat(t, (from_center + ray.direction * t) / radius)).collect()
+}
+
+/// |M⁻¹ (o + t d - c)| = 1.
+fn ellipsoid(center: DVec3, [a, b, c]: [DVec3; 3], ray: Ray) -> Vec<Crossing> {
+    let inverse = DMat3::from_cols(a, b, c).inverse();
+    let (o, d) = (inverse * (ray.origin - center), inverse * ray.direction);
+    let roots = quadratic(d.dot(d), 2.0 * o.dot(d), o.dot(o) - 1.0);
+    roots.into_iter().map(|t| flat(t, (inverse.transpose() * (o + d * t)).normalize())).collect()
+}
+
+/// The value of a quadric's polynomial, and its gradient.
+pub(super) fn polynomial(quadric: &Quadric, p: DVec3) -> (f64, DVec3) {
+    let [a, b, c, d, e, f, g, h, i, j] = quadric.coefficients.map(f64::from);
+    let DVec3 { x, y, z } = p - vector(quadric.center);
+    let value =
+        a * x * x + b * y * y + c * z * z + d * x * y + e * x * z + f * y * z + g * x + h * y + i * z + j;
+    let gradient = DVec3::new(
+        2.0 * a * x + d * y + e * z + g,
+        2.0 * b * y + d * x + f * z + h,
+        2.0 * c * z + e * x + f * y + i,
+    );
+    (value, gradient)
+}
+
+/// The polynomial along the ray by its values in three places; then what of it is in the box, and what of the box is in it.
+fn quadric(quadric: &Quadric, ray: Ray) -> Vec<Crossing> {
+    let center = vector(quadric.center);
+    let (min, max) = (center + vector(quadric.min), center + vector(quadric.max));
+    let at = |t: f64| ray.origin + ray.direction * t;
+    let in_box = |p: DVec3, margin: f64| {
+        let margin = DVec3::splat(margin);
+        p.cmpge(min - margin).all() && p.cmple(max + margin).all()
+    };
+    let middle = ray.direction.dot((min + max) / 2.0 - ray.origin);
+    let [before, here, after] = [-1.0, 0.0, 1.0].map(|step| polynomial(quadric, at(middle + step)).0);
+    let roots = quadratic((before + after) / 2.0 - here, (after - before) / 2.0, here);
+    let side = roots
+        .into_iter()
+        .map(|t| t + middle)
+        .filter(|t| in_box(at(*t), 0.0))
+        .map(|t| flat(t, polynomial(quadric, at(t)).1.normalize()));
+    let faces = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|axis| [(max, axis), (min, -axis)]);
+    let caps = faces
+        .filter_map(|(corner, normal)| plane(corner, normal, ray))
+        .filter(|cap| quadric.capped && in_box(at(cap.t), 1e-9) && polynomial(quadric, at(cap.t)).0 <= 0.0);
+    side.chain(caps).collect()
 }
 
 /// (o + t d - p) · n = 0.

@@ -1,0 +1,307 @@
+//! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
+//! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
+
+use super::{Geometry, Intersect, Spans, Spine};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_held, check_point, check_size, unit};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// An ellipsoid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipsoid {
+    /// The middle.
+    pub center: Vec3,
+    /// From the middle to the surface, three times: the half axes, if they stand at right angles to each other. Any three
+    /// that do not lie in one plane make an ellipsoid: it is all `center + x a + y b + z c` with x² + y² + z² ≤ 1.
+    pub axes: [Vec3; 3],
+}
+
+impl Ellipsoid {
+    /// The ellipsoid along the coordinate axes that reaches so far along each: more than 0.
+    pub const fn new(center: Vec3, radii: Vec3) -> Self {
+        Self {
+            center,
+            axes: [Vec3::new(radii.x, 0.0, 0.0), Vec3::new(0.0, radii.y, 0.0), Vec3::new(0.0, 0.0, radii.z)],
+        }
+    }
+
+    pub(super) const fn const_bytes<R: Real>() -> usize {
+        Arena::bytes::<Body<R>>(1)
+    }
+}
+
+impl Geometry for Ellipsoid {
+    type Prepared<'m, R: Real> = PreparedEllipsoid<'m, R>;
+
+    fn bytes<R: Real>(&self) -> usize {
+        Self::const_bytes::<R>()
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn extent(&self) -> Extent {
+        Extent::solid(self.center.magnitude() + reach(self.axes).magnitude())
+    }
+
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedEllipsoid<'m, R>, Fault>
+    where
+        Self: 'm,
+    {
+        check_point(self.center)?;
+        self.axes.into_iter().try_for_each(check_point)?;
+        let [a, b, c] = self.axes;
+        let (unit_a, unit_b, unit_c) = (unit::<R::Setup>(a)?, unit::<R::Setup>(b)?, unit::<R::Setup>(c)?);
+        if unit_a.cross(unit_b).dot(unit_c).abs() < R::Setup::from_f32(1e-4) {
+            return Err(Fault::NoVolume);
+        }
+        let axes = self.axes.map(|axis| scale.setup_point::<R>(axis.to()));
+        let longest = axes.into_iter().map(Vec3::length).fold(R::Setup::ZERO, R::Setup::larger);
+        // The inverse of the map, times the longest: then the ball has that radius, and no number is large.
+        let [a, b, c] = axes.map(|axis| axis * longest.recip());
+        let volume = a.cross(b).dot(c).recip();
+        let rows = [b.cross(c) * volume, c.cross(a) * volume, a.cross(b) * volume];
+        let steepest = rows.into_iter().map(Vec3::length).fold(R::Setup::ZERO, R::Setup::larger);
+        check_held::<R>(steepest)?;
+        check_size(R::from_setup(longest / steepest))?;
+        let size = farthest(axes);
+        let center = scale.setup_point::<R>(self.center.to());
+        let body = Body {
+            center: Vec3::from_setup(center),
+            rows: rows.map(Vec3::from_setup),
+            radius: R::from_setup(longest),
+            size: R::from_setup(size),
+            reach: Vec3::from_setup(reach(axes)),
+            spine: spine(center, axes),
+            magnitude: R::from_setup(center.magnitude() + size),
+        };
+        memory.store(body).map(PreparedEllipsoid)
+    }
+}
+
+/// How far it reaches along each coordinate axis.
+fn reach<R: Real>(axes: [Vec3<R>; 3]) -> Vec3<R> {
+    let [a, b, c] = axes;
+    Vec3::new(
+        Vec3::new(a.x, b.x, c.x).length(),
+        Vec3::new(a.y, b.y, c.y).length(),
+        Vec3::new(a.z, b.z, c.z).length(),
+    )
+}
+
+/// No point is farther from the middle: the longest half axis, if these stand at right angles (Gershgorin's bound).
+fn farthest<R: Real>(axes: [Vec3<R>; 3]) -> R {
+    let sum = |axis: Vec3<R>| axes.iter().map(|other| axis.dot(*other).abs()).fold(R::ZERO, |a, b| a + b);
+    axes.into_iter().map(sum).fold(R::ZERO, R::larger).sqrt()
+}
+
+/// Along the longest of the three; the other two make an ellipse, whose longer half axis is the radius.
+fn spine<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Spine<R> {
+    let [a, b, c] = axes;
+    let (a_length, b_length, c_length) = (a.length(), b.length(), c.length());
+    let (longest, b, c) = if a_length >= b_length && a_length >= c_length {
+        (a, b, c)
+    } else if b_length >= c_length {
+        (b, c, a)
+    } else {
+        (c, a, b)
+    };
+    let half = R::Setup::from_f32(0.5);
+    let (mean, difference) = ((b.dot(b) + c.dot(c)) * half, (b.dot(b) - c.dot(c)) * half);
+    let common = b.dot(c);
+    let radius = (mean + (difference * difference + common * common).sqrt()).sqrt();
+    Spine {
+        from: Vec3::from_setup(center - longest),
+        to: Vec3::from_setup(center + longest),
+        radius: R::from_setup(radius),
+    }
+}
+
+/// An [`Ellipsoid`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedEllipsoid<'m, R>(&'m Body<R>);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Body<R> {
+    center: Vec3<R>,
+    /// Maps it to a ball: the products with a vector are what the vector becomes.
+    rows: [Vec3<R>; 3],
+    /// Of that ball.
+    radius: R,
+    /// No point is farther from the center.
+    size: R,
+    reach: Vec3<R>,
+    spine: Spine<R>,
+    magnitude: R,
+}
+
+impl<R: Real> Body<R> {
+    fn mapped(&self, vector: Vec3<R>) -> Vec3<R> {
+        let [x, y, z] = self.rows;
+        Vec3::new(x.dot(vector), y.dot(vector), z.dot(vector))
+    }
+
+    /// Where the whole line of a ray enters and leaves.
+    fn crossings(&self, ray: &Ray<R>) -> Option<(R, R)> {
+        // Start from the point of the ray nearest to the center: what is mapped stays of the ellipsoid's own size.
+        let advance = (self.center - ray.origin).dot(ray.direction);
+        let from_center = ray.at(advance) - self.center;
+        if from_center.dot_wide(from_center) > self.size.times(self.size) {
+            return None;
+        }
+        let start = self.mapped(from_center);
+        let (direction, stretch) = self.mapped(ray.direction).polar();
+        let middle = -start.dot(direction);
+        let nearest = start + direction * middle;
+        let discriminant = self.radius.times(self.radius) - nearest.dot_wide(nearest);
+        if discriminant > R::Product::ZERO {
+            let half_chord = discriminant.sqrt();
+            Some((advance + (middle - half_chord) / stretch, advance + (middle + half_chord) / stretch))
+        } else {
+            None
+        }
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let (near, far) = self.0.crossings(ray)?;
+        range.first(near, far)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        Some(Aabb::around(self.0.center, self.0.reach).padded(R::offset(self.0.magnitude)))
+    }
+
+    fn spine(&self) -> Option<Spine<R>> {
+        Some(self.0.spine)
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        self.0.crossings(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let from_center = ray.at(t) - self.0.center;
+        let (outward, length) = self.0.mapped(from_center).polar();
+        // The gradient of the mapped distance: the transposed map.
+        let [x, y, z] = self.0.rows;
+        let gradient = x * outward.x + y * outward.y + z * outward.z;
+        let normal = gradient.normalized().unwrap_or(-ray.direction);
+        Surface {
+            point: self.0.center + from_center * (self.0.radius / length),
+            normal,
+            shading_normal: normal,
+            magnitude: self.0.magnitude,
+            part: 0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    const EGG: Ellipsoid = Ellipsoid::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(2.0, 1.0, 0.5));
+    const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+    const AWAY: Vec3 = Vec3::new(0.0, 0.0, -1.0);
+
+    #[test]
+    fn met_from_outside_from_inside_and_from_behind() {
+        assert_meets(EGG, Vec3::new(5.0, 2.0, 3.0), LEFT, 2.0, [1.0, 0.0, 0.0]);
+        assert_meets(EGG, Vec3::new(1.0, 7.0, 3.0), DOWN, 4.0, [0.0, 1.0, 0.0]);
+        assert_meets(EGG, Vec3::new(1.0, 2.0, 7.0), AWAY, 3.5, [0.0, 0.0, 1.0]);
+        assert_meets(EGG, Vec3::new(1.0, 2.0, 3.0), AWAY, 0.5, [0.0, 0.0, -1.0]);
+        assert_misses(EGG, Vec3::new(5.0, 2.0, 3.0), -LEFT);
+        assert_misses(EGG, Vec3::new(5.0, 2.0, 3.6), LEFT);
+        assert_misses(EGG, Vec3::new(5.0, 3.0, 3.0), LEFT);
+    }
+
+    #[test]
+    fn the_normal_is_the_gradient() {
+        // At x = 1 and half the height above: y = √3/2; the gradient is (x / 4, y).
+        let height = 0.75f64.sqrt();
+        let length = (0.0625 + 0.75f64).sqrt();
+        let normal = [0.25 / length, height / length, 0.0];
+        assert_meets(EGG, Vec3::new(2.0, 7.0, 3.0), DOWN, 5.0 - height, normal);
+    }
+
+    #[test]
+    fn equal_radii_make_a_sphere_however_it_is_turned() {
+        let ball = Ellipsoid {
+            center: Vec3::new(1.0, 2.0, 3.0),
+            axes: [Vec3::new(1.2, 1.6, 0.0), Vec3::new(-1.6, 1.2, 0.0), Vec3::new(0.0, 0.0, -2.0)],
+        };
+        let height = 3f64.sqrt();
+        let normal = [0.5, 0.0, height / 2.0];
+        assert_meets(ball, Vec3::new(2.0, 2.0, 10.0), AWAY, 7.0 - height, normal);
+    }
+
+    #[test]
+    fn a_slanted_image_of_a_ball() {
+        // x = u + v, y = v: the points with (x - y)² + y² + z² = 1. Along y = 1/2 they end at x = (1 + √3) / 2.
+        let slanted = Ellipsoid {
+            center: Vec3::ZERO,
+            axes: [Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)],
+        };
+        let x = (1.0 + 3f64.sqrt()) / 2.0;
+        let (gx, gy) = (x - 0.5, 1.0 - x);
+        let length = gx.hypot(gy);
+        let normal = [gx / length, gy / length, 0.0];
+        assert_meets(slanted, Vec3::new(5.0, 0.5, 0.0), LEFT, 5.0 - x, normal);
+        // Nothing is farther away than the golden ratio.
+        assert_misses(slanted, Vec3::new(5.0, 1.01, 0.0), LEFT);
+    }
+
+    #[test]
+    fn found_from_far_away() {
+        let egg = Ellipsoid { center: Vec3::ZERO, ..EGG };
+        assert_meets(egg, Vec3::new(0.0, 0.0, 500.0), AWAY, 499.5, [0.0, 0.0, 1.0]);
+        assert_meets(egg, Vec3::new(-500.0, 0.0, 0.0), -LEFT, 498.0, [-1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn spans_are_the_chords() {
+        let height = 0.75f64.sqrt();
+        assert_spans(EGG, Vec3::new(2.0, 7.0, 3.0), DOWN, &[(5.0 - height, 5.0 + height)]);
+        assert_spans(EGG, Vec3::new(-4.0, 2.0, 3.0), LEFT, &[(-7.0, -3.0)]);
+        assert_spans(EGG, Vec3::new(2.0, 7.0, 3.5), DOWN, &[]);
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let axes =
+                [Vec3::new(0.6, 0.48, 0.64), Vec3::new(0.24, 0.192, -0.369), Vec3::new(-0.1, 0.15, 0.0)];
+            for center in [Vec3::ZERO, Vec3::new(3.0, -2.0, 1.0) * extent] {
+                let turned = Ellipsoid { center, axes: axes.map(|axis| axis * extent) };
+                assert_no_self_hits(turned, center, extent, 10_000);
+                let lens = Ellipsoid::new(center, Vec3::new(1.0, 0.2, 1.0) * extent);
+                assert_no_self_hits(lens, center, extent, 10_000);
+                assert_spans_are_met(turned, center, extent, 1_000);
+            }
+        }
+    }
+
+    #[test]
+    fn bad_ellipsoids_are_refused() {
+        let [a, b, _] = EGG.axes;
+        assert_eq!(refusal(Ellipsoid { axes: [a, b, Vec3::ZERO], ..EGG }), Fault::ZeroLength);
+        assert_eq!(refusal(Ellipsoid { axes: [a, b, a - b], ..EGG }), Fault::NoVolume);
+        assert_eq!(refusal(Ellipsoid { axes: [a, b, a * f32::NAN], ..EGG }), Fault::NotFinite);
+        assert_eq!(refusal(Ellipsoid { axes: [a, b, a * 1e9], ..EGG }), Fault::TooFar);
+        // A coin that is too thin for numbers with a fixed point.
+        let coin = Ellipsoid::new(Vec3::ZERO, Vec3::new(1.0, 0.01, 1.0));
+        let mut memory = Memory::new();
+        let fault = prepared::<_, crate::math::Fixed>(coin, &mut memory).expect_err("accepted");
+        assert_eq!(fault, Fault::OutOfRange);
+    }
+}

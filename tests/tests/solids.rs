@@ -1,0 +1,104 @@
+//! Pictures of curved solids: the core in all number systems against the textbook renderer, and against POV-Ray where it is
+//! installed.
+
+use std::path::Path;
+
+use rayline::math::Fixed;
+use rayline::shape::{Ellipsoid, Plane, Quadric, Shape};
+use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Texture, Vec3};
+use rayline_tests::textbook::Textbook;
+use rayline_tests::{Picture, PovrayPicture, assert_alike, core_picture, settings};
+
+const CAMERA: Camera = Camera {
+    eye: Vec3::new(0.5, 4.5, 9.0),
+    target: Vec3::new(0.0, 0.2, 0.0),
+    up: Vec3::new(0.0, 1.0, 0.0),
+    vertical_fov: 0.6,
+};
+
+const LIGHTS: [Light; 2] = [
+    Light::Point { position: Vec3::new(-6.0, 9.0, 7.0), color: LinearRgb::gray(0.7) },
+    Light::Point { position: Vec3::new(8.0, 5.0, 4.0), color: LinearRgb::gray(0.3) },
+];
+
+const fn plastic(r: f32, g: f32, b: f32) -> Material {
+    let color = Texture::Solid(LinearRgb::new(r, g, b));
+    Material { ambient: 0.1, color, specular: 0.4, shininess: 40.0, ..Material::matte(LinearRgb::WHITE) }
+}
+
+const MATERIALS: [Material; 5] = [
+    plastic(0.8, 0.3, 0.1),
+    plastic(0.1, 0.5, 0.7),
+    Material { reflectance: 0.6, diffuse: 0.3, ..plastic(0.8, 0.7, 0.4) },
+    Material { transmittance: 0.8, diffuse: 0.1, reflectance: 0.2, ior: 1.5, ..plastic(1.0, 1.0, 1.0) },
+    Material {
+        color: Texture::checker_xz(LinearRgb::gray(0.7), LinearRgb::gray(0.3), 1.0),
+        ..Material::matte(LinearRgb::WHITE)
+    },
+];
+
+/// Solids of these materials stand on a floor; all pictures of them are alike.
+#[track_caller]
+fn check(name: &str, solids: &[(Shape<'_>, u16)]) {
+    let floor = Shape::Plane(Plane::new(Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)));
+    let objects: Vec<_> =
+        solids.iter().chain([&(floor, 4)]).map(|(shape, material)| Object::new(*shape, *material)).collect();
+    let background = LinearRgb::new(0.2, 0.3, 0.5);
+    let scene =
+        Scene { camera: CAMERA, background, objects: &objects, materials: &MATERIALS, lights: &LIGHTS };
+    let settings = settings(4);
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let single = core_picture::<f32>(&scene, settings);
+    let against = |other: &str, picture: &Picture| {
+        picture.write(&directory.join(format!("{name}-{other}.png")));
+        assert_alike(directory, name, ("f32", &single), (other, picture));
+    };
+    against("textbook", &Textbook::new(&scene, settings).picture());
+    against("f64", &core_picture::<f64>(&scene, settings));
+    against("fixed", &core_picture::<Fixed>(&scene, settings));
+    if let Some(povray) = PovrayPicture::render(&scene, settings, &directory.join("povray"), name) {
+        against("povray", &povray.picture);
+    }
+}
+
+/// x² + z² = y² / 2 + 1/4, up to 1 above and below the middle.
+const fn waisted(center: Vec3, capped: bool) -> Quadric {
+    let coefficients = [1.0, -0.5, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.25];
+    Quadric { center, coefficients, min: Vec3::new(-2.0, -1.0, -2.0), max: Vec3::new(2.0, 1.0, 2.0), capped }
+}
+
+#[test]
+fn ellipsoids_and_quadrics() {
+    let slanted = Ellipsoid {
+        center: Vec3::new(-1.6, 0.0, 1.6),
+        axes: [Vec3::new(0.9, 0.3, 0.2), Vec3::new(-0.1, 0.6, 0.1), Vec3::new(-0.2, 0.2, 0.5)],
+    };
+    // y = x² + z² - 1, filled with glass up to 1/2.
+    let bowl = Quadric {
+        center: Vec3::new(1.5, 0.0, 2.0),
+        coefficients: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, -0.99],
+        min: Vec3::new(-2.0, -2.0, -2.0),
+        max: Vec3::new(2.0, 0.5, 2.0),
+        capped: true,
+    };
+    // x z = 0.04, a cylinder that has four sides.
+    let saddle = Quadric {
+        center: Vec3::new(0.0, 0.0, -2.5),
+        coefficients: [0.0, -0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0, -0.04],
+        min: Vec3::new(-0.8, -0.99, -0.8),
+        max: Vec3::new(0.8, 1.0, 0.8),
+        capped: true,
+    };
+    let pebble = Ellipsoid::new(Vec3::new(0.0, -0.5, 3.0), Vec3::new(0.7, 0.2, 0.4));
+    check(
+        "quadrics",
+        &[
+            (Shape::Ellipsoid(slanted), 0),
+            (Shape::Quadric(bowl), 3),
+            (Shape::Quadric(waisted(Vec3::new(-2.2, 0.001, -1.5), true)), 1),
+            (Shape::Quadric(waisted(Vec3::new(2.5, 0.001, -1.5), false)), 2),
+            (Shape::Quadric(saddle), 0),
+            (Shape::Ellipsoid(pebble), 2),
+        ],
+    );
+}
