@@ -27,6 +27,8 @@ pub enum Fault {
     NoVolume,
     /// All coefficients of a quadric are zero, but for the last. Give it another.
     NoSurface,
+    /// The tube of a torus is as thick as its circle is wide. Make its minor radius smaller than the major one.
+    NoHole,
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -87,6 +89,7 @@ impl fmt::Display for Fault {
             Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
             Self::NoVolume => "the axes lie in one plane, or the box has no room inside; give it a thickness",
             Self::NoSurface => "the coefficients are zero, but for the last; give it another",
+            Self::NoHole => "the torus has no hole; make the minor radius smaller than the major one",
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",

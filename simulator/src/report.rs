@@ -146,6 +146,7 @@ impl Tree<'_> {
             Shape::Cone(_) => "cone",
             Shape::Ellipsoid(_) => "ellipsoid",
             Shape::Quadric(_) => "quadric",
+            Shape::Torus(_) => "torus",
         };
         let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
         format!("object {index} ({kind}, material {}{line})", object.material.0)

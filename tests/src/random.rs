@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use rayline::Vec3;
 use rayline::shape::{
-    Cone, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Triangle,
+    Cone, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus, Triangle,
 };
 
 /// Points and directions of such coordinates.
@@ -43,6 +43,11 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
             .prop_map(|(base, top, radius, capped)| Shape::Cylinder(Cylinder { base, top, radius, capped })),
         (vector.clone(), [vector.clone(), vector.clone(), vector.clone()])
             .prop_map(|(center, axes)| Shape::Ellipsoid(Ellipsoid { center, axes })),
+        (vector.clone(), vector.clone(), number.clone(), number.clone()).prop_map(
+            |(center, axis, major_radius, minor_radius)| {
+                Shape::Torus(Torus { center, axis, major_radius, minor_radius })
+            }
+        ),
         (
             vector.clone(),
             [vector.clone(), vector.clone(), vector.clone()],

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Triangle,
+    Cone, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus, Triangle,
 };
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
@@ -83,6 +83,11 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         ),
         1 => (vector(), [vector(), vector(), vector()])
             .prop_map(|(center, axes)| Shape::Ellipsoid(Ellipsoid { center, axes })),
+        1 => (vector(), vector(), 0.5f32..3.0, 0.01f32..0.5).prop_map(
+            |(center, axis, major_radius, minor_radius)| {
+                Shape::Torus(Torus { center, axis, major_radius, minor_radius })
+            }
+        ),
         1 => (vector(), vector(), vector(), vector(), any::<bool>()).prop_map(
             |(center, squares, linear, corner, capped)| {
                 let (a, b) = (squares, linear);

@@ -6,7 +6,7 @@ use std::mem::MaybeUninit;
 
 use proptest::prelude::*;
 use rayline::builtin::{CLASSIC, PRISM};
-use rayline::shape::{Cone, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Sphere, Triangle};
+use rayline::shape::{Cone, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Sphere, Torus, Triangle};
 use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
@@ -88,6 +88,18 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 capped: false,
             }),
             Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
+            Shape::Torus(Torus {
+                center: point,
+                axis: Vec3::new(0.0, 1.0, 0.0),
+                major_radius: 2.0,
+                minor_radius: 1.0,
+            }),
+            Shape::Torus(Torus {
+                center: Vec3::ZERO,
+                axis: Vec3::new(0.0, 1.0, 0.0),
+                major_radius: bad,
+                minor_radius: 1.0,
+            }),
             Shape::Quadric(Quadric {
                 center: Vec3::ZERO,
                 coefficients: [1.0; 10],

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use rayline::math::Fixed;
-use rayline::shape::{Ellipsoid, Plane, Quadric, Shape};
+use rayline::shape::{Ellipsoid, Plane, Quadric, Shape, Torus};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Texture, Vec3};
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{Picture, PovrayPicture, assert_alike, core_picture, settings};
@@ -99,6 +99,24 @@ fn ellipsoids_and_quadrics() {
             (Shape::Quadric(waisted(Vec3::new(2.5, 0.001, -1.5), false)), 2),
             (Shape::Quadric(saddle), 0),
             (Shape::Ellipsoid(pebble), 2),
+        ],
+    );
+}
+
+#[test]
+fn tori() {
+    let ring = |center: Vec3, axis: Vec3, major_radius: f32, minor_radius: f32| {
+        Shape::Torus(Torus { center, axis, major_radius, minor_radius })
+    };
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    check(
+        "tori",
+        &[
+            (ring(Vec3::new(-1.6, -0.6, 1.5), up, 0.8, 0.4), 0),
+            (ring(Vec3::new(-1.3, 0.0, 1.5), Vec3::new(0.3, 0.2, 1.0), 0.8, 0.15), 2),
+            (ring(Vec3::new(1.4, -0.3, 2.0), Vec3::new(0.2, 1.0, 0.5), 0.6, 0.35), 3),
+            (ring(Vec3::new(1.5, 0.2, -1.5), Vec3::new(1.0, 0.0, 0.7), 1.1, 0.03), 1),
+            (ring(Vec3::new(-2.0, -0.1, -2.0), Vec3::new(0.1, 0.9, 0.7), 0.45, 0.44), 1),
         ],
     );
 }

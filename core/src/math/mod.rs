@@ -6,6 +6,7 @@ pub(crate) mod float;
 mod interval;
 mod ray;
 mod real;
+mod roots;
 mod scale;
 mod vec3;
 
@@ -14,5 +15,6 @@ pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
 pub use interval::Interval;
 pub use ray::Ray;
 pub use real::{FloatLinear, Linear, Product, Real};
+pub(crate) use roots::{cubic_roots, root_between};
 pub use scale::{Extent, Scale};
 pub use vec3::Vec3;

@@ -20,6 +20,7 @@ mod spans;
 mod sphere;
 #[cfg(test)]
 mod testing;
+mod torus;
 mod triangle;
 
 use core::fmt::Debug;
@@ -34,6 +35,7 @@ pub use quadric::{PreparedQuadric, Quadric};
 pub use rectangle::{PreparedRectangle, Rectangle};
 pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
+pub use torus::{PreparedTorus, Torus};
 pub use triangle::{PreparedTriangle, Triangle};
 
 use crate::arena::Arena;
@@ -161,6 +163,8 @@ crate::shape_set! {
         Ellipsoid(Ellipsoid),
         /// A quadric in a box, open or capped.
         Quadric(Quadric),
+        /// A torus.
+        Torus(Torus),
     }
 }
 
@@ -177,7 +181,8 @@ impl Shape<'_> {
             | Self::Disc(_)
             | Self::Rectangle(_)
             | Self::Cylinder(_)
-            | Self::Cone(_) => 0,
+            | Self::Cone(_)
+            | Self::Torus(_) => 0,
         }
     }
 }

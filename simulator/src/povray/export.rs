@@ -104,6 +104,7 @@ fn extent(scene: &Scene<'_>) -> f64 {
         Shape::Cone(cone) => vec![cone.base, cone.top],
         Shape::Ellipsoid(shape) => shape.axes.iter().map(|axis| shape.center + *axis).collect(),
         Shape::Quadric(shape) => vec![shape.center + shape.min, shape.center + shape.max],
+        Shape::Torus(torus) => vec![torus.center],
     });
     shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
 }
@@ -253,11 +254,27 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
         Shape::Ellipsoid(shape) => {
             // The images of the axes, and of the origin.
             let [a, b, c] = shape.axes;
-            let matrix = [a, b, c, shape.center].map(|v| format!("{}, {}, {}", v.x, v.y, v.z)).join(", ");
-            ("sphere", format!("0, 1 matrix <{matrix}>"))
+            ("sphere", format!("0, 1 {}", matrix([a, b, c, shape.center].map(Vec3::to))))
         }
         Shape::Quadric(shape) => quadric(shape),
+        Shape::Torus(torus) => {
+            // POV-Ray's lies across the y axis.
+            let axis = torus.axis.to::<f64>();
+            let up = axis * axis.length().recip();
+            let aside = if up.x.abs() < 0.5 { Vec3::new(1.0, 0.0, 0.0) } else { Vec3::new(0.0, 1.0, 0.0) };
+            let right = up.cross(aside);
+            let right = right * right.length().recip();
+            let turned = matrix([right, up, right.cross(up), torus.center.to()]);
+            ("torus", format!("{}, {} {turned}", torus.major_radius, torus.minor_radius))
+        }
     }
+}
+
+/// What turns the axes, and then the origin, into these.
+fn matrix(images: [Vec3<f64>; 4]) -> String {
+    let rows =
+        images.map(|image| [image.x, image.y, image.z].map(|number| (number + 0.0).to_string()).join(", "));
+    format!("matrix <{}>", rows.join(", "))
 }
 
 /// Cut out of a box by it, or clipped by it.
@@ -312,7 +329,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Triangle};
+    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Torus, Triangle};
 
     const GLASS: Material = Material {
         transmittance: 0.75,
@@ -405,6 +422,14 @@ union {
         assert_eq!((kind, text), ("intersection", format!("quadric {{ {equation} }} {corners}")));
         let (kind, text) = shape(&Shape::Quadric(Quadric { capped: false, ..bowl }));
         assert_eq!((kind, text), ("quadric", format!("{equation} clipped_by {{ {corners} }}")));
+    }
+
+    #[test]
+    fn tori_are_turned() {
+        let axis = Vec3::new(0.0, 0.0, 2.0);
+        let ring = Torus { center: UP, axis, major_radius: 2.0, minor_radius: 0.5 };
+        let (kind, text) = shape(&Shape::Torus(ring));
+        assert_eq!((kind, text.as_str()), ("torus", "2, 0.5 matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0>"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Where rays go through shapes.
 
 use glam::{DMat3, DQuat, DVec3};
-use rayline::shape::{Disc, Quadric, Rectangle, Shape, Triangle};
+use rayline::shape::{Disc, Quadric, Rectangle, Shape, Torus, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -29,6 +29,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
         }
         Shape::Ellipsoid(shape) => ellipsoid(vector(shape.center), shape.axes.map(vector), ray),
         Shape::Quadric(shape) => self::quadric(&shape, ray),
+        Shape::Torus(shape) => torus(&shape, ray),
     }
 }
 
@@ -103,6 +104,37 @@ fn quadric(quadric: &Quadric, ray: Ray) -> Vec<Crossing> {
         .filter_map(|(corner, normal)| plane(corner, normal, ray))
         .filter(|cap| quadric.capped && in_box(at(cap.t), 1e-9) && polynomial(quadric, at(cap.t)).0 <= 0.0);
     side.chain(caps).collect()
+}
+
+/// The way from the nearest point of the circle in the tube's middle.
+pub(super) fn from_circle(torus: &Torus, point: DVec3) -> DVec3 {
+    let (axis, from_center) = (vector(torus.axis).normalize(), point - vector(torus.center));
+    from_center - from_center.reject_from(axis).normalize() * f64::from(torus.major_radius)
+}
+
+/// Where the distance from the circle becomes larger or smaller than the tube's radius: looked for in small steps, then by
+/// halves.
+fn torus(torus: &Torus, ray: Ray) -> Vec<Crossing> {
+    const STEPS: u32 = 300;
+    let (major, minor) = (f64::from(torus.major_radius), f64::from(torus.minor_radius));
+    let ends = sphere(vector(torus.center), major + minor, ray);
+    let [enters, leaves] = ends[..] else { return vec![] };
+    let way = |t: f64| from_circle(torus, ray.origin + ray.direction * t);
+    let is_inside = |t: f64| way(t).length() < minor;
+    let place = |step: u32| enters.t + (leaves.t - enters.t) * f64::from(step) / f64::from(STEPS);
+    let mut crossings = vec![];
+    for (mut before, mut after) in (0..STEPS).map(|step| (place(step), place(step + 1))) {
+        let begins_inside = is_inside(before);
+        if begins_inside == is_inside(after) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = (before + after) / 2.0;
+            *(if is_inside(middle) == begins_inside { &mut before } else { &mut after }) = middle;
+        }
+        crossings.push(flat(after, way(after).normalize()));
+    }
+    crossings
 }
 
 /// (o + t d - p) · n = 0.

@@ -1,0 +1,325 @@
+//! A torus: a quartic equation, whose roots are separated by those of its derivative (Hanrahan in Glassner (ed.), "An
+//! Introduction to Ray Tracing", 1989, ch. 3), and then found by the distance from the circle in the tube's middle.
+//!
+//! Rejected: Ferrari's formulas, which lose most digits of `f32`, and Sturm's sequences, which divide polynomials. Starting from
+//! the point of the ray nearest to the center, the derivative is t³ + A t + B: its roots are found as simply. The
+//! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
+//! not lose a thin tube in its squares.
+
+use super::{Geometry, Intersect, Spans};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
+use crate::surface::Surface;
+
+/// A torus: what is no farther than the minor radius from a circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Torus {
+    /// The middle of the hole.
+    pub center: Vec3,
+    /// Across the circle; any length but 0.
+    pub axis: Vec3,
+    /// Radius of the circle.
+    pub major_radius: f32,
+    /// Radius of the tube around it: more than 0, less than the other.
+    pub minor_radius: f32,
+}
+
+impl Geometry for Torus {
+    type Prepared<'m, R: Real> = PreparedTorus<R>;
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn extent(&self) -> Extent {
+        Extent::solid(self.center.magnitude() + self.major_radius + self.minor_radius)
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedTorus<R>, Fault>
+    where
+        Self: 'm,
+    {
+        check_point(self.center)?;
+        check_radius(self.major_radius)?;
+        check_radius(self.minor_radius)?;
+        let axis: Vec3<R::Setup> = check_direction(self.axis)?;
+        if self.minor_radius >= self.major_radius {
+            return Err(Fault::NoHole);
+        }
+        let (major, minor) = (R::Setup::from_f32(self.major_radius), R::Setup::from_f32(self.minor_radius));
+        let size = major + minor;
+        let center = self.center.to::<R::Setup>();
+        check_size(scale.length::<R>(minor))?;
+        let thickness: R = R::from_setup(minor / size);
+        if thickness < R::RAY_OFFSET * R::from_u16(4) {
+            return Err(Fault::TooSmall);
+        }
+        Ok(PreparedTorus {
+            center: scale.point(center),
+            axis: Vec3::from_setup(axis),
+            major: scale.length(major),
+            minor: scale.length(minor),
+            size: scale.length(size),
+            width: R::from_setup(major / size),
+            thickness,
+            magnitude: scale.length(center.magnitude() + size),
+        })
+    }
+}
+
+/// A [`Torus`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedTorus<R> {
+    center: Vec3<R>,
+    axis: Vec3<R>,
+    major: R,
+    minor: R,
+    /// The sum of both radii. No point is farther from the center.
+    size: R,
+    /// The radii, where that is 1.
+    width: R,
+    thickness: R,
+    magnitude: R,
+}
+
+/// A line, from its point that is nearest to the center, where the torus has size 1.
+struct Line<R: Real> {
+    /// Distance from there to the center, squared.
+    distance: R::Product,
+    /// The part along the axis, and by how much it rises with each unit.
+    height: R,
+    climb: R,
+}
+
+impl<R: Real> Line<R> {
+    /// The part that can meet the torus: in a ball around it, and between the planes that it lies between.
+    fn part(&self, thickness: R) -> Option<Interval<R>> {
+        let end = (R::ONE.times(R::ONE) - self.distance).sqrt();
+        let mut part = Interval { min: -end, max: end };
+        if self.climb == R::ZERO {
+            return (self.height.abs() < thickness).then_some(part);
+        }
+        let (one, other) = ((-thickness - self.height) / self.climb, (thickness - self.height) / self.climb);
+        let (enters, leaves) = if one < other { (one, other) } else { (other, one) };
+        part.min = part.min.larger(enters);
+        if leaves < part.max {
+            part.max = leaves;
+        }
+        (part.min < part.max).then_some(part)
+    }
+
+    /// Whether a place is inside, and Newton's step from there to the surface: along the difference between the squares of the
+    /// distance from the circle and of the tube's radius.
+    fn look(&self, t: R, width: R, thickness: R) -> (bool, R) {
+        let height = self.height + self.climb * t;
+        let from_axis = (self.distance + t.times(t) - height.times(height)).sqrt();
+        let across = from_axis - width;
+        let value = across.times(across) + height.times(height) - thickness.times(thickness);
+        // Half the slope, times the distance from the axis.
+        let slope = across * (t - height * self.climb) + height * self.climb * from_axis;
+        (value < R::Product::ZERO, -value.times(from_axis).over(slope + slope))
+    }
+}
+
+impl<R: Real> PreparedTorus<R> {
+    /// Tells where a ray's line meets the torus, in order, until one is what is to be `found`. What lies before `range` may be
+    /// left out.
+    fn each_crossing(&self, ray: &Ray<R>, range: Interval<R>, mut found: impl FnMut(R) -> bool) {
+        let advance = (self.center - ray.origin).dot(ray.direction);
+        let from_center = ray.at(advance) - self.center;
+        // Once more: what a long way was rounded by would be missing in the square below.
+        let rest = -from_center.dot(ray.direction);
+        let (advance, from_center) = (advance + rest, from_center + ray.direction * rest);
+        if from_center.dot_wide(from_center) > self.size.times(self.size) {
+            return;
+        }
+        let Self { width, thickness, size, .. } = *self;
+        let start = Vec3::new(from_center.x / size, from_center.y / size, from_center.z / size);
+        let (height, climb) = (start.dot(self.axis), ray.direction.dot(self.axis));
+        let line = Line { distance: start.dot_wide(start), height, climb };
+        let Some(part) = line.part(thickness) else { return };
+
+        // The quartic is (t² + k)² - 4 W² (t² + s² - (height + climb t)²), with k = s² + W² - T². A quarter of its derivative:
+        let (width_squared, distance) = (width * width, line.distance.over(R::ONE));
+        let linear =
+            distance - thickness * thickness + width_squared * (climb * climb + climb * climb - R::ONE);
+        let constant = width_squared * height * climb;
+        let turns = cubic_roots(linear, constant + constant, part.min, part.max);
+        // The ends of the part are outside.
+        let places = turns.map(|turn| (turn, line.look(turn, width, thickness).0)).chain([(part.max, false)]);
+        let (mut from, mut from_is_inside) = (part.min, false);
+        for (to, to_is_inside) in places {
+            if from_is_inside != to_is_inside && advance + size * to > range.min {
+                let look = |t: R| line.look(t, width, thickness);
+                let t = advance + size * root_between(from, to, from_is_inside, look);
+                if found(t) {
+                    return;
+                }
+            }
+            (from, from_is_inside) = (to, to_is_inside);
+        }
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedTorus<R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let mut nearest = None;
+        self.each_crossing(ray, range, |t| {
+            nearest = range.contains(t).then_some(t);
+            nearest.is_some()
+        });
+        nearest
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        // The circle reaches r √(1 - a²) along a coordinate axis.
+        let reach = |a: R| (R::ONE - a * a).larger(R::ZERO).sqrt() * self.major + self.minor;
+        let reach = Vec3::new(reach(self.axis.x), reach(self.axis.y), reach(self.axis.z));
+        Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        let everywhere = Interval { min: -R::FARTHEST, max: R::FARTHEST };
+        let (mut spans, mut enters) = (Spans::NONE, None);
+        self.each_crossing(ray, everywhere, |t| {
+            enters = match enters {
+                None => Some(t),
+                Some(enters) => {
+                    spans.push(enters, t);
+                    None
+                }
+            };
+            false
+        });
+        spans
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let from_center = ray.at(t) - self.center;
+        let across = from_center - self.axis * from_center.dot(self.axis);
+        let ring = across.normalized().unwrap_or(Vec3::ZERO) * self.major;
+        let normal = (from_center - ring).normalized().unwrap_or(-ray.direction);
+        let point = self.center + ring + normal * self.minor;
+        Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    /// Around the axis through (1, ·, 3), from 2 to 4 units away from it.
+    const RING: Torus = Torus {
+        center: Vec3::new(1.0, 2.0, 3.0),
+        axis: Vec3::new(0.0, 2.0, 0.0),
+        major_radius: 3.0,
+        minor_radius: 1.0,
+    };
+    const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+
+    #[test]
+    fn met_four_times_along_its_plane() {
+        let right = Vec3::new(9.0, 2.0, 3.0);
+        assert_meets(RING, right, LEFT, 4.0, [1.0, 0.0, 0.0]);
+        assert_meets(RING, right + LEFT * 5.0, LEFT, 1.0, [-1.0, 0.0, 0.0]);
+        assert_meets(RING, right + LEFT * 8.0, LEFT, 2.0, [1.0, 0.0, 0.0]);
+        assert_meets(RING, right + LEFT * 11.0, LEFT, 1.0, [-1.0, 0.0, 0.0]);
+        assert_spans(RING, right, LEFT, &[(4.0, 6.0), (10.0, 12.0)]);
+        assert_spans(RING, right + LEFT * 20.0, LEFT, &[(-16.0, -14.0), (-10.0, -8.0)]);
+        // Half a radius above, the tube is √3 wide.
+        let half = 0.75f64.sqrt();
+        let above = right - DOWN * 0.5;
+        assert_spans(RING, above, LEFT, &[(5.0 - half, 5.0 + half), (11.0 - half, 11.0 + half)]);
+        assert_meets(RING, above, LEFT, 5.0 - half, [half, 0.5, 0.0]);
+        assert_misses(RING, right - DOWN * 1.01, LEFT);
+    }
+
+    #[test]
+    fn met_twice_from_above_but_not_through_the_hole() {
+        assert_meets(RING, Vec3::new(4.0, 9.0, 3.0), DOWN, 6.0, [0.0, 1.0, 0.0]);
+        let half = 0.75f64.sqrt();
+        assert_meets(RING, Vec3::new(3.5, 9.0, 3.0), DOWN, 7.0 - half, [-0.5, half, 0.0]);
+        assert_spans(RING, Vec3::new(3.5, 9.0, 3.0), DOWN, &[(7.0 - half, 7.0 + half)]);
+        for x in [1.0, 1.5, 2.99, 5.01, 9.0] {
+            assert_misses(RING, Vec3::new(x, 9.0, 3.0), DOWN);
+        }
+    }
+
+    #[test]
+    fn met_along_a_line_that_touches_the_inner_circle() {
+        // A little more than two units beside the axis, the line does not leave the tube between its ends.
+        let end = (16.0 - 2.001f64 * 2.001).sqrt();
+        assert_spans(RING, Vec3::new(1.0 + 2.001, 2.0, 3.0), Vec3::new(0.0, 0.0, 1.0), &[(-end, end)]);
+    }
+
+    #[test]
+    fn every_crossing_is_one_of_a_fine_search() {
+        let mut random = Random(7);
+        let mut met = 0;
+        for minor_radius in [0.02, 0.3, 0.9, 0.999] {
+            let torus =
+                Torus { center: Vec3::ZERO, axis: random.direction(), major_radius: 1.0, minor_radius };
+            let axis = torus.axis.to::<f64>().normalized().unwrap();
+            let mut memory = Memory::new();
+            let prepared = prepared::<_, f64>(torus, &mut memory).unwrap();
+            for _ in 0..500 {
+                let direction = random.direction().to::<f64>().normalized().unwrap();
+                let ray = Ray { origin: random.vector().to::<f64>() * 2.0, direction };
+                let distance = |t: f64| {
+                    let p = ray.at(t);
+                    let height = p.dot(axis);
+                    let across = (p - axis * height).length() - 1.0;
+                    across.hypot(height) - f64::from(minor_radius)
+                };
+                let spans = prepared.spans(&ray);
+                let inside = |t: f64| spans.as_slice().iter().any(|part| t > part.min && t < part.max);
+                for part in spans.as_slice() {
+                    met += 1;
+                    assert!(distance(part.min).abs() < 1e-7 && distance(part.max).abs() < 1e-7, "{part:?}");
+                }
+                for step in -400..400 {
+                    let t = f64::from(step) / 50.0;
+                    let distance = distance(t);
+                    assert!(distance.abs() < 1e-7 || (distance < 0.0) == inside(t), "{torus:?} {ray:?} {t}");
+                }
+            }
+        }
+        assert!(met > 300, "{met}");
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            for minor in [0.02, 0.2, 0.45] {
+                for center in [Vec3::ZERO, Vec3::new(3.0, -2.0, 1.0) * extent] {
+                    let torus = Torus {
+                        center,
+                        axis: Vec3::new(0.3, 0.8, -0.4),
+                        major_radius: 0.5 * extent,
+                        minor_radius: minor * extent,
+                    };
+                    // Few rays meet a thin one.
+                    if minor > 0.1 {
+                        assert_no_self_hits(torus, center, extent, 4_000);
+                        assert_spans_are_met(torus, center, extent, 500);
+                    } else {
+                        assert_no_self_hits(torus, center, 0.5 * extent, 4_000);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bad_tori_are_refused() {
+        assert_eq!(refusal(Torus { minor_radius: 0.0, ..RING }), Fault::RadiusNotPositive);
+        assert_eq!(refusal(Torus { major_radius: -1.0, ..RING }), Fault::RadiusNotPositive);
+        assert_eq!(refusal(Torus { minor_radius: 3.0, ..RING }), Fault::NoHole);
+        assert_eq!(refusal(Torus { minor_radius: 1e-5, ..RING }), Fault::TooSmall);
+        assert_eq!(refusal(Torus { axis: Vec3::ZERO, ..RING }), Fault::ZeroLength);
+        assert_eq!(refusal(Torus { major_radius: f32::NAN, ..RING }), Fault::NotFinite);
+    }
+}
