@@ -166,7 +166,7 @@ fn take<R: Real, const N: usize>(waiting: &mut Vec<PendingRay<R>, N>, next: &mut
 /// A hit, seen from the ray that met it.
 struct Vertex<'s, R: Real> {
     hit: Hit<R>,
-    material: &'s PreparedMaterial<R>,
+    material: &'s PreparedMaterial<'s, R>,
     /// The color of the texture.
     color: LinearRgb<R>,
     /// Direction of the ray that came.
@@ -183,7 +183,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     fn new(
         ray: &Ray<R>,
         hit: Hit<R>,
-        material: &'s PreparedMaterial<R>,
+        material: &'s PreparedMaterial<'s, R>,
         kind: RayKind,
         probe: &mut impl Probe<R>,
     ) -> Self {

@@ -11,9 +11,9 @@ use crate::texture::{PreparedTexture, Texture};
 /// what a mirror and a refracted ray bring (Whitted, "An Improved Illumination Model for Shaded Display",
 /// CACM 1980). Coefficients lie in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
+pub struct Material<'a> {
     /// The color of the ambient and diffuse terms.
-    pub color: Texture,
+    pub color: Texture<'a>,
     /// Share of the color that is always seen.
     pub ambient: f32,
     /// Share of the color that lights show (Lambert).
@@ -31,7 +31,7 @@ pub struct Material {
     pub ior: f32,
 }
 
-impl Material {
+impl<'a> Material<'a> {
     /// A plain matte surface.
     pub const fn matte(color: LinearRgb) -> Self {
         Self {
@@ -47,7 +47,7 @@ impl Material {
     }
 
     /// Checks every number and converts it.
-    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedMaterial<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedMaterial<'a, R>, Fault> {
         for share in [self.ambient, self.diffuse, self.specular, self.reflectance, self.transmittance] {
             check_coordinate(share)?;
             if !(0.0..=1.0).contains(&share) {
@@ -87,8 +87,8 @@ impl Material {
 
 /// A material that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PreparedMaterial<R: Real> {
-    pub(crate) color: PreparedTexture<R>,
+pub(crate) struct PreparedMaterial<'m, R: Real> {
+    pub(crate) color: PreparedTexture<'m, R>,
     pub(crate) ambient: R,
     pub(crate) diffuse: R,
     pub(crate) specular: R,

@@ -1,5 +1,8 @@
 //! Color that varies over a surface.
 
+use core::convert::Infallible;
+use core::marker::PhantomData;
+
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate, check_point};
 use crate::math::{Real, Scale, Vec3};
@@ -8,11 +11,14 @@ use crate::surface::Surface;
 /// The color of a material at each point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Texture {
+pub enum Texture<'a> {
     /// The same color everywhere.
     Solid(LinearRgb),
     /// Two colors in alternating cells.
     Checker(Checker),
+    /// What borrows from flash comes here: nothing yet.
+    #[doc(hidden)]
+    Borrowed(Infallible, PhantomData<&'a ()>),
 }
 
 /// Cells of two colors that alternate in space.
@@ -30,14 +36,14 @@ pub struct Checker {
     pub cells_per_unit: Vec3,
 }
 
-impl Texture {
+impl<'a> Texture<'a> {
     /// A checker of squares with sides of `size` units in the x-z plane.
     pub const fn checker_xz(even: LinearRgb, odd: LinearRgb, size: f32) -> Self {
         Self::Checker(Checker { even, odd, cells_per_unit: Vec3::new(1.0 / size, 0.0, 1.0 / size) })
     }
 
     /// Checks the texture and converts it.
-    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedTexture<R>, Fault> {
+    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedTexture<'a, R>, Fault> {
         match self {
             Self::Solid(color) => Ok(PreparedTexture::Solid(check_reflectivity(*color)?)),
             Self::Checker(checker) => {
@@ -50,11 +56,12 @@ impl Texture {
                     cells_per_unit: [per_unit.x, per_unit.y, per_unit.z].map(R::factor),
                 })
             }
+            Self::Borrowed(never, _) => match *never {},
         }
     }
 }
 
-impl From<LinearRgb> for Texture {
+impl From<LinearRgb> for Texture<'_> {
     fn from(color: LinearRgb) -> Self {
         Self::Solid(color)
     }
@@ -75,12 +82,14 @@ fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> 
 
 /// A texture that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum PreparedTexture<R: Real> {
+pub(crate) enum PreparedTexture<'m, R: Real> {
     Solid(LinearRgb<R>),
     Checker { even: LinearRgb<R>, odd: LinearRgb<R>, cells_per_unit: [R::Factor; 3] },
+    #[allow(dead_code)] // nothing borrows yet
+    Borrowed(Infallible, PhantomData<&'m ()>),
 }
 
-impl<R: Real> PreparedTexture<R> {
+impl<R: Real> PreparedTexture<'_, R> {
     /// A number for the cell where a ray met a surface: other cells nearby have others. `None` where there are none.
     pub(crate) fn cell(&self, surface: &Surface<R>) -> Option<u32> {
         match self {
@@ -91,6 +100,7 @@ impl<R: Real> PreparedTexture<R> {
                     [point.x.cell(*x), point.y.cell(*y), point.z.cell(*z)].map(|cell| cell as u32);
                 Some(x ^ y.wrapping_mul(0x9E37_79B9) ^ z.wrapping_mul(0x85EB_CA6B))
             }
+            Self::Borrowed(never, _) => match *never {},
         }
     }
 
@@ -103,6 +113,7 @@ impl<R: Real> PreparedTexture<R> {
                 let sum = point.x.cell(*x) ^ point.y.cell(*y) ^ point.z.cell(*z);
                 if sum & 1 == 0 { *even } else { *odd }
             }
+            Self::Borrowed(never, _) => match *never {},
         }
     }
 }

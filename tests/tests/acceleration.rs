@@ -100,7 +100,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
     .boxed()
 }
 
-fn material() -> BoxedStrategy<Material> {
+fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (0.0f32..1.0, 0.0f32..0.6, prop_oneof![Just(0.0f32), 0.1f32..0.4], 0.6f32..2.0);
     (shares, [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0])
         .prop_map(|((specular, reflectance, transmittance, ior), [r, g, b])| Material {
@@ -148,7 +148,7 @@ fn accepted<R: Real>(scene: &Scene) -> bool {
 fn with_accepted<R: Real>(
     eye: Vec3,
     objects: impl Iterator<Item = Object<Shape<'static>>>,
-    materials: &[Material],
+    materials: &[Material<'static>],
     lights: Vec<Light>,
     check: impl FnOnce(&Scene),
 ) {

@@ -21,7 +21,11 @@ const CAMERA: Camera = Camera {
 const DARK: Material = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
 const GLASS: Material = Material { transmittance: 1.0, ior: 1.5, ..DARK };
 
-fn scene<'a>(objects: &'a [Object<Shape<'a>>], materials: &'a [Material], lights: &'a [Light]) -> Scene<'a> {
+fn scene<'a>(
+    objects: &'a [Object<Shape<'a>>],
+    materials: &'a [Material<'a>],
+    lights: &'a [Light],
+) -> Scene<'a> {
     Scene { camera: CAMERA, background: LinearRgb::gray(0.0), objects, materials, lights }
 }
 

@@ -103,7 +103,7 @@ fn acceleration_changes_no_byte() {
 struct Parts {
     camera: Camera,
     objects: Vec<Object<Shape<'static>>>,
-    materials: Vec<Material>,
+    materials: Vec<Material<'static>>,
     lights: Vec<Light>,
 }
 
@@ -289,7 +289,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
     shapes(&number())
 }
 
-fn material() -> BoxedStrategy<Material> {
+fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..0.6, 0.0f32..0.6);
     let ior = prop_oneof![4 => 0.14f32..7.6, 1 => Just(1.0f32)];
     let shininess = prop_oneof![4 => 0.0f32..300.0, 1 => 0.0f32..1e6];

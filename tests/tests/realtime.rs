@@ -148,7 +148,7 @@ fn a_rotation_does_not_flicker() {
 }
 
 /// White light on everything, from everywhere, in front of black.
-fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material]) -> Scene<'s> {
+fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material<'s>]) -> Scene<'s> {
     Scene {
         camera: Camera {
             eye: Vec3::new(0.0, 0.0, 10.0),

@@ -40,7 +40,7 @@ struct Parts {
     camera: Camera,
     background: LinearRgb,
     objects: Vec<Object<Shape<'static>>>,
-    materials: Vec<Material>,
+    materials: Vec<Material<'static>>,
     lights: Vec<Light>,
 }
 
@@ -124,7 +124,7 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
         {
             assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
         }
-        let fields: [fn(&mut Material) -> &mut f32; 7] = [
+        let fields: [for<'m> fn(&'m mut Material<'static>) -> &'m mut f32; 7] = [
             |material| &mut material.ambient,
             |material| &mut material.diffuse,
             |material| &mut material.specular,
@@ -275,7 +275,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
     shapes(&number())
 }
 
-fn material() -> BoxedStrategy<Material> {
+fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (share(), share(), share(), share(), share());
     (light_color(), shares, number(), number(), proptest::option::of((light_color(), vector())))
         .prop_map(

@@ -17,7 +17,7 @@ const fn polygon(vertices: &'static [Vec3], material: u16) -> Object<Shape<'stat
     Object::new(Shape::Polygon(Polygon::new(vertices)), material)
 }
 
-const fn glossy(r: f32, g: f32, b: f32) -> Material {
+const fn glossy(r: f32, g: f32, b: f32) -> Material<'static> {
     Material {
         ambient: 0.1,
         diffuse: 0.8,

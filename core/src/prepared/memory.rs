@@ -46,7 +46,7 @@ pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     shapes: usize,
 ) -> usize {
     Arena::bytes::<PreparedObject<'m, R, S::Prepared<'m, R>>>(objects)
-        .saturating_add(Arena::bytes::<PreparedMaterial<R>>(materials))
+        .saturating_add(Arena::bytes::<PreparedMaterial<'m, R>>(materials))
         .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
         .saturating_add(shapes)
         .saturating_add(Candidates::<R>::bytes(objects, lights))

@@ -59,7 +59,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ///
     /// # Errors
     /// The first part that is wrong, and why. The caller's scene and memory can be used again.
-    pub fn new(scene: &Scene<'_, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
+    pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
         let Scene { camera, background, objects, materials, lights } = *scene;
         let extent =
             objects.iter().map(|object| object.shape.extent()).fold(Extent::default(), Extent::union);

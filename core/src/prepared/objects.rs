@@ -12,7 +12,7 @@ use crate::shape::Intersect;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PreparedObject<'m, R: Real, P> {
     pub(super) shape: P,
-    pub(super) material: &'m PreparedMaterial<R>,
+    pub(super) material: &'m PreparedMaterial<'m, R>,
 }
 
 /// The most objects in a leaf of their hierarchy.

@@ -16,11 +16,11 @@ pub(crate) enum Enclosure<R> {
 }
 
 /// A hit, and the material of the object.
-pub(crate) type HitOn<'m, R> = (Hit<R>, &'m PreparedMaterial<R>);
+pub(crate) type HitOn<'m, R> = (Hit<R>, &'m PreparedMaterial<'m, R>);
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(always)]
-    pub(crate) fn material(&self, object: usize) -> Option<&'m PreparedMaterial<R>> {
+    pub(crate) fn material(&self, object: usize) -> Option<&'m PreparedMaterial<'m, R>> {
         self.objects.get(object).map(|object| object.material)
     }
 

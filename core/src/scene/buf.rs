@@ -22,18 +22,18 @@ use crate::material::Material;
 /// assert_eq!(scene.as_scene().objects.len(), 1);
 /// ```
 #[derive(Clone, Debug)]
-pub struct SceneBuf<S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize> {
+pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize> {
     /// Where the picture is taken from.
     pub camera: Camera,
     /// What a ray sees that hits nothing.
     pub background: LinearRgb,
     objects: Vec<Object<S>, OBJECTS>,
-    materials: Vec<Material, MATERIALS>,
+    materials: Vec<Material<'a>, MATERIALS>,
     lights: Vec<Light, LIGHTS>,
 }
 
-impl<S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
-    SceneBuf<S, OBJECTS, MATERIALS, LIGHTS>
+impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
+    SceneBuf<'a, S, OBJECTS, MATERIALS, LIGHTS>
 {
     const NUMBERED_BY_U16: () = assert!(MATERIALS <= crate::limits::MAX_COUNT);
 
@@ -47,7 +47,7 @@ impl<S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     ///
     /// # Errors
     /// Hands the material back where there is no room; the scene is unchanged. Raise `MATERIALS`.
-    pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Material> {
+    pub fn add_material(&mut self, material: Material<'a>) -> Result<MaterialId, Material<'a>> {
         let id = MaterialId(self.materials.len() as u16);
         self.materials.push(material).map(|()| id)
     }

@@ -23,7 +23,7 @@ pub struct Scene<'a, S = Shape<'a>> {
     /// What rays can hit. Where two are at the same distance, the first in this order is seen.
     pub objects: &'a [Object<S>],
     /// What objects are made of.
-    pub materials: &'a [Material],
+    pub materials: &'a [Material<'a>],
     /// What lights them.
     pub lights: &'a [Light],
 }

@@ -105,7 +105,7 @@ struct Reader<'a> {
     view: Option<(Camera, (u32, u32))>,
     background: LinearRgb,
     objects: Vec<Object<Shape<'a>>>,
-    materials: Vec<Material>,
+    materials: Vec<Material<'static>>,
     /// `None`: the file gives no color.
     lights: Vec<(Vec3, Option<LinearRgb>)>,
     lines: Lines,
@@ -218,7 +218,7 @@ fn view(tokens: &mut Tokens<'_>) -> Result<(Camera, (u32, u32)), NffError> {
     Ok((Camera { eye, target, up, vertical_fov }, (width, height)))
 }
 
-fn material(tokens: &mut Tokens<'_>) -> Result<Material, NffError> {
+fn material(tokens: &mut Tokens<'_>) -> Result<Material<'static>, NffError> {
     let color = tokens.color("the color of the material")?;
     let diffuse = tokens.number("the diffuse share Kd")?;
     let specular = tokens.number("the specular share Ks")?;

@@ -342,7 +342,7 @@ mod tests {
 
     fn scene<'a>(
         objects: &'a [Object<Shape<'a>>],
-        materials: &'a [Material],
+        materials: &'a [Material<'a>],
         lights: &'a [Light],
     ) -> Scene<'a> {
         let camera = Camera {

@@ -51,7 +51,7 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     /// Direction of the current ray, mirrored after it has hit something with a small highlight.
     direction: Vec3<R>,
     /// The material that it hit.
-    hit: Option<&'s PreparedMaterial<R>>,
+    hit: Option<&'s PreparedMaterial<'m, R>>,
 }
 
 impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, P> {
@@ -77,7 +77,7 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
 
     /// Whether a small highlight of a surface is near. Light that shows nothing of itself makes no event.
     #[inline(never)]
-    fn is_near_glint(&self, point: Vec3<R>, material: &PreparedMaterial<R>) -> bool {
+    fn is_near_glint(&self, point: Vec3<R>, material: &PreparedMaterial<'_, R>) -> bool {
         self.scene.lights.iter().any(|light| {
             let seen = light.seen_from(point, self.direction);
             seen.is_some_and(|(_, _, cosine)| {
