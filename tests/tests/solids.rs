@@ -21,7 +21,7 @@ const LIGHTS: [Light; 2] = [
     Light::Point { position: Vec3::new(8.0, 5.0, 4.0), color: LinearRgb::gray(0.3) },
 ];
 
-const fn plastic(r: f32, g: f32, b: f32) -> Material {
+const fn plastic(r: f32, g: f32, b: f32) -> Material<'static> {
     let color = Texture::Solid(LinearRgb::new(r, g, b));
     Material { ambient: 0.1, color, specular: 0.4, shininess: 40.0, ..Material::matte(LinearRgb::WHITE) }
 }

@@ -30,7 +30,7 @@ impl<N: Real<Setup = N>> Polynomial<N> {
             return Err(Fault::NoSurface);
         }
         // In two steps, since neither the largest nor the smallest may have an inverse.
-        let (down, half) = (power_of_two_above(largest.sqrt()).recip(), N::from_f32(0.5));
+        let (down, half) = (power_of_two_above(Real::sqrt(largest)).recip(), N::from_f32(0.5));
         let [a, b, c, d, e, f, g, h, i, j] = coefficients.map(|one| N::from_f32(one * down * down));
         let raw = Self {
             squares: Vec3::new(a, b, c),
