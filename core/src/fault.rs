@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::limits::MAX_COORDINATE;
+use crate::limits::{MAX_COORDINATE, MAX_FACES};
 use crate::math::{Real, Vec3};
 
 /// Why a part of a scene was refused.
@@ -29,6 +29,16 @@ pub enum Fault {
     NoSurface,
     /// The tube of a torus is as thick as its circle is wide. Make its minor radius smaller than the major one.
     NoHole,
+    /// The axes of a box are not at right angles. Turn them, or make it a convex polyhedron.
+    NotAtRightAngles,
+    /// The planes of a polyhedron enclose nothing, or something without end. Turn their normals outward, and add planes
+    /// until it is closed on all sides.
+    NotEnclosed,
+    /// A polyhedron has more than [`MAX_FACES`] planes. Use fewer, or a mesh.
+    TooManyFaces {
+        /// How many it has.
+        given: usize,
+    },
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -90,6 +100,13 @@ impl fmt::Display for Fault {
             Self::NoVolume => "the axes lie in one plane, or the box has no room inside; give it a thickness",
             Self::NoSurface => "the coefficients are zero, but for the last; give it another",
             Self::NoHole => "the torus has no hole; make the minor radius smaller than the major one",
+            Self::NotAtRightAngles => "the axes of a box are not at right angles; turn them",
+            Self::NotEnclosed => {
+                "the planes enclose no space, or one without end; turn their normals outward, or add planes"
+            }
+            Self::TooManyFaces { given } => {
+                return write!(f, "{given} faces are too many for a polyhedron; use at most {MAX_FACES}");
+            }
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",

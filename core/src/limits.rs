@@ -18,6 +18,10 @@ pub const MAX_COORDINATE: f32 = 1e6;
 /// The most objects, materials or lights in a scene: they are numbered by `u16`.
 pub const MAX_COUNT: usize = 65_535;
 
+/// The most faces of a convex polyhedron: a ray is tested against each, and preparing takes steps that go with the cube of
+/// their number.
+pub const MAX_FACES: usize = 64;
+
 /// The largest width or height of a picture in pixels: a coordinate is a `u16`.
 pub const MAX_SIDE: u32 = 65_535;
 

@@ -147,6 +147,8 @@ impl Tree<'_> {
             Shape::Ellipsoid(_) => "ellipsoid",
             Shape::Quadric(_) => "quadric",
             Shape::Torus(_) => "torus",
+            Shape::Cuboid(_) => "box",
+            Shape::Polyhedron(_) => "polyhedron",
         };
         let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
         format!("object {index} ({kind}, material {}{line})", object.material.0)

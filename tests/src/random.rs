@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use rayline::Vec3;
 use rayline::shape::{
-    Cone, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus, Triangle,
+    Cone, ConvexPolyhedron, Cuboid, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape,
+    Sphere, Torus, Triangle,
 };
 
 /// Points and directions of such coordinates.
@@ -52,7 +53,7 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
             vector.clone(),
             [vector.clone(), vector.clone(), vector.clone()],
             number.clone(),
-            vector,
+            vector.clone(),
             any::<bool>()
         )
             .prop_map(|(center, [squares, mixed, linear], constant, corner, capped)| {
@@ -65,6 +66,28 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
                 let max = Vec3::new(corner.x.abs(), corner.y.abs(), corner.z.abs());
                 Shape::Quadric(Quadric { center, coefficients, min: -max, max, capped })
             }),
+        (vector.clone(), vector.clone()).prop_map(|(one, other)| Shape::Cuboid(Cuboid::aligned(one, other))),
+        (vector.clone(), vector.clone(), vector.clone(), number.clone()).prop_map(
+            |(center, along, aside, length)| Shape::Cuboid(turned_box(center, along, aside, length))
+        ),
+        (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..6))
+            .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
     ]
     .boxed()
+}
+
+/// A box with one axis along `along` and another, of some length, as near as can be to `aside`.
+pub fn turned_box(center: Vec3, along: Vec3, aside: Vec3, length: f32) -> Cuboid {
+    let across = along.cross(aside);
+    let last = across.cross(along);
+    let scaled = |v: Vec3| v * (length / v.length());
+    Cuboid::oriented(center, [along, scaled(across), scaled(last)])
+}
+
+/// A box of which planes at these points cut something off, as seen from the middle.
+pub fn cut_box(center: Vec3, half: Vec3, cuts: &[Vec3]) -> ConvexPolyhedron<'static> {
+    let ways = [Vec3::new(half.x, 0.0, 0.0), Vec3::new(0.0, half.y, 0.0), Vec3::new(0.0, 0.0, half.z)];
+    let faces = ways.into_iter().flat_map(|way| [-way, way]).chain(cuts.iter().copied());
+    let planes: Vec<_> = faces.map(|way| Plane::new(center + way, way)).collect();
+    ConvexPolyhedron::new(planes.leak())
 }

@@ -8,12 +8,13 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus, Triangle,
+    Cone, Cuboid, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus,
+    Triangle,
 };
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
-use rayline_tests::{each_scene, with_scene};
+use rayline_tests::{cut_box, each_scene, turned_box, with_scene};
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
     let renderer = Renderer::new(scene, settings).unwrap();
@@ -76,6 +77,11 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         }),
         1 => (vector(), vector(), vector())
             .prop_map(|(corner, right, up)| Shape::Rectangle(Rectangle::new(corner, right, up))),
+        1 => (vector(), vector()).prop_map(|(one, other)| Shape::Cuboid(Cuboid::aligned(one, other))),
+        1 => (vector(), vector(), vector(), 0.01f32..2.0)
+            .prop_map(|(center, along, aside, length)| Shape::Cuboid(turned_box(center, along, aside, length))),
+        1 => (vector(), vector(), proptest::collection::vec(vector(), 0..6))
+            .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..2.0, any::<bool>()).prop_map(
             |(base, top, base_radius, top_radius, capped)| {
                 Shape::Cone(Cone { base, base_radius, top, top_radius, capped })

@@ -7,12 +7,14 @@
 //! the set of all that are built in.
 
 mod cone;
+mod cuboid;
 mod cylinder;
 mod disc;
 mod ellipsoid;
 mod patch;
 mod plane;
 mod polygon;
+mod polyhedron;
 mod quadric;
 mod rectangle;
 mod set;
@@ -26,11 +28,13 @@ mod triangle;
 use core::fmt::Debug;
 
 pub use cone::{Cone, PreparedCone};
+pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
+pub use polyhedron::{ConvexPolyhedron, PreparedPolyhedron};
 pub use quadric::{PreparedQuadric, Quadric};
 pub use rectangle::{PreparedRectangle, Rectangle};
 pub use spans::Spans;
@@ -165,6 +169,10 @@ crate::shape_set! {
         Quadric(Quadric),
         /// A torus.
         Torus(Torus),
+        /// A box, along the axes or not.
+        Cuboid(Cuboid),
+        /// A convex solid with flat faces.
+        Polyhedron(ConvexPolyhedron<'a>),
     }
 }
 
@@ -176,6 +184,8 @@ impl Shape<'_> {
             Self::Polygon(polygon) => polygon.const_bytes::<R>(),
             Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
             Self::Quadric(_) => Quadric::const_bytes::<R>(),
+            Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
+            Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Quadric, Rectangle, Shape, Sphere};
+use rayline::shape::{Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -105,6 +105,12 @@ fn extent(scene: &Scene<'_>) -> f64 {
         Shape::Ellipsoid(shape) => shape.axes.iter().map(|axis| shape.center + *axis).collect(),
         Shape::Quadric(shape) => vec![shape.center + shape.min, shape.center + shape.max],
         Shape::Torus(torus) => vec![torus.center],
+        Shape::Cuboid(cuboid) => {
+            let [a, b, c] = cuboid.axes;
+            vec![cuboid.center + a + b + c, cuboid.center - a - b - c]
+        }
+        // What its planes enclose may be farther away than these points, or nearer.
+        Shape::Polyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
     });
     shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
 }
@@ -217,11 +223,7 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
     let open = |capped: bool| if capped { "" } else { " open" };
     match shape {
         Shape::Sphere(sphere) => ("sphere", format!("{}, {}", point(sphere.center), sphere.radius)),
-        Shape::Plane(plane) => {
-            let normal = plane.normal.to::<f64>();
-            let normal = normal * normal.length().recip();
-            ("plane", format!("{}, {}", xyz(normal), normal.dot(plane.point.to())))
-        }
+        Shape::Plane(plane) => ("plane", self::plane(plane)),
         Shape::Disc(disc) => (
             "disc",
             format!("{}, {}, {}, {}", point(disc.center), point(disc.normal), disc.radius, disc.hole),
@@ -257,6 +259,14 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
             ("sphere", format!("0, 1 {}", matrix([a, b, c, shape.center].map(Vec3::to))))
         }
         Shape::Quadric(shape) => quadric(shape),
+        Shape::Cuboid(cuboid) => {
+            let [a, b, c] = cuboid.axes;
+            ("box", format!("-1, 1 {}", matrix([a, b, c, cuboid.center].map(Vec3::to))))
+        }
+        Shape::Polyhedron(polyhedron) => {
+            let planes = polyhedron.planes.iter().map(|plane| format!("plane {{ {} }}", self::plane(plane)));
+            ("intersection", planes.collect::<Vec<_>>().join(" "))
+        }
         Shape::Torus(torus) => {
             // POV-Ray's lies across the y axis.
             let axis = torus.axis.to::<f64>();
@@ -288,6 +298,12 @@ fn quadric(shape: &Quadric) -> (&'static str, String) {
     } else {
         ("quadric", format!("{equation} clipped_by {{ {corners} }}"))
     }
+}
+
+fn plane(plane: &Plane) -> String {
+    let normal = plane.normal.to::<f64>();
+    let normal = normal * normal.length().recip();
+    format!("{}, {}", xyz(normal), normal.dot(plane.point.to()))
 }
 
 fn polygon(vertices: &[Vec3]) -> (&'static str, String) {

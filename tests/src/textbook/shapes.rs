@@ -30,6 +30,15 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
         Shape::Ellipsoid(shape) => ellipsoid(vector(shape.center), shape.axes.map(vector), ray),
         Shape::Quadric(shape) => self::quadric(&shape, ray),
         Shape::Torus(shape) => torus(&shape, ray),
+        Shape::Cuboid(cuboid) => {
+            let center = vector(cuboid.center);
+            let ways = cuboid.axes.map(vector).into_iter().flat_map(|axis| [-axis, axis]);
+            polyhedron(&ways.map(|way| (center + way, way)).collect::<Vec<_>>(), ray)
+        }
+        Shape::Polyhedron(polyhedron) => {
+            let faces = polyhedron.planes.iter().map(|plane| (vector(plane.point), vector(plane.normal)));
+            self::polyhedron(&faces.collect::<Vec<_>>(), ray)
+        }
     }
 }
 
@@ -203,6 +212,19 @@ fn polygon(vertices: &[DVec3], ray: Ray) -> Option<Crossing> {
         .sum();
     let turns = (swept / std::f64::consts::TAU).round() as i64;
     (turns % 2 != 0).then_some(crossing)
+}
+
+/// Each plane, by a point and its normal, where no other is in front of it.
+fn polyhedron(faces: &[(DVec3, DVec3)], ray: Ray) -> Vec<Crossing> {
+    let crossing = |(index, (point, normal)): (usize, &(DVec3, DVec3))| {
+        let crossing = plane(*point, *normal, ray)?;
+        let at = ray.origin + ray.direction * crossing.t;
+        let hidden = |(other, (point, normal)): (usize, &(DVec3, DVec3))| {
+            other != index && (at - point).dot(*normal) > 0.0
+        };
+        (!faces.iter().enumerate().any(hidden)).then_some(crossing)
+    };
+    faces.iter().enumerate().filter_map(crossing).collect()
 }
 
 /// A cone, cylinder or frustum, turned so that its axis is z and its base lies at the origin: there

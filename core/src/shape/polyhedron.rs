@@ -1,0 +1,405 @@
+//! A convex polyhedron: what lies behind all of its planes (Haines, "Fast Ray-Convex Polyhedron Intersection", Graphics
+//! Gems II, 1991).
+//!
+//! # Its vertices
+//! Bounds need them, and only a polyhedron that has an end has some. The line that two planes have in common is cut by
+//! all others, as a ray is: what remains is an edge. One without end, or none at all, means that the planes enclose nothing.
+//! This needs no memory, and steps that go with the cube of the number of planes: 130,000 for
+//! [`MAX_FACES`]. Rejected: to clip the polygon of each face, which needs memory for the largest; and to intersect all triples,
+//! which goes with the fourth power.
+
+use super::{Geometry, Intersect, Plane, PreparedPlane, Spans};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
+use crate::limits::{MAX_COORDINATE, MAX_FACES};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// A convex solid with flat faces.
+///
+/// The [part](Surface::part) of a hit is the position of the face's plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConvexPolyhedron<'a> {
+    /// What lies behind all of them is inside: their normals point outward. At most [`MAX_FACES`].
+    pub planes: &'a [Plane],
+}
+
+impl<'a> ConvexPolyhedron<'a> {
+    /// The solid behind all of these planes.
+    pub const fn new(planes: &'a [Plane]) -> Self {
+        Self { planes }
+    }
+
+    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+        Arena::bytes::<PreparedPlane<R>>(self.planes.len())
+    }
+
+    /// Calls `each` for both ends of each edge, and says how sure they are: 1 where planes meet at right angles, less
+    /// where they hardly meet.
+    fn vertices<S: Real>(&self, mut each: impl FnMut(Vec3<S>, S)) -> Result<(), Fault> {
+        // Beyond this, points are too far away in any case.
+        let endless = S::from_f32(8.0 * MAX_COORDINATE);
+        for (i, one) in self.planes.iter().enumerate() {
+            for (j, other) in self.planes.iter().enumerate().skip(i.wrapping_add(1)) {
+                let Some((line, sine)) = Line::common(one, other)? else { continue };
+                let (mut from, mut to) = ((-endless, S::ONE), (endless, S::ONE));
+                for (k, plane) in self.planes.iter().enumerate() {
+                    if k != i && k != j {
+                        line.clip(plane, &mut from, &mut to)?;
+                    }
+                }
+                if from.0 < to.0 {
+                    if !(from.0 > -endless && to.0 < endless) {
+                        return Err(Fault::NotEnclosed);
+                    }
+                    for (t, slope) in [from, to] {
+                        each(line.origin + line.direction * t, sine * slope);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A line that two planes have in common.
+struct Line<S> {
+    origin: Vec3<S>,
+    direction: Vec3<S>,
+}
+
+/// The sine of an angle that is none but for rounding.
+const PARALLEL: f32 = 1e-5;
+
+impl<S: Real> Line<S> {
+    /// The line, and the sine of the angle between the planes; `None` where they are parallel.
+    fn common(one: &Plane, other: &Plane) -> Result<Option<(Self, S)>, Fault> {
+        let (normal, across): (Vec3<S>, Vec3<S>) =
+            (check_direction(one.normal)?, check_direction(other.normal)?);
+        let (direction, sine) = normal.cross(across).polar();
+        if !(sine > S::from_f32(PARALLEL)) {
+            return Ok(None);
+        }
+        // From the point of the one plane, along it and across the line, to the other.
+        let start: Vec3<S> = one.point.to();
+        let height = across.dot(other.point.to() - start);
+        Ok(Some((Self { origin: start + direction.cross(normal) * (height / sine), direction }, sine)))
+    }
+
+    /// Cuts off what lies in front of the plane. Each end keeps the sine of its angle to the plane that cut it.
+    fn clip(&self, plane: &Plane, from: &mut (S, S), to: &mut (S, S)) -> Result<(), Fault> {
+        let normal: Vec3<S> = check_direction(plane.normal)?;
+        let beyond = plane.point.to() - self.origin;
+        let height = normal.dot(beyond);
+        let slope = normal.dot(self.direction);
+        let t = height / slope;
+        if slope.abs() <= S::from_f32(PARALLEL) {
+            // Several planes may have the line in common.
+            if height < -S::from_f32(PARALLEL) * beyond.magnitude() {
+                *to = *from;
+            }
+        } else if slope > S::ZERO {
+            if t < to.0 {
+                *to = (t, slope);
+            }
+        } else if t > from.0 {
+            *from = (t, -slope);
+        }
+        Ok(())
+    }
+}
+
+impl Geometry for ConvexPolyhedron<'_> {
+    type Prepared<'m, R: Real>
+        = PreparedPolyhedron<'m, R>
+    where
+        Self: 'm;
+
+    fn bytes<R: Real>(&self) -> usize {
+        self.const_bytes::<R>()
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn extent(&self) -> Extent {
+        let mut reach = 0f32;
+        // What has no vertices is refused when it is prepared.
+        let known = self.planes.len() <= MAX_FACES
+            && self.vertices(|vertex: Vec3, _| reach = reach.larger(vertex.magnitude())).is_ok();
+        Extent::flat(if known { reach } else { 0.0 })
+    }
+
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedPolyhedron<'m, R>, Fault>
+    where
+        Self: 'm,
+    {
+        if self.planes.len() > MAX_FACES {
+            return Err(Fault::TooManyFaces { given: self.planes.len() });
+        }
+        self.planes.iter().map(|plane| plane.point).try_for_each(check_point)?;
+        let mut corners: Option<Aabb<R::Setup>> = None;
+        let (mut sum, mut count, mut least_sure) = (Vec3::ZERO, R::Setup::ZERO, R::Setup::ONE);
+        self.vertices(|vertex, sure| {
+            let corner = Aabb::point(vertex);
+            corners = Some(corners.map_or(corner, |corners| corners.union(corner)));
+            (sum, count) = (sum + vertex, count + R::Setup::ONE);
+            least_sure = if sure < least_sure { sure } else { least_sure };
+        })?;
+        let corners = corners.ok_or(Fault::NotEnclosed)?;
+        let reach = corners.magnitude();
+        check_coordinate(reach.to_f32())?;
+        // The middle of the vertices lies inside, unless there is no inside.
+        let (middle, size) = (sum * count.recip(), (corners.max - corners.min).magnitude());
+        let planes = memory.try_store_with(self.planes.len(), |index, _| {
+            let plane = self.planes.get(index).ok_or(Fault::NotEnclosed)?;
+            let normal: Vec3<R::Setup> = check_direction(plane.normal)?;
+            let depth = normal.dot(plane.point.to() - middle);
+            if !(depth > R::Setup::from_f32(1e-6) * size) {
+                return Err(Fault::NotEnclosed);
+            }
+            check_size(scale.length::<R>(depth))?;
+            // A plane far outside might be out of range, and is as good a little nearer.
+            let (distance, outside) = (normal.dot(plane.point.to()), reach + reach);
+            let distance = if distance < outside { distance } else { outside };
+            Ok(PreparedPlane::new(normal, distance, scale))
+        })?;
+        let scaled = Aabb { min: scale.point::<R>(corners.min), max: scale.point(corners.max) };
+        // The rounding of a plane moves a vertex the farther the less sure it is.
+        let offset = R::offset(scaled.magnitude()).to_setup() / least_sure;
+        let most = scale.setup::<R>(reach);
+        let margin = R::from_setup(if offset < most { offset } else { most });
+        Ok(PreparedPolyhedron { planes, bounds: scaled.padded(margin) })
+    }
+}
+
+/// A [`ConvexPolyhedron`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedPolyhedron<'m, R> {
+    planes: &'m [PreparedPlane<R>],
+    bounds: Aabb<R>,
+}
+
+impl<R: Real> PreparedPolyhedron<'_, R> {
+    /// Where a ray's line enters and where it leaves, the one before the other.
+    fn chord(&self, ray: &Ray<R>) -> Option<(R, R)> {
+        let (mut from, mut to) = (-R::FARTHEST, R::FARTHEST);
+        for PreparedPlane { normal, distance } in self.planes {
+            let height = *distance - normal.dot(ray.origin);
+            let slope = normal.dot(ray.direction);
+            if slope == R::ZERO {
+                if !(height > R::ZERO) {
+                    return None;
+                }
+                continue;
+            }
+            let t = height / slope;
+            if slope > R::ZERO {
+                if t < to {
+                    to = t;
+                }
+            } else if t > from {
+                from = t;
+            }
+            if !(from < to) {
+                return None;
+            }
+        }
+        Some((from, to))
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let (near, far) = self.chord(ray)?;
+        range.first(near, far)
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        Some(self.bounds)
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        self.chord(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let point = ray.at(t);
+        // The hit belongs to the face that it is the least behind of.
+        let height = |plane: &PreparedPlane<R>| plane.normal.dot(point) - plane.distance;
+        let mut nearest: Option<(R, u16, &PreparedPlane<R>)> = None;
+        for (part, plane) in (0..=u16::MAX).zip(self.planes) {
+            let height = height(plane);
+            if nearest.is_none_or(|(most, ..)| height > most) {
+                nearest = Some((height, part, plane));
+            }
+        }
+        let none = PreparedPlane { normal: -ray.direction, distance: R::ZERO };
+        let (part, plane) = nearest.map_or((0, &none), |(_, part, plane)| (part, plane));
+        Surface { part, ..plane.surface(ray, t) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    const fn plane(x: f32, y: f32, z: f32, distance: f32) -> Plane {
+        let along = distance / (x * x + y * y + z * z);
+        Plane::new(Vec3::new(x * along, y * along, z * along), Vec3::new(x, y, z))
+    }
+
+    /// Two wide, one high, four deep.
+    const BLOCK: [Plane; 6] = [
+        plane(-1.0, 0.0, 0.0, 1.0),
+        plane(1.0, 0.0, 0.0, 1.0),
+        plane(0.0, -1.0, 0.0, 0.0),
+        plane(0.0, 1.0, 0.0, 1.0),
+        plane(0.0, 0.0, -1.0, 2.0),
+        plane(0.0, 0.0, 1.0, 2.0),
+    ];
+
+    /// All that is nearer to the origin than 1, by the sum of its coordinates.
+    const OCTAHEDRON: [Plane; 8] = [
+        plane(1.0, 1.0, 1.0, 1.0),
+        plane(1.0, 1.0, -1.0, 1.0),
+        plane(1.0, -1.0, 1.0, 1.0),
+        plane(1.0, -1.0, -1.0, 1.0),
+        plane(-1.0, 1.0, 1.0, 1.0),
+        plane(-1.0, 1.0, -1.0, 1.0),
+        plane(-1.0, -1.0, 1.0, 1.0),
+        plane(-1.0, -1.0, -1.0, 1.0),
+    ];
+
+    const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
+    const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+
+    #[test]
+    fn met_from_outside_and_from_inside() {
+        let block = ConvexPolyhedron::new(&BLOCK);
+        assert_meets(block, Vec3::new(5.0, 0.5, 1.5), LEFT, 4.0, [1.0, 0.0, 0.0]);
+        assert_meets(block, Vec3::new(0.5, 0.5, 1.5), LEFT, 1.5, [-1.0, 0.0, 0.0]);
+        assert_meets(block, Vec3::new(0.5, 5.0, -1.5), DOWN, 4.0, [0.0, 1.0, 0.0]);
+        assert_misses(block, Vec3::new(1.1, 5.0, -1.5), DOWN);
+        assert_misses(block, Vec3::new(5.0, 0.5, 1.5), -LEFT);
+        assert_misses(block, Vec3::new(5.0, 1.5, 1.5), LEFT);
+        let third = 3f64.sqrt().recip();
+        let octahedron = ConvexPolyhedron::new(&OCTAHEDRON);
+        assert_meets(octahedron, Vec3::new(0.25, 5.0, 0.25), DOWN, 4.5, [third, third, third]);
+        assert_meets(octahedron, Vec3::new(-0.25, 5.0, 0.5), DOWN, 4.75, [-third, third, third]);
+        assert_meets(octahedron, Vec3::new(0.0, 0.25, 0.125), LEFT, 0.625, [-third, third, third]);
+        assert_misses(octahedron, Vec3::new(0.5, 5.0, 0.51), DOWN);
+    }
+
+    #[test]
+    fn its_inside_is_a_chord() {
+        let octahedron = ConvexPolyhedron::new(&OCTAHEDRON);
+        assert_spans(octahedron, Vec3::new(0.25, 5.0, 0.25), DOWN, &[(4.5, 5.5)]);
+        assert_spans(octahedron, Vec3::new(0.25, 0.25, 0.25), DOWN, &[(-0.25, 0.75)]);
+        assert_spans(octahedron, Vec3::new(0.75, 0.0, 0.5), DOWN, &[]);
+        for extent in EXTENTS {
+            let (planes, middle) = gem(extent);
+            assert_spans_are_met(ConvexPolyhedron::new(&planes), middle, extent, 2_000);
+        }
+    }
+
+    #[test]
+    fn faces_are_numbered_as_their_planes() {
+        let mut memory = Memory::new();
+        for planes in [&BLOCK[..], &OCTAHEDRON] {
+            let prepared = prepared::<_, f32>(ConvexPolyhedron::new(planes), &mut memory).unwrap();
+            for (face, plane) in (0..).zip(planes) {
+                let inward = -plane.normal.normalized().unwrap();
+                let aim = Vec3::new(0.1, 0.4, 0.2) * 0.5;
+                let ray = Ray { origin: aim - inward * 9.0, direction: inward };
+                let t = prepared.intersect(&ray, Interval::AHEAD).unwrap();
+                let surface = prepared.surface(&ray, t);
+                assert_eq!(surface.part, face);
+                assert!((surface.normal + inward).magnitude() < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_are_those_of_the_vertices() {
+        // Planes that cut nothing off, or a face that is there already, change nothing.
+        let more: Vec<Plane> = BLOCK
+            .into_iter()
+            .chain([plane(1.0, 1.0, 0.0, 9e5), BLOCK[1], plane(3.0, 3.0, 0.0, 6.0)])
+            .collect();
+        for (planes, min, max) in [
+            (&BLOCK[..], Vec3::new(-1.0, 0.0, -2.0), Vec3::new(1.0, 1.0, 2.0)),
+            (&more, Vec3::new(-1.0, 0.0, -2.0), Vec3::new(1.0, 1.0, 2.0)),
+            (&OCTAHEDRON, Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 1.0, 1.0)),
+        ] {
+            let polyhedron = ConvexPolyhedron::new(planes);
+            let mut memory = Memory::new();
+            let bounds = prepared::<_, f32>(polyhedron, &mut memory).unwrap().bounds().unwrap();
+            assert!((bounds.min - min).magnitude() < 1e-3, "{bounds:?}");
+            assert!((bounds.max - max).magnitude() < 1e-3, "{bounds:?}");
+            assert!((polyhedron.extent().flat - bounds.magnitude()).abs() < 1e-3);
+        }
+        assert_meets(ConvexPolyhedron::new(&more), Vec3::new(5.0, 0.5, 1.5), LEFT, 4.0, [1.0, 0.0, 0.0]);
+    }
+
+    /// Faces in all directions, at least 30 degrees from each other, as far as 0.8 from its middle.
+    fn gem(extent: f32) -> (Vec<Plane>, Vec3) {
+        let mut random = Random(7);
+        let mut normals = BLOCK.map(|plane| plane.normal).to_vec();
+        for _ in 0..50 {
+            let normal = random.direction();
+            if normals.iter().all(|other| normal.dot(*other) < 0.86) {
+                normals.push(normal);
+            }
+        }
+        let middle = Vec3::new(0.3, -0.7, 0.2) * extent;
+        let face = |normal: Vec3| Plane::new(middle + normal * (0.8 * extent), normal);
+        (normals.into_iter().map(face).collect(), middle)
+    }
+
+    #[test]
+    fn spawned_rays_do_not_meet_their_own_surface() {
+        for extent in EXTENTS {
+            let (planes, middle) = gem(extent);
+            assert_no_self_hits(ConvexPolyhedron::new(&planes), middle, extent, 20_000);
+        }
+    }
+
+    #[test]
+    fn what_is_not_enclosed_is_refused() {
+        let refused = |planes: &[Plane]| refusal(ConvexPolyhedron::new(planes));
+        // Nothing, a half of space, a slab, a pipe, a box without a lid, and an endless wedge.
+        for count in 0..BLOCK.len() {
+            assert_eq!(refused(&BLOCK[..count]), Fault::NotEnclosed, "{count}");
+        }
+        assert_eq!(refused(&OCTAHEDRON[..4]), Fault::NotEnclosed);
+        // Inward normals, and planes that leave nothing between them.
+        let inward = BLOCK.map(|Plane { point, normal }| Plane::new(point, -normal));
+        assert_eq!(refused(&inward), Fault::NotEnclosed);
+        let mut empty = BLOCK;
+        empty[3] = plane(0.0, 1.0, 0.0, -1.0);
+        assert_eq!(refused(&empty), Fault::NotEnclosed);
+        empty[3] = plane(0.0, 1.0, 0.0, 0.0);
+        assert_eq!(refused(&empty), Fault::NotEnclosed);
+    }
+
+    #[test]
+    fn bad_planes_are_refused() {
+        let with = |plane: Plane| {
+            let mut planes = BLOCK;
+            planes[2] = plane;
+            refusal(ConvexPolyhedron::new(&planes))
+        };
+        assert_eq!(with(Plane::new(Vec3::ZERO, Vec3::ZERO)), Fault::ZeroLength);
+        assert_eq!(with(Plane::new(Vec3::ZERO, DOWN * f32::NAN)), Fault::NotFinite);
+        assert_eq!(with(Plane::new(DOWN * f32::INFINITY, DOWN)), Fault::NotFinite);
+        assert_eq!(with(Plane::new(DOWN * 2e6, DOWN)), Fault::TooFar);
+        assert_eq!(refusal(ConvexPolyhedron::new(&[BLOCK[0]; 65])), Fault::TooManyFaces { given: 65 });
+    }
+}
