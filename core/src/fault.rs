@@ -39,6 +39,24 @@ pub enum Fault {
         /// How many it has.
         given: usize,
     },
+    /// A mesh has no triangle that has an area. Remove it or add triangles.
+    NoTriangles,
+    /// A triangle of a mesh names a vertex that does not exist. Add it or name another.
+    UnknownVertex {
+        /// The triangle that names it, by its position in the mesh.
+        triangle: usize,
+        /// The vertex that was named.
+        named: usize,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A mesh has normals, but not one for each vertex. Give as many as vertices, or none.
+    NormalCount {
+        /// How many normals there are.
+        normals: usize,
+        /// How many vertices.
+        vertices: usize,
+    },
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -106,6 +124,20 @@ impl fmt::Display for Fault {
             }
             Self::TooManyFaces { given } => {
                 return write!(f, "{given} faces are too many for a polyhedron; use at most {MAX_FACES}");
+            }
+            Self::NoTriangles => "the mesh has no triangle that has an area; remove it or add triangles",
+            Self::UnknownVertex { triangle, named, vertices } => {
+                return write!(
+                    f,
+                    "triangle {triangle} of the mesh names vertex {named}, of {vertices} that are counted from 0; add it \
+                     or name another"
+                );
+            }
+            Self::NormalCount { normals, vertices } => {
+                return write!(
+                    f,
+                    "the mesh has {normals} normals and {vertices} vertices; give one for each, or none"
+                );
             }
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",

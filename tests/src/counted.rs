@@ -132,6 +132,10 @@ impl Product<Counted> for Counted {
     fn over(self, divisor: Self) -> Self {
         self / divisor
     }
+
+    fn share(self, whole: Self) -> Self {
+        self / whole
+    }
 }
 
 /// A linear function: three products and three sums.

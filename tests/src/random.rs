@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use rayline::Vec3;
 use rayline::shape::{
-    Cone, ConvexPolyhedron, Cuboid, Cylinder, Disc, Ellipsoid, Plane, Polygon, Quadric, Rectangle, Shape,
-    Sphere, Torus, Triangle,
+    Cone, ConvexPolyhedron, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric, Rectangle,
+    Shape, Sphere, Torus, Triangle,
 };
 
 /// Points and directions of such coordinates.
@@ -72,6 +72,7 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
         ),
         (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..6))
             .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
+        meshes(vector, 3..30).prop_map(Shape::Mesh),
     ]
     .boxed()
 }
@@ -90,4 +91,27 @@ pub fn cut_box(center: Vec3, half: Vec3, cuts: &[Vec3]) -> ConvexPolyhedron<'sta
     let faces = ways.into_iter().flat_map(|way| [-way, way]).chain(cuts.iter().copied());
     let planes: Vec<_> = faces.map(|way| Plane::new(center + way, way)).collect();
     ConvexPolyhedron::new(planes.leak())
+}
+
+/// Meshes of such vertices and so many triangles, with and without normals; some of the triangles have no area.
+pub fn meshes(
+    vector: BoxedStrategy<Vec3>,
+    triangles: std::ops::Range<usize>,
+) -> BoxedStrategy<Mesh<'static>> {
+    let corner = || 0..8u16;
+    (
+        proptest::collection::vec((vector.clone(), vector), 8),
+        proptest::collection::vec([corner(), corner(), corner()], triangles),
+        any::<bool>(),
+    )
+        .prop_map(|(vertices, triangles, smooth)| {
+            let (vertices, normals): (Vec<_>, Vec<_>) = vertices.into_iter().unzip();
+            let normals: &[_] = normals.leak();
+            Mesh {
+                vertices: vertices.leak(),
+                triangles: triangles.leak(),
+                normals: smooth.then_some(normals),
+            }
+        })
+        .boxed()
 }

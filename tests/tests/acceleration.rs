@@ -8,13 +8,13 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Cuboid, Disc, Ellipsoid, Geometry, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus,
+    Cone, Cuboid, Disc, Ellipsoid, Geometry, Mesh, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus,
     Triangle,
 };
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
-use rayline_tests::{cut_box, each_scene, turned_box, with_scene};
+use rayline_tests::{cut_box, each_scene, meshes, turned_box, with_scene};
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
     let renderer = Renderer::new(scene, settings).unwrap();
@@ -34,6 +34,11 @@ fn differences<R: Real>(scene: &Scene, settings: Settings) -> usize {
     let fast = lines(&prepared, settings);
     let slow = lines(&prepared.without_acceleration(), settings);
     fast.iter().zip(&slow).filter(|(fast, slow)| fast != slow).count()
+}
+
+fn picture<R: Real>(scene: &Scene, settings: Settings) -> Vec<Rgb888> {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    lines(&PreparedScene::<R, _>::new(scene, &mut memory).unwrap(), settings)
 }
 
 fn check(name: &str) {
@@ -102,6 +107,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
                 Shape::Quadric(Quadric { center, coefficients, min: -max, max, capped })
             }
         ),
+        1 => meshes(vector(), 1..30).prop_map(Shape::Mesh),
     ]
     .boxed()
 }
@@ -256,5 +262,33 @@ fn rays_along_the_axes_through_a_grid() {
         assert_eq!(differences::<f32>(&scene, Settings::new(41, 31)), 0);
         assert_eq!(differences::<f64>(&scene, Settings::new(41, 31)), 0);
         assert_eq!(differences::<Fixed>(&scene, Settings::new(41, 31)), 0);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// A mesh with boxes around its triangles, and the same in pieces so small that they have none.
+    #[test]
+    fn meshes_and_their_pieces(
+        eye in eye(),
+        whole in meshes(vector(), 9..80),
+        material in material(),
+        lights in proptest::collection::vec(light(), 1..3),
+    ) {
+        let floor = || Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, -103.0, 0.0), 100.0)), 0);
+        let pieces = whole.triangles.chunks(4).map(|triangles| Mesh { triangles, ..whole });
+        let pieces = pieces.map(|piece| Object::new(Shape::Mesh(piece), 0)).chain([floor()]);
+        let whole = [Object::new(Shape::Mesh(whole), 0), floor()];
+        let settings = Settings::new(24, 18);
+        with_accepted::<f32>(eye, whole.into_iter(), &[material], lights.clone(), |whole| {
+            with_accepted::<f32>(eye, pieces, &[material], lights, |pieces| {
+                assert_eq!(picture::<f32>(whole, settings), picture::<f32>(pieces, settings));
+                assert_eq!(picture::<f64>(whole, settings), picture::<f64>(pieces, settings));
+                if accepted::<Fixed>(whole) && accepted::<Fixed>(pieces) {
+                    assert_eq!(picture::<Fixed>(whole, settings), picture::<Fixed>(pieces, settings));
+                }
+            });
+        });
     }
 }

@@ -6,13 +6,14 @@
 //! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
 //! the instructions that it took with nodes of one box. To sort all boxes of a node by distance visits fewer, but takes 5 %
 //! longer than to go on with the nearest and to let the others wait as they come. How it is built: see [`build`]. How
-//! boxes are tested: see [`slabs`] for floating point and [`segment`] for fixed point.
+//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, and [`place`] for points.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.
 
 mod axis;
 mod build;
+mod place;
 mod segment;
 mod slabs;
 #[cfg(all(test, feature = "hierarchy"))]
@@ -25,6 +26,7 @@ use crate::fault::Fault;
 use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::{Aabb, Ray, Real, Vec3};
 use axis::Axis;
+use place::Place;
 use segment::Segment;
 use slabs::Slabs;
 
@@ -97,6 +99,11 @@ type Waiting<R> = (R, Content);
 const MOST_WAITING: usize = (WIDTH - 1) * MAX_HIERARCHY_DEPTH + 1;
 
 impl<'m, R: Real> Hierarchy<'m, R> {
+    /// No boxes: all objects of a list, one by one.
+    pub(crate) fn list(objects: &'m [u16]) -> Self {
+        Self { nodes: &[], order: objects, unbounded: objects.len() }
+    }
+
     /// How many bytes the hierarchy of so many objects takes, with up to `leaf` of them in a leaf, besides the list of them.
     pub(crate) const fn bytes(objects: usize, leaf: usize) -> usize {
         Arena::bytes::<Node<R>>(build::most_nodes(objects, leaf))
@@ -124,6 +131,15 @@ impl<'m, R: Real> Hierarchy<'m, R> {
         }
     }
 
+    /// The same for all objects that a point may lie on: a point that was computed, off by less than `margin`.
+    #[inline]
+    pub(crate) fn visit(&self, point: Vec3<R>, margin: R, mut visit: impl FnMut(usize)) {
+        self.walk_boxes(Place::new(point, margin), |object| {
+            visit(object);
+            Some(R::ZERO)
+        });
+    }
+
     #[inline(always)]
     fn walk_boxes(&self, mut ray: impl BoxTest<R>, mut test: impl FnMut(usize) -> Option<R>) -> bool {
         let mut waiting: Vec<Waiting<R>, MOST_WAITING> = Vec::new();
@@ -135,6 +151,9 @@ impl<'m, R: Real> Hierarchy<'m, R> {
                     Some(nearer) => ray.end_at(nearer),
                     None => return true,
                 }
+            }
+            if self.nodes.is_empty() {
+                return false;
             }
             // To the next leaf that matters.
             objects = loop {

@@ -155,6 +155,8 @@ pub trait Product<R: Real>:
     fn times(self, factor: R) -> Self;
     /// The quotient, rounded.
     fn over(self, divisor: R) -> R;
+    /// Which share of a whole this is, 0 to 1: of the same sign as the whole, or 0, and not beyond it.
+    fn share(self, whole: Self) -> R;
 }
 
 /// A linear function over space: `gradient · point + offset`, however steep.
@@ -212,6 +214,11 @@ macro_rules! impl_real_for_float {
             #[inline]
             fn over(self, divisor: Self) -> Self {
                 self / divisor
+            }
+
+            #[inline]
+            fn share(self, whole: Self) -> Self {
+                self / whole
             }
         }
 

@@ -11,6 +11,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod ellipsoid;
+mod mesh;
 mod patch;
 mod plane;
 mod polygon;
@@ -32,6 +33,7 @@ pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
+pub use mesh::{Mesh, PreparedMesh};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
 pub use polyhedron::{ConvexPolyhedron, PreparedPolyhedron};
@@ -173,6 +175,8 @@ crate::shape_set! {
         Cuboid(Cuboid),
         /// A convex solid with flat faces.
         Polyhedron(ConvexPolyhedron<'a>),
+        /// A mesh of triangles.
+        Mesh(Mesh<'a>),
     }
 }
 
@@ -186,6 +190,7 @@ impl Shape<'_> {
             Self::Quadric(_) => Quadric::const_bytes::<R>(),
             Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
             Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
+            Self::Mesh(mesh) => mesh.const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Plane, Quadric, Rectangle, Shape, Sphere};
+use rayline::shape::{Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -111,6 +111,7 @@ fn extent(scene: &Scene<'_>) -> f64 {
         }
         // What its planes enclose may be farther away than these points, or nearer.
         Shape::Polyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
+        Shape::Mesh(mesh) => mesh.vertices.to_vec(),
     });
     shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
 }
@@ -253,6 +254,7 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
                 open(shape.capped)
             ),
         ),
+        Shape::Mesh(mesh) => ("mesh2", self::mesh(mesh)),
         Shape::Ellipsoid(shape) => {
             // The images of the axes, and of the origin.
             let [a, b, c] = shape.axes;
@@ -315,6 +317,18 @@ fn polygon(vertices: &[Vec3]) -> (&'static str, String) {
 fn corners(rectangle: &Rectangle) -> [Vec3; 4] {
     let Rectangle { corner, right, up } = *rectangle;
     [corner, corner + right, corner + right + up, corner + up]
+}
+
+fn mesh(mesh: &Mesh<'_>) -> String {
+    let vectors = |name, vectors: &[Vec3]| format!("{name} {{ {}, {} }}", vectors.len(), points(vectors));
+    let faces: Vec<_> = mesh.triangles.iter().map(|triangle| list(triangle)).collect();
+    let normals = mesh.normals.map_or(String::new(), |normals| vectors("normal_vectors", normals) + " ");
+    format!(
+        "{} {normals}face_indices {{ {}, {} }}",
+        vectors("vertex_vectors", mesh.vertices),
+        faces.len(),
+        faces.join(", ")
+    )
 }
 
 fn points(vertices: &[Vec3]) -> String {
@@ -446,6 +460,18 @@ union {
         let ring = Torus { center: UP, axis, major_radius: 2.0, minor_radius: 0.5 };
         let (kind, text) = shape(&Shape::Torus(ring));
         assert_eq!((kind, text.as_str()), ("torus", "2, 0.5 matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0>"));
+    }
+
+    #[test]
+    fn meshes_keep_their_shared_vertices() {
+        let corners = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), UP, Vec3::new(1.0, 1.0, 0.0)];
+        let mesh = Mesh { vertices: &corners, triangles: &[[0, 1, 2], [2, 1, 3]], normals: None };
+        let flat = "vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <1, 1, 0> }";
+        let faces = "face_indices { 2, <0, 1, 2>, <2, 1, 3> }";
+        assert_eq!(shape(&Shape::Mesh(mesh)), ("mesh2", format!("{flat} {faces}")));
+        let smooth = Shape::Mesh(Mesh { normals: Some(&[UP; 4]), ..mesh });
+        let normals = "normal_vectors { 4, <0, 1, 0>, <0, 1, 0>, <0, 1, 0>, <0, 1, 0> }";
+        assert_eq!(shape(&smooth), ("mesh2", format!("{flat} {normals} {faces}")));
     }
 
     #[test]

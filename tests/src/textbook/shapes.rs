@@ -1,7 +1,8 @@
 //! Where rays go through shapes.
 
 use glam::{DMat3, DQuat, DVec3};
-use rayline::shape::{Disc, Quadric, Rectangle, Shape, Torus, Triangle};
+use rayline::Vec3;
+use rayline::shape::{Disc, Mesh, Quadric, Rectangle, Shape, Torus, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -39,6 +40,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
             let faces = polyhedron.planes.iter().map(|plane| (vector(plane.point), vector(plane.normal)));
             self::polyhedron(&faces.collect::<Vec<_>>(), ray)
         }
+        Shape::Mesh(mesh) => triangles(mesh).filter_map(|triangle| self::triangle(&triangle, ray)).collect(),
     }
 }
 
@@ -197,6 +199,14 @@ fn triangle(triangle: &Triangle, ray: Ray) -> Option<Crossing> {
         (at_a * (1.0 - u - v) + at_b * u + at_c * v).normalize()
     });
     Some(Crossing { t: ac.dot(q) / determinant, geometric, normal })
+}
+
+/// The triangles of a mesh, each for itself.
+fn triangles(mesh: Mesh<'_>) -> impl Iterator<Item = Triangle> {
+    mesh.triangles.iter().map(move |corners| {
+        let of = |vectors: &[Vec3]| corners.map(|corner| vectors[usize::from(corner)]);
+        Triangle { vertices: of(mesh.vertices), normals: mesh.normals.map(of) }
+    })
 }
 
 /// The plane of the outline (Newell's normal: Sutherland, Sproull and Schumacker 1974), then the angle that the

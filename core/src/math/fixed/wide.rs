@@ -97,4 +97,12 @@ impl Product<Fixed> for FixedProduct {
         let quotient = if down < 64 { quotient >> down } else { 0 };
         Fixed::saturated(if divisor.0 < 0 { quotient.wrapping_neg() } else { quotient })
     }
+
+    fn share(self, whole: Self) -> Fixed {
+        let (part, whole) = (self.0.unsigned_abs(), whole.0.unsigned_abs());
+        // The upper 31 digits of the whole, and as many digits of the part as fit.
+        let up = whole.leading_zeros().saturating_sub(1) & 63;
+        let digits = ((whole << up) >> 32) as i32;
+        Self(((part << up) >> 8) as i64).over(Fixed(digits))
+    }
 }

@@ -1,0 +1,43 @@
+//! The test which boxes hold a point, in every number system.
+
+use super::{BoxTest, Node, WIDTH};
+use crate::math::{Real, Vec3};
+
+/// A point, with room for its rounding.
+pub(super) struct Place<R> {
+    /// What lower planes must not exceed.
+    upper: Vec3<R>,
+    /// What upper planes must not be below.
+    lower: Vec3<R>,
+}
+
+impl<R: Real> Place<R> {
+    #[inline(always)]
+    pub(super) fn new(point: Vec3<R>, margin: R) -> Self {
+        let margin = Vec3::new(margin, margin, margin);
+        Self { upper: point + margin, lower: point - margin }
+    }
+}
+
+impl<R: Real> BoxTest<R> for Place<R> {
+    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+        let Self { upper, lower } = *self;
+        let mut met = 0;
+        for (slot, (min, max)) in node.corners().enumerate() {
+            let holds = min.x <= upper.x
+                && min.y <= upper.y
+                && min.z <= upper.z
+                && max.x >= lower.x
+                && max.y >= lower.y
+                && max.z >= lower.z;
+            met |= u32::from(holds) << slot;
+        }
+        (met, [R::ZERO; WIDTH])
+    }
+
+    fn end_at(&mut self, _: R) {}
+
+    fn reaches(&self, _: R) -> bool {
+        true
+    }
+}
