@@ -57,6 +57,13 @@ pub enum Fault {
         /// How many vertices.
         vertices: usize,
     },
+    /// A mesh has coordinates for textures, but not one pair for each vertex. Give as many as vertices, or none.
+    UvCount {
+        /// How many pairs there are.
+        uvs: usize,
+        /// How many vertices.
+        vertices: usize,
+    },
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -137,6 +144,12 @@ impl fmt::Display for Fault {
                 return write!(
                     f,
                     "the mesh has {normals} normals and {vertices} vertices; give one for each, or none"
+                );
+            }
+            Self::UvCount { uvs, vertices } => {
+                return write!(
+                    f,
+                    "the mesh has {uvs} pairs of coordinates and {vertices} vertices; give one for each, or none"
                 );
             }
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",

@@ -84,7 +84,11 @@ fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PreparedTexture<'m, R: Real> {
     Solid(LinearRgb<R>),
-    Checker { even: LinearRgb<R>, odd: LinearRgb<R>, cells_per_unit: [R::Factor; 3] },
+    Checker {
+        even: LinearRgb<R>,
+        odd: LinearRgb<R>,
+        cells_per_unit: [R::Factor; 3],
+    },
     #[allow(dead_code)] // nothing borrows yet
     Borrowed(Infallible, PhantomData<&'m ()>),
 }

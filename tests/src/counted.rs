@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rayline::Vec3;
-use rayline::math::{Linear, Product, Real};
+use rayline::math::{self, Linear, Product, Real};
 
 /// An `f32` that counts operations, for each thread by itself.
 #[derive(Clone, Copy, Debug)]
@@ -216,6 +216,15 @@ impl Real for Counted {
 
     fn cell(self, per_unit: f32) -> i32 {
         self.0.cell(per_unit)
+    }
+
+    fn turn(y: Self, x: Self) -> Self {
+        slow(Real::turn(y.0, x.0))
+    }
+
+    fn split(self) -> math::Cell<Self> {
+        let math::Cell { index, within } = self.0.split();
+        math::Cell { index, within: Self(within) }
     }
 
     fn floor_to_i32(self) -> i32 {

@@ -111,6 +111,7 @@ pub fn meshes(
                 vertices: vertices.leak(),
                 triangles: triangles.leak(),
                 normals: smooth.then_some(normals),
+                uvs: None,
             }
         })
         .boxed()

@@ -8,6 +8,7 @@
 //! | | libm | correctly rounded |
 //! | `powf` | feature `micromath`: squarings and refined square roots | 3e-3 for exponents to 1000 |
 //! | | libm | 1 unit in the last place |
+//! | `turn` | libm | 2⁻²³ of a turn, 2⁻⁵¹ in `f64` |
 //!
 //! Powers never come from the standard library: its `pow` is the platform's, and differs between platforms.
 //! Tangents, needed once per picture, always come from libm.
@@ -35,6 +36,21 @@ pub(crate) fn powf(base: f32, exponent: f32) -> f32 {
 /// As [`powf`], while a scene is prepared: always libm's, and so the same with every feature.
 pub(crate) fn set_up_powf(base: f32, exponent: f32) -> f32 {
     libm::powf(base, exponent)
+}
+
+/// The angle of the vector (x, y) as a share of a turn, see [`Real::turn`](super::Real::turn): never the platform's arc tangent.
+pub(crate) fn turn(y: f32, x: f32) -> f32 {
+    let turn = libm::atan2f(y, x) * (0.5 * core::f32::consts::FRAC_1_PI);
+    let turn = if turn < 0.0 { turn + 1.0 } else { turn };
+    // What is a little less than 0 is rounded to 1; so is what is no number.
+    if turn < 1.0 { turn } else { 0.0 }
+}
+
+/// The same for the reference build.
+pub(crate) fn turn_f64(y: f64, x: f64) -> f64 {
+    let turn = libm::atan2(y, x) * (0.5 * core::f64::consts::FRAC_1_PI);
+    let turn = if turn < 0.0 { turn + 1.0 } else { turn };
+    if turn < 1.0 { turn } else { 0.0 }
 }
 
 /// The square root of the reference build.

@@ -1,6 +1,7 @@
 //! Numbers, vectors and rays.
 
 mod aabb;
+mod cell;
 mod fixed;
 pub(crate) mod float;
 mod interval;
@@ -11,6 +12,7 @@ mod scale;
 mod vec3;
 
 pub use aabb::Aabb;
+pub use cell::Cell;
 pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
 pub use interval::Interval;
 pub use ray::Ray;

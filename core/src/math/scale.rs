@@ -114,6 +114,17 @@ impl Scale {
         point * R::Setup::from_f32(self.0)
     }
 
+    /// A coordinate in the scene's units again. Where the number system does not hold it, it is as far from a multiple
+    /// of 256.
+    pub fn unscaled<R: Real>(self, coordinate: R) -> R {
+        let (mut coordinate, mut scale) = (coordinate, self.0);
+        // In fixed point sums wrap. The scale is 2⁻³⁰ or more.
+        while scale < 1.0 {
+            (coordinate, scale) = (coordinate + coordinate, scale + scale);
+        }
+        if scale > 1.0 { coordinate * R::from_f32(1.0 / scale) } else { coordinate }
+    }
+
     /// Whether an eye or light at this point is near enough.
     pub fn is_near<R: Real>(self, point: Vec3) -> bool {
         R::REACH.is_none() || point.magnitude() * self.0 <= Self::NEAR

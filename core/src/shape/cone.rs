@@ -3,7 +3,7 @@
 //! §5.6).
 
 use super::disc::reach_across;
-use super::{Geometry, Intersect, Spans, Spine};
+use super::{Geometry, Intersect, Spans, Spine, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -298,6 +298,18 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         };
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        let from_base = surface.point - self.base;
+        let height = from_base.dot(self.axis);
+        // The lids, and nothing else, have the very axis as normal.
+        if self.capped && (surface.normal == self.axis || surface.normal == -self.axis) {
+            let top = surface.normal == self.axis;
+            let radius = self.base_radius + if top { self.slope * self.length } else { R::ZERO };
+            return uv::disc(surface.normal, from_base - self.axis * height, radius);
+        }
+        [uv::angle_about(self.axis, from_base), height / self.length]
+    }
 }
 
 #[cfg(test)]
@@ -441,6 +453,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn coordinates_are_angle_and_height_and_on_lids_a_square() {
+        assert_uv(TENT, Vec3::new(0.0, 1.0, -5.0), Vec3::new(0.0, 0.0, 1.0), [0.25, 0.5]);
+        assert_uv(TENT, Vec3::new(-5.0, 1.5, 0.0), -LEFT, [0.5, 0.75]);
+        // The lid is seen from below: its axis points down, x still is u, and z is v.
+        assert_uv(TENT, Vec3::new(1.0, -3.0, 0.5), -DOWN, [0.75, 0.625]);
+        let frustum = Cone { top_radius: 1.0, ..TENT };
+        assert_uv(frustum, Vec3::new(0.5, 5.0, 0.25), DOWN, [0.75, 0.375]);
     }
 
     #[test]

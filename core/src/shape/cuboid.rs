@@ -1,6 +1,6 @@
 //! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
 
-use super::{Geometry, Intersect, Spans};
+use super::{Geometry, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -200,6 +200,20 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
         let point = point + normal * (half - height);
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        let Vec3 { x, y, z } = self.turned(surface.point - self.center);
+        let (x, y, z) = (uv::share(x, self.half.x), uv::share(y, self.half.y), uv::share(z, self.half.z));
+        // Upright on the sides; above and below, the second axis points away from the third.
+        match surface.part {
+            0 => [z, y],
+            1 => [R::ONE - z, y],
+            2 => [x, z],
+            3 => [x, R::ONE - z],
+            4 => [R::ONE - x, y],
+            _ => [x, y],
+        }
+    }
 }
 
 #[cfg(test)]
@@ -335,6 +349,16 @@ mod tests {
         assert_eq!(refused([a, b * f32::NAN, c]), Fault::NotFinite);
         assert_eq!(refused([a, b * 4e6, c]), Fault::TooFar);
         assert_eq!(refusal(Cuboid { center: Vec3::new(999_999.0, 0.0, 0.0), ..BRICK }), Fault::TooFar);
+    }
+
+    #[test]
+    fn coordinates_are_upright_on_each_face() {
+        assert_uv(BRICK, Vec3::new(0.0, 0.25, 9.0), Vec3::new(0.0, 0.0, -1.0), [0.25, 0.25]);
+        assert_uv(BRICK, Vec3::new(0.0, 0.25, -9.0), Vec3::new(0.0, 0.0, 1.0), [0.75, 0.25]);
+        assert_uv(BRICK, Vec3::new(9.0, 0.25, 1.5), LEFT, [0.75, 0.25]);
+        assert_uv(BRICK, Vec3::new(-9.0, 0.25, 1.5), -LEFT, [0.25, 0.25]);
+        assert_uv(BRICK, Vec3::new(0.0, 9.0, 1.5), DOWN, [0.25, 0.75]);
+        assert_uv(BRICK, Vec3::new(0.0, -9.0, 1.5), -DOWN, [0.25, 0.25]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Form, Geometry, Intersect, PreparedPlane};
+use super::{Form, Geometry, Intersect, PreparedPlane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -94,6 +94,10 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.plane.surface(ray, t)
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::disc(self.plane.normal, surface.point - self.center, self.radius)
+    }
 }
 
 /// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.
@@ -162,6 +166,13 @@ mod tests {
             assert_no_self_hits(Disc::new(center, normal, extent), center, extent, 20_000);
             assert_no_self_hits(Disc::ring(center, normal, 0.5 * extent, extent), center, extent, 20_000);
         }
+    }
+
+    #[test]
+    fn coordinates_are_those_of_the_square_around_it() {
+        assert_uv(PLATE, Vec3::new(1.0, 6.0, 3.0), DOWN, [0.5, 0.5]);
+        assert_uv(PLATE, Vec3::new(2.0, 6.0, 3.0), DOWN, [0.75, 0.5]);
+        assert_uv(PLATE, Vec3::new(1.0, 6.0, 4.5), DOWN, [0.5, 0.125]);
     }
 
     #[test]

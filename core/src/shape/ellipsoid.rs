@@ -1,7 +1,7 @@
 //! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
 
-use super::{Geometry, Intersect, Spans, Spine};
+use super::{Geometry, Intersect, Spans, Spine, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -202,6 +202,10 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
             part: 0,
         }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::globe(self.0.mapped(surface.point - self.0.center))
+    }
 }
 
 #[cfg(test)]
@@ -289,6 +293,19 @@ mod tests {
                 assert_spans_are_met(turned, center, extent, 1_000);
             }
         }
+    }
+
+    #[test]
+    fn coordinates_are_those_of_a_sphere_that_was_stretched() {
+        assert_uv(EGG, Vec3::new(1.0, 2.0, 9.0), AWAY, [0.75, 0.5]);
+        // Halfway up the longer side it is 60 degrees up.
+        let away = (0.75f32).sqrt() * 0.5;
+        assert_uv(
+            EGG,
+            Vec3::new(1.0, 9.0, 3.0 - 0.5 * away),
+            DOWN,
+            [0.25, 0.5 + (0.8125f64).sqrt().asin() / core::f64::consts::PI],
+        );
     }
 
     #[test]

@@ -25,6 +25,7 @@ mod sphere;
 mod testing;
 mod torus;
 mod triangle;
+mod uv;
 
 use core::fmt::Debug;
 
@@ -109,6 +110,12 @@ pub trait Intersect<R: Real> {
 
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
+
+    /// The place of a surface in two numbers, for what is put on it: most often from 0 to 1 across all of it. Is asked
+    /// only by textures that are placed so, and of points next to the surface as well. What has
+    /// no bounds gives lengths in units of the scene, of which there are `scale` to one of `surface`
+    /// ([`Scale::unscaled`]).
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2];
 }
 
 /// The middle line of a long shape.

@@ -1,6 +1,6 @@
 //! An infinite plane; as a solid, the half of space behind it.
 
-use super::{Form, Geometry, Intersect, Spans, project_onto_plane};
+use super::{Form, Geometry, Intersect, Spans, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -117,6 +117,10 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         let magnitude = point.magnitude().larger(self.distance.abs());
         Surface { point, normal: self.normal, shading_normal: self.normal, magnitude, part: 0 }
     }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        uv::flat(self.normal, surface.point, scale)
+    }
 }
 
 #[cfg(test)]
@@ -170,6 +174,17 @@ mod tests {
         assert_eq!(refusal(Plane { normal: Vec3::ZERO, ..FLOOR }), Fault::ZeroLength);
         assert_eq!(refusal(Plane { normal: Vec3::new(0.0, f32::NAN, 1.0), ..FLOOR }), Fault::NotFinite);
         assert_eq!(refusal(Plane { point: Vec3::new(0.0, -3e6, 1.0), ..FLOOR }), Fault::TooFar);
+    }
+
+    #[test]
+    fn coordinates_are_lengths_in_units_of_the_scene() {
+        let down = Vec3::new(0.0, -1.0, 0.0);
+        let floor = Plane::new(Vec3::new(0.0, 1.0, 0.0), -down);
+        assert_uv(floor, Vec3::new(3.0, 5.0, 7.0), down, [3.0, -7.0]);
+        let wall = Plane::new(Vec3::ZERO, Vec3::new(0.0, 0.0, 4.0));
+        assert_uv(wall, Vec3::new(3.0, -5.0, 7.0), Vec3::new(0.0, 0.0, -1.0), [3.0, -5.0]);
+        let side = Plane::new(Vec3::ZERO, Vec3::new(-1.0, 0.0, 0.0));
+        assert_uv(side, Vec3::new(-9.0, 2.0, 3.0), Vec3::new(1.0, 0.0, 0.0), [2.0, -3.0]);
     }
 
     #[test]

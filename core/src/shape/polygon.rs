@@ -200,6 +200,10 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.plane.surface(ray, t)
     }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        self.plane.uv(surface, scale)
+    }
 }
 
 #[cfg(test)]
@@ -296,6 +300,13 @@ mod tests {
             let tilted = ARROW.map(|v| Vec3::new(v.x, v.y, 0.5 * v.x - 0.2 * v.y + 0.3) * (0.5 * extent));
             assert_no_self_hits(Polygon::new(&tilted), Vec3::ZERO, extent, 20_000);
         }
+    }
+
+    #[test]
+    fn coordinates_are_lengths_in_its_plane() {
+        let outline = [Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, 9.0), Vec3::new(7.0, 2.0, 9.0)];
+        let triangle = Polygon::new(&outline);
+        assert_uv(triangle, Vec3::new(2.0, 5.0, 8.0), Vec3::new(0.0, -1.0, 0.0), [2.0, -8.0]);
     }
 
     #[test]

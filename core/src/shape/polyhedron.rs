@@ -8,7 +8,7 @@
 //! [`MAX_FACES`]. Rejected: to clip the polygon of each face, which needs memory for the largest; and to intersect all triples,
 //! which goes with the fourth power.
 
-use super::{Geometry, Intersect, Plane, PreparedPlane, Spans};
+use super::{Geometry, Intersect, Plane, PreparedPlane, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
 use crate::limits::{MAX_COORDINATE, MAX_FACES};
@@ -243,6 +243,10 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
         let (part, plane) = nearest.map_or((0, &none), |(_, part, plane)| (part, plane));
         Surface { part, ..plane.surface(ray, t) }
     }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        uv::flat(surface.normal, surface.point, scale)
+    }
 }
 
 #[cfg(test)]
@@ -387,6 +391,11 @@ mod tests {
         assert_eq!(refused(&empty), Fault::NotEnclosed);
         empty[3] = plane(0.0, 1.0, 0.0, 0.0);
         assert_eq!(refused(&empty), Fault::NotEnclosed);
+    }
+
+    #[test]
+    fn coordinates_are_lengths_along_its_faces() {
+        assert_uv(ConvexPolyhedron::new(&BLOCK), Vec3::new(0.5, 5.0, -1.5), DOWN, [0.5, 1.5]);
     }
 
     #[test]

@@ -73,6 +73,10 @@ impl<R: Real> Intersect<R> for PreparedRectangle<R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.patch.plane.surface(ray, t)
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.patch.coordinates(surface.point).into()
+    }
 }
 
 #[cfg(test)]
@@ -128,6 +132,13 @@ mod tests {
             };
             assert_no_self_hits(tilted, Vec3::ZERO, extent, 20_000);
         }
+    }
+
+    #[test]
+    fn coordinates_run_along_its_edges() {
+        assert_uv(TABLE, Vec3::new(-0.25, 5.0, 0.5), DOWN, [0.25, 0.25]);
+        let leaning = Rectangle { up: Vec3::new(2.0, 0.0, -2.0), ..TABLE };
+        assert_uv(leaning, Vec3::new(0.75, 5.0, 0.0), DOWN, [0.25, 0.5]);
     }
 
     #[test]

@@ -121,6 +121,12 @@ macro_rules! shape_set {
                     $(Self::$Variant(shape) => shape.surface(ray, t)),+
                 }
             }
+
+            fn uv(&self, surface: &$crate::Surface<R>, scale: $crate::math::Scale) -> [R; 2] {
+                match self {
+                    $(Self::$Variant(shape) => shape.uv(surface, scale)),+
+                }
+            }
         }
     };
 }

@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect, Spans};
+use super::{Form, Geometry, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -108,6 +108,10 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
             part: 0,
         }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::globe(surface.point - self.center)
+    }
 }
 
 #[cfg(test)]
@@ -132,6 +136,22 @@ mod tests {
         let height = 3f64.sqrt();
         let normal = [0.5, 0.0, height / 2.0];
         assert_meets(BALL, Vec3::new(2.0, 2.0, 10.0), Vec3::new(0.0, 0.0, -1.0), 7.0 - height, normal);
+    }
+
+    #[test]
+    fn longitude_and_latitude() {
+        let center = BALL.center;
+        // Toward -z is a quarter of a turn, as seen from above.
+        for (x, z, u) in [(0.0, -1.0, 0.25), (-1.0, 0.0, 0.5), (0.0, 1.0, 0.75), (1.0, -1.0, 0.125)] {
+            let inward = Vec3::new(-x, 0.0, -z);
+            assert_uv(BALL, center - inward * 5.0, inward, [u, 0.5]);
+            // Where it is as high as far out: an eighth of a turn up, of half a turn in all.
+            let down = inward + Vec3::new(0.0, -inward.length(), 0.0);
+            assert_uv(BALL, center - down * 5.0, down, [u, 0.75]);
+        }
+        // Next to the pole.
+        let down = Vec3::new(-1e-3, -1.0, -1e-3);
+        assert_uv(BALL, center - down * 5.0, down, [0.875, 1.0 - 1e-3 * 2f64.sqrt() / core::f64::consts::PI]);
     }
 
     #[test]

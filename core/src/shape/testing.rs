@@ -85,6 +85,27 @@ pub(super) fn shading_normal<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) 
     meet_in::<f64, G>(shape, origin, toward).expect("a hit").shading_normal
 }
 
+fn uv_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 2] {
+    let direction = Vec3::from_setup(toward.to::<R::Setup>().normalized().expect("a direction"));
+    let mut memory = Memory::new();
+    let (scale, prepared) = prepared_for::<G, R>(shape, origin, &mut memory).expect("a legal shape");
+    let ray = Ray { origin: scale.point(origin.to()), direction };
+    let t = prepared.intersect(&ray, Interval::AHEAD).expect("a hit");
+    prepared.uv(&prepared.surface(&ray, t), scale).map(|coordinate| f64::from(coordinate.to_f32()))
+}
+
+/// The place where the ray meets the shape has these coordinates on it.
+pub(super) fn assert_uv<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, expected: [f64; 2]) {
+    for uv in [
+        uv_in::<f32, G>(shape, origin, toward),
+        uv_in::<f64, G>(shape, origin, toward),
+        uv_in::<Fixed, G>(shape, origin, toward),
+    ] {
+        let same = uv.iter().zip(expected).all(|(a, b)| (a - b).abs() < 2e-5 * b.abs().max(1.0));
+        assert!(same, "{shape:?}: {uv:?}, not {expected:?}");
+    }
+}
+
 /// A ray from `origin` along `toward` does not meet the shape.
 pub(super) fn assert_misses<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) {
     assert_eq!(meet_in::<f32, G>(shape, origin, toward), None);

@@ -6,7 +6,7 @@
 //! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
 //! not lose a thin tube in its squares.
 
-use super::{Geometry, Intersect, Spans};
+use super::{Geometry, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -203,6 +203,13 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         let point = self.center + ring + normal * self.minor;
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        let from_center = surface.point - self.center;
+        let height = from_center.dot(self.axis);
+        let across = (from_center - self.axis * height).length();
+        [uv::angle_about(self.axis, from_center), R::turn(height, across - self.major)]
+    }
 }
 
 #[cfg(test)]
@@ -311,6 +318,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn coordinates_are_two_angles() {
+        assert_uv(RING, Vec3::new(9.0, 2.0, 2.99), LEFT, [0.01 / 4.0 / core::f64::consts::TAU, 0.0]);
+        assert_uv(RING, Vec3::new(1.0, 9.0, 0.0), DOWN, [0.25, 0.25]);
+        // From the middle outward: the inside of the ring.
+        assert_uv(RING, Vec3::new(1.0, 2.0, 3.0), LEFT, [0.5, 0.5]);
+        assert_uv(RING, Vec3::new(1.0, -9.0, 6.0), -DOWN, [0.75, 0.75]);
     }
 
     #[test]

@@ -95,6 +95,10 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         });
         Surface { shading_normal: shading_normal.unwrap_or(surface.normal), ..surface }
     }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.patch.coordinates(surface.point).into()
+    }
 }
 
 #[cfg(test)]
@@ -161,6 +165,12 @@ mod tests {
                 Triangle::flat(corner(-1.0, -0.8, 0.3), corner(1.0, -0.6, -0.5), corner(0.1, 1.0, 0.9));
             assert_no_self_hits(triangle, Vec3::ZERO, extent, 20_000);
         }
+    }
+
+    #[test]
+    fn coordinates_are_weights_of_corners() {
+        let (origin, toward) = down(2.0, 0.75);
+        assert_uv(FLAT, origin, toward, [0.5, 0.25]);
     }
 
     #[test]

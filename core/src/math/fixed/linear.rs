@@ -2,8 +2,8 @@
 
 use super::product::product;
 use super::{FRACTION, Fixed};
-use crate::math::Vec3;
 use crate::math::real::{Linear, Real};
+use crate::math::{Cell, Vec3};
 
 /// A linear function over space, for instance a barycentric coordinate of a triangle.
 ///
@@ -42,6 +42,11 @@ impl Linear<Fixed> for FixedLinear {
 
     fn at(&self, point: Vec3<Fixed>) -> Fixed {
         Fixed::saturated(Self::sum(self.gradient, point).wrapping_add(self.offset) >> (self.shift & 63))
+    }
+
+    fn cell(&self, point: Vec3<Fixed>) -> Cell<Fixed> {
+        let value = Self::sum(self.gradient, point).wrapping_add(self.offset) >> (self.shift & 63);
+        Cell { index: (value >> FRACTION) as i32, within: Fixed(value as i32 & ((1 << FRACTION) - 1)) }
     }
 
     fn gradient(&self) -> Vec3<f32> {

@@ -33,6 +33,7 @@
 //! | square root, length | 2⁻²⁴ of the value, and 1 unit |
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
 //! | power | see [`power`](self::power) |
+//! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 mod armv6m;
@@ -40,6 +41,7 @@ mod linear;
 mod newton;
 mod power;
 mod product;
+mod turn;
 mod wide;
 mod zeros;
 
@@ -48,7 +50,7 @@ pub use wide::FixedProduct;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::Real;
+use super::{Cell, Real};
 use newton::{recip, rsqrt};
 use product::{product, scaled};
 use zeros::{even_zeros, zeros};
@@ -208,6 +210,14 @@ impl Real for Fixed {
     fn cell(self, per_unit: Factor) -> i32 {
         let shift = per_unit.shift.wrapping_add(FRACTION);
         (product(self.0, per_unit.mantissa) >> shift.min(63)) as i32
+    }
+
+    fn turn(y: Self, x: Self) -> Self {
+        Self(turn::turn(y.0, x.0) & ((1 << FRACTION) - 1))
+    }
+
+    fn split(self) -> Cell<Self> {
+        Cell { index: self.0 >> FRACTION, within: Self(self.0 & ((1 << FRACTION) - 1)) }
     }
 
     fn floor_to_i32(self) -> i32 {

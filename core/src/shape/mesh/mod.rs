@@ -10,11 +10,11 @@
 //! | boxes, where there are more than [`FEW_TRIANGLES`] | up to 38 a triangle |
 //! | vertices, converted | 12 a vertex |
 //! | normals at vertices | 6 a vertex |
-//! | the mesh itself | 68, on processors of 64 bits 112 |
+//! | the mesh itself | 76, on processors of 64 bits 128 |
 //!
 //! A closed mesh has half as many vertices as triangles: 49 bytes a triangle with normals, 46 without. As long as there are no
-//! more vertices than triangles it is 58 at most. Which vertices a triangle joins is read where the description has it, in
-//! flash.
+//! more vertices than triangles it is 58 at most. Which vertices a triangle joins, and coordinates for textures, are read where
+//! the description has them, in flash.
 //!
 //! Rejected: the planes of single triangles, prepared, through whose edges rays slip. A teapot of 240 smooth triangles takes
 //! 14.7 KB with its floor, and 40.0 KB as single triangles; a picture of it takes 1.16 times as long (`f32`, x86-64). Leaves of
@@ -32,10 +32,10 @@ mod tests;
 
 use super::{Geometry, Intersect, bounds_of};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_point, check_size};
+use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size};
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_COUNT;
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 use sight::{Meeting, Sight};
 use smooth::SmallNormal;
@@ -59,6 +59,7 @@ use smooth::SmallNormal;
 ///     ],
 ///     triangles: &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
 ///     normals: None,
+///     uvs: None,
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +71,9 @@ pub struct Mesh<'a> {
     /// Normals at the vertices, interpolated for shading: as many as vertices, of any length. Where they cancel or are 0, and
     /// where there are none (`None`), triangles are flat.
     pub normals: Option<&'a [Vec3]>,
+    /// For textures: u and v at the vertices, interpolated; as many as vertices, from -59 to 59 if they are to be held by all
+    /// number systems. `None`: those of each [`Triangle`](super::Triangle) by itself.
+    pub uvs: Option<&'a [[f32; 2]]>,
 }
 
 /// The most triangles that are tested one by one.
@@ -95,7 +99,7 @@ impl Mesh<'_> {
     }
 
     /// Refuses what would not be a mesh.
-    fn check(&self) -> Result<(), Fault> {
+    fn check<R: Real>(&self) -> Result<(), Fault> {
         let (vertices, triangles) = (self.vertices.len(), self.triangles.len());
         for given in [vertices, triangles] {
             if given > MAX_COUNT {
@@ -106,6 +110,15 @@ impl Mesh<'_> {
             && normals.len() != vertices
         {
             return Err(Fault::NormalCount { normals: normals.len(), vertices });
+        }
+        if let Some(uvs) = self.uvs {
+            if uvs.len() != vertices {
+                return Err(Fault::UvCount { uvs: uvs.len(), vertices });
+            }
+            for coordinate in uvs.iter().flatten() {
+                check_coordinate(*coordinate)?;
+                check_held::<R>(R::Setup::from_f32(*coordinate))?;
+            }
         }
         self.vertices.iter().copied().try_for_each(check_point)?;
         for (triangle, corners) in self.triangles.iter().enumerate() {
@@ -136,7 +149,7 @@ impl Geometry for Mesh<'_> {
     where
         Self: 'm,
     {
-        self.check()?;
+        self.check::<R>()?;
         let convert = |vertex: &Vec3| scale.point::<R>(vertex.to());
         let vertices = self.vertices;
         let vertices = memory
@@ -149,7 +162,8 @@ impl Geometry for Mesh<'_> {
 
         let list = Hierarchy::list(&[]);
         let bounds = Aabb::point(Vec3::ZERO);
-        let mut parts = Parts { triangles: self.triangles, vertices, normals, hierarchy: list, bounds };
+        let uvs = self.uvs.unwrap_or_default();
+        let mut parts = Parts { triangles: self.triangles, vertices, normals, uvs, hierarchy: list, bounds };
         // Those without area are left out, here and for good.
         let mut proper = 0;
         for i in 0..order.len() {
@@ -188,6 +202,8 @@ struct Parts<'m, R> {
     vertices: &'m [Vec3<R>],
     /// One for each vertex, or none.
     normals: &'m [SmallNormal],
+    /// One for each vertex, where the description has it, or none.
+    uvs: &'m [[f32; 2]],
     /// Of the triangles that have an area.
     hierarchy: Hierarchy<'m, R>,
     bounds: Aabb<R>,
@@ -206,6 +222,15 @@ impl<R: Real> Parts<'_, R> {
         sight.meet(self.corners(triangle as u16)?)
     }
 
+    /// The interpolated coordinates of a triangle, if the mesh has any.
+    fn interpolated_uv(&self, triangle: u16, weight_b: R, weight_c: R) -> Option<[R; 2]> {
+        let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
+        let at = |index: u16| self.uvs.get(usize::from(index)).map(|uv| uv.map(R::from_f32));
+        let ([a_u, a_v], [b_u, b_v], [c_u, c_v]) = (at(a)?, at(b)?, at(c)?);
+        let between = |a: R, b: R, c: R| a + (b - a) * weight_b + (c - a) * weight_c;
+        Some([between(a_u, b_u, c_u), between(a_v, b_v, c_v)])
+    }
+
     /// The interpolated normal of a triangle.
     fn shading_normal(&self, triangle: u16, meeting: Meeting<R>) -> Option<Vec3<R>> {
         let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
@@ -214,6 +239,23 @@ impl<R: Real> Parts<'_, R> {
         let weight_a = R::ONE - weight_b - weight_c;
         (at(a)? * weight_a + at(b)? * weight_b + at(c)? * weight_c).normalized()
     }
+}
+
+/// The weights of the second and the third corner at a point of the triangle's plane: the point that is the nearest, by the
+/// normal equations of least squares.
+#[inline(never)]
+fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
+    let (ab, ac, from_a) = (b - a, c - a, point - a);
+    // In units of the longer edge no digits are lost.
+    let unit = ab.magnitude().larger(ac.magnitude());
+    let [ab, ac, from_a] = [ab, ac, from_a].map(|v| Vec3::new(v.x / unit, v.y / unit, v.z / unit));
+    // The part of one edge that is across the other.
+    let weight = |edge: Vec3<R>, other: Vec3<R>| {
+        let (along, length) = other.polar();
+        let across = edge - along * edge.dot(along);
+        if length > R::ZERO { from_a.dot_wide(across).over(across.dot(across)) } else { R::ZERO }
+    };
+    (weight(ab, ac), weight(ac, ab))
 }
 
 /// The unit normal of a triangle that has an area: one that is not thinner than a millionth of its length.
@@ -285,5 +327,11 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
             magnitude: a.magnitude().larger(b.magnitude()).larger(c.magnitude()),
             part: triangle,
         }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        let Some(corners) = self.0.corners(surface.part) else { return [R::ZERO; 2] };
+        let (b, c) = weights(corners, surface.point);
+        self.0.interpolated_uv(surface.part, b, c).unwrap_or([b, c])
     }
 }

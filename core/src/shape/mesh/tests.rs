@@ -21,6 +21,7 @@ const RECTANGLE: Mesh = Mesh {
     ],
     triangles: &[[0, 1, 2], [0, 2, 3]],
     normals: None,
+    uvs: None,
 };
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
@@ -34,7 +35,12 @@ struct Owned {
 
 impl Owned {
     fn lend(&self) -> Mesh<'_> {
-        Mesh { vertices: &self.vertices, triangles: &self.triangles, normals: self.normals.as_deref() }
+        Mesh {
+            vertices: &self.vertices,
+            triangles: &self.triangles,
+            normals: self.normals.as_deref(),
+            uvs: None,
+        }
     }
 }
 
@@ -258,8 +264,12 @@ fn what_has_no_area_is_never_met() {
         Vec3::new(5.0, 1.0, -1.0),
         Vec3::new(4.0, 1.0, -1.0),
     ];
-    let mesh =
-        Mesh { vertices: &vertices, triangles: &[[0, 1, 2], [0, 0, 2], [1, 1, 1], [3, 4, 5]], normals: None };
+    let mesh = Mesh {
+        vertices: &vertices,
+        triangles: &[[0, 1, 2], [0, 0, 2], [1, 1, 1], [3, 4, 5]],
+        normals: None,
+        uvs: None,
+    };
     for along in [0.0, 0.5, 1.0, 2.9] {
         assert_misses(mesh, Vec3::new(along, along, 2.0), DOWN);
     }
@@ -292,12 +302,12 @@ fn at_most_64_bytes_a_triangle() {
     let open = Mesh { triangles: &corners, ..smooth };
     assert!(each(open, open.bytes::<f32>()) < 58.0, "{}", each(open, open.bytes::<f32>()));
     // On 64 bits; addresses and lengths take half as much on 32.
-    assert!(size_of::<Parts<'_, f32>>() <= 112);
+    assert!(size_of::<Parts<'_, f32>>() <= 128);
 }
 
 #[test]
 fn bad_meshes_are_refused() {
-    let empty = Mesh { vertices: &[], triangles: &[], normals: None };
+    let empty = Mesh { vertices: &[], triangles: &[], normals: None, uvs: None };
     assert_eq!(refusal(empty), Fault::NoTriangles);
     assert_eq!(refusal(Mesh { triangles: &[], ..RECTANGLE }), Fault::NoTriangles);
     let unknown = Mesh { triangles: &[[0, 1, 2], [0, 3, 4]], ..RECTANGLE };
@@ -310,4 +320,18 @@ fn bad_meshes_are_refused() {
     let (vertices, triangles) = (vec![DOWN; 65_536], vec![[0u16, 1, 2]; 65_536]);
     assert_eq!(refusal(Mesh { vertices: &vertices, ..RECTANGLE }), Fault::TooMany { given: 65_536 });
     assert_eq!(refusal(Mesh { triangles: &triangles, ..RECTANGLE }), Fault::TooMany { given: 65_536 });
+}
+
+#[test]
+fn coordinates_are_weights_or_interpolated() {
+    let at = |x, y| Vec3::new(x, y, 5.0);
+    assert_uv(RECTANGLE, at(3.0, 0.75), DOWN, [0.5, 0.25]);
+    assert_uv(RECTANGLE, at(1.0, 2.25), DOWN, [0.25, 0.5]);
+    let uvs = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]];
+    let mapped = Mesh { uvs: Some(&uvs), ..RECTANGLE };
+    assert_uv(mapped, at(3.0, 0.75), DOWN, [1.5, 0.25]);
+    assert_uv(mapped, at(1.0, 2.25), DOWN, [0.5, 0.75]);
+    assert_eq!(refusal(Mesh { uvs: Some(&uvs[1..]), ..RECTANGLE }), Fault::UvCount { uvs: 3, vertices: 4 });
+    let bad = [[f32::NAN, 0.0]; 4];
+    assert_eq!(refusal(Mesh { uvs: Some(&bad), ..RECTANGLE }), Fault::NotFinite);
 }

@@ -37,6 +37,16 @@ fn a_ball() {
 }
 
 #[test]
+fn coordinates_are_longitude_and_latitude() {
+    assert_uv(ball(), Vec3::new(1.0, 2.0, 10.0), AWAY, [0.75, 0.5]);
+    // 60 degrees from the equator, above the x axis.
+    let up = 60f32.to_radians().tan();
+    let inward = Vec3::new(-1.0, -up, 0.001);
+    let u = 1e-3 / core::f64::consts::TAU;
+    assert_uv(ball(), Vec3::new(1.0, 2.0, 3.0) - inward * 3.0, inward, [u, 0.5 + 1.0 / 3.0]);
+}
+
+#[test]
 fn the_equation_may_be_multiplied() {
     for factor in [1e-29, 1e-3, 3.0, 1e36] {
         let ball = Quadric { coefficients: ball().coefficients.map(|one| one * factor), ..ball() };

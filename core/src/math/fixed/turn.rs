@@ -1,0 +1,101 @@
+//! Angles in fixed point: a ratio that is small in one of eight directions, and a polynomial of the arc tangent there (Hart et
+//! al., "Computer Approximations", 1968, for the reduction; the coefficients interpolate at Chebyshev's points).
+//!
+//! | source of error | in units of 2⁻²⁴ of a turn |
+//! |---|---|
+//! | polynomial | 0.02 |
+//! | reciprocal and roundings between | 0.05 |
+//! | the last rounding | 0.5 |
+
+use super::newton::recip;
+use super::product::upper;
+use super::zeros::zeros;
+
+/// The arc tangent in turns, divided by its argument r, as a polynomial in r² up to tan²(π/8); in units of 2⁻³².
+const SERIES: [i32; 5] = [683_565_263, -227_851_349, 136_535_892, -94_663_470, 54_523_161];
+
+/// tan(π/8) in units of 2⁻³².
+const TAN_EIGHTH: u32 = 1_779_033_704;
+
+/// The angle of the vector (x, y) from the x axis, counterclockwise, in units of 2⁻²⁴ of a turn; 0 of no vector.
+pub(super) fn turn(y: i32, x: i32) -> i32 {
+    let (long, short) = {
+        let (across, up) = (x.unsigned_abs(), y.unsigned_abs());
+        if up > across { (up, across) } else { (across, up) }
+    };
+    if long == 0 {
+        return 0;
+    }
+    // The longer one from 2³⁰ up to 2³¹, so that their sum still fits.
+    let up = zeros(long);
+    let scaled = |number: u32| number.wrapping_shl(up) >> 1;
+    let (long, short) = (scaled(long), scaled(short));
+    // Within an eighth of a turn, as the distance from the nearest sixteenth of it.
+    let beyond = short > upper(long, TAN_EIGHTH);
+    let angle = if beyond {
+        (1u32 << 29).wrapping_sub(arc(long.wrapping_sub(short), long.wrapping_add(short)))
+    } else {
+        arc(short, long)
+    };
+    // Angles wrap as these numbers do.
+    let angle = if y.unsigned_abs() > x.unsigned_abs() { (1u32 << 30).wrapping_sub(angle) } else { angle };
+    let angle = if x < 0 { (1u32 << 31).wrapping_sub(angle) } else { angle };
+    let angle = if y < 0 { angle.wrapping_neg() } else { angle };
+    (angle.wrapping_add(1 << 7) >> 8) as i32
+}
+
+/// The arc tangent of the ratio of two numbers, up to tan(π/8), in units of 2⁻³² of a turn.
+fn arc(part: u32, whole: u32) -> u32 {
+    let up = zeros(whole) & 31;
+    // In units of 2⁻³².
+    let ratio = upper(part << up, recip(whole << up)) << 2;
+    let square = upper(ratio, ratio);
+    let sum = SERIES.into_iter().rev().fold(0, |sum: i32, coefficient| {
+        let product = upper(sum.unsigned_abs(), square) as i32;
+        coefficient.wrapping_add(if sum < 0 { product.wrapping_neg() } else { product })
+    });
+    upper(sum as u32, ratio)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_keep_their_bound() {
+        let mut worst = 0f64;
+        let mut random = 1u64;
+        for step in 0..400_000u32 {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // Of all magnitudes, down to 2⁻¹² of the unit: shorter vectors are exact as well.
+            let angle = f64::from(step) * 0.618;
+            let length = 2f64.powi(12 + (random >> 60) as i32 + 3);
+            let (y, x) = ((angle.sin() * length) as i32, (angle.cos() * length) as i32);
+            let exact = (f64::from(y).atan2(f64::from(x)) / core::f64::consts::TAU).rem_euclid(1.0);
+            let error = (f64::from(turn(y, x)) - exact * 2f64.powi(24)).abs();
+            worst = worst.max(error.min(2f64.powi(24) - error));
+        }
+        println!("{worst} units");
+        assert!(worst < 0.6, "off by {worst} units");
+    }
+
+    #[test]
+    fn ends_of_the_range_and_axes_are_exact() {
+        for (y, x, eighths) in [
+            (0, 1, 0),
+            (1, 1, 1),
+            (i32::MAX, i32::MAX, 1),
+            (i32::MAX, 0, 2),
+            (7, -7, 3),
+            (0, i32::MIN, 4),
+            (i32::MIN, i32::MIN, 5),
+            (-1, 0, 6),
+            (-5, 5, 7),
+            (0, 0, 0),
+        ] {
+            assert_eq!(turn(y, x), eighths << 21, "{y}, {x}");
+        }
+        // Just below a whole turn is 0, never 1.
+        assert_eq!(turn(-1, i32::MAX), 0);
+    }
+}
