@@ -95,7 +95,7 @@ pub(crate) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// The name of a built-in scene, or an .nff file
+    /// The name of a built-in scene, or a file in NFF (.nff) or Wavefront OBJ (.obj)
     #[arg(value_name = "SCENE")]
     pub(crate) source: PathBuf,
 }

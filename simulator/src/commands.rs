@@ -31,6 +31,17 @@ pub(crate) fn run(cli: Cli) -> Outcome {
 /// The picture that `rayline` alone renders.
 const SHOWCASE: &str = "classic";
 
+/// Opens a scene, and tells on the standard error output what is not as the file says.
+fn open<'a>(source: &Path, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
+    let scene = LoadedScene::open(source, arena)?;
+    if !quiet {
+        for note in &scene.notes {
+            writeln!(io::stderr(), "note: {note}")?;
+        }
+    }
+    Ok(scene)
+}
+
 fn showcase() -> Outcome {
     let arena = Bump::new();
     let scene = LoadedScene::open(Path::new(SHOWCASE), &arena)?;
@@ -45,7 +56,7 @@ fn showcase() -> Outcome {
 
 fn render(arguments: &Render) -> Outcome {
     let arena = Bump::new();
-    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.png", scene.name));
     let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
     if let Some(stats) = &arguments.stats {
@@ -77,7 +88,7 @@ fn scenes() -> Outcome {
 
 fn pixel(arguments: &Pixel) -> Outcome {
     let arena = Bump::new();
-    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let scene = open(&arguments.scene.source, &arena, false)?;
     let report = report_pixel(&scene, &arguments.look.options(&scene), arguments.pixel);
     let report = report.map_err(|error| match error {
         ReportError::Render(error) => explain(&scene, error),
@@ -91,7 +102,7 @@ fn window(arguments: &Window) -> Outcome {
     use rayline_simulator::{WindowError, show_window};
 
     let arena = Bump::new();
-    let scene = LoadedScene::open(&arguments.scene.source, &arena)?;
+    let scene = open(&arguments.scene.source, &arena, false)?;
     let options = arguments.look.options(&scene);
     let file = PictureFile::new(&PathBuf::from(format!("{}.png", scene.name)))?;
     let mut save = |seen: &rayline::Scene<'_>| -> Outcome {

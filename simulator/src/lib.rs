@@ -1,7 +1,7 @@
 //! Rayline on the desktop: pictures on several threads, scene files, and what can be measured and watched.
 //!
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
-//! - [`nff`] reads scene files, and [`LoadedScene`] finds a scene by name or file;
+//! - [`nff`] and [`obj`] read scene files, and [`LoadedScene`] finds a scene by name or file;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`report_pixel`] tells all that happened to one pixel;
 //! - [`Bench`] measures how fast pictures are, and [`povray`] has another renderer draw them;
@@ -15,6 +15,7 @@ mod display;
 mod file;
 mod loaded;
 pub mod nff;
+pub mod obj;
 mod options;
 mod orbit;
 mod picture;

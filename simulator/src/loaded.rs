@@ -9,7 +9,8 @@ use rayline::builtin;
 use rayline::{Scene, SceneError};
 
 use crate::RenderOptions;
-use crate::nff::{self, Import, NffError};
+use crate::nff::{self, NffError};
+use crate::obj::{self, ObjError};
 
 /// A scene, found by its name or read from its file, with what is said about its picture.
 #[derive(Clone, Debug)]
@@ -22,15 +23,24 @@ pub struct LoadedScene<'a> {
     pub size: (u32, u32),
     /// Bounces that it is meant to be seen with.
     pub bounces: u8,
+    /// What was added to the scene that its file does not say, and what was left out.
+    pub notes: Vec<String>,
     /// Where it was read from; `None`: it is built in.
     file: Option<(PathBuf, Import<'a>)>,
+}
+
+/// What was read, with what is known of where its parts stand in the file.
+#[derive(Clone, Debug)]
+enum Import<'a> {
+    Nff(nff::Import<'a>),
+    Obj(obj::Import<'a>),
 }
 
 /// Why there is no scene.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// There is no such built-in scene. Name one that there is, or a file that ends in `.nff`.
+    /// There is no such built-in scene. Name one that there is, or a file that ends in `.nff` or `.obj`.
     Unknown {
         /// What was asked for.
         name: String,
@@ -49,22 +59,40 @@ pub enum LoadError {
         /// Line and reason.
         error: NffError,
     },
+    /// The file, or one that it names, cannot be read or breaks the grammar of its format. Mend the line.
+    Obj(ObjError),
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads an `.nff` file into `arena`, or finds a built-in scene.
+    /// Reads an `.nff` or `.obj` file into `arena`, or finds a built-in scene.
     ///
     /// # Errors
     /// The scene does not exist or cannot be read.
     pub fn open(source: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        if source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("nff")) {
-            Self::read(source, arena)
+        let ends_in =
+            |format| source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(format));
+        if ends_in("nff") {
+            Self::read_nff(source, arena)
+        } else if ends_in("obj") {
+            Self::read_obj(source, arena)
         } else {
             Self::find(&source.to_string_lossy())
         }
     }
 
-    fn read(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+    fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        let import = obj::read(arena, path).map_err(LoadError::Obj)?;
+        Ok(Self {
+            name: name_of(path),
+            scene: import.scene,
+            size: import.resolution,
+            bounces: 4,
+            notes: import.notes.clone(),
+            file: Some((path.to_owned(), Import::Obj(import))),
+        })
+    }
+
+    fn read_nff(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let path = path.to_owned();
         let bytes = match std::fs::read(&path) {
             Ok(bytes) => bytes,
@@ -72,11 +100,12 @@ impl<'a> LoadedScene<'a> {
         };
         match nff::parse_bytes(arena, &bytes) {
             Ok(import) => Ok(Self {
-                name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+                name: name_of(&path),
                 scene: import.scene,
                 size: import.resolution,
                 bounces: 4,
-                file: Some((path, import)),
+                notes: Vec::new(),
+                file: Some((path, Import::Nff(import))),
             }),
             Err(error) => Err(LoadError::Nff { path, error }),
         }
@@ -90,6 +119,7 @@ impl<'a> LoadedScene<'a> {
             scene: *builtin.scene,
             size: (640, 480),
             bounces: builtin.bounces,
+            notes: Vec::new(),
             file: None,
         })
     }
@@ -105,15 +135,22 @@ impl<'a> LoadedScene<'a> {
 
     /// Where in the scene's file an object is described.
     pub fn line_of_object(&self, index: usize) -> Option<usize> {
-        self.file.as_ref().and_then(|(_, import)| import.line_of(rayline::Part::Object(index)))
+        match &self.file {
+            Some((_, Import::Nff(import))) => import.line_of(rayline::Part::Object(index)),
+            _ => None,
+        }
     }
 
-    /// What is wrong with this scene, in one line: with the file and the line that describe the part.
+    /// What is wrong with this scene, in one line: with the file, and the line or the name that the part has there.
     pub fn explain(&self, error: &SceneError) -> String {
         match &self.file {
             None => format!("{}: {error}", self.name),
-            Some((path, import)) => match import.line_of(error.part) {
+            Some((path, Import::Nff(import))) => match import.line_of(error.part) {
                 Some(line) => format!("{}:{line}: {}", path.display(), error.fault),
+                None => format!("{}: {error}", path.display()),
+            },
+            Some((path, Import::Obj(import))) => match import.name_of(error.part) {
+                Some(name) => format!("{}: `{}`: {}", path.display(), name.escape_debug(), error.fault),
                 None => format!("{}: {error}", path.display()),
             },
         }
@@ -130,10 +167,11 @@ impl fmt::Display for LoadError {
                     None => f.write_str(". ")?,
                 }
                 let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
-                write!(f, "There are {}, and files that end in .nff", names.join(", "))
+                write!(f, "There are {}, and files that end in .nff or .obj", names.join(", "))
             }
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
+            Self::Obj(error) => error.fmt(f),
         }
     }
 }
@@ -144,8 +182,14 @@ impl core::error::Error for LoadError {
             Self::Unknown { .. } => None,
             Self::Read { error, .. } => Some(error),
             Self::Nff { error, .. } => Some(error),
+            Self::Obj(error) => Some(error),
         }
     }
+}
+
+/// What to call the pictures of a file.
+fn name_of(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// The built-in scene whose name is most like this one, if any is like it at all.

@@ -96,7 +96,7 @@ impl core::error::Error for NffError {
 impl core::error::Error for NffFault {}
 
 /// A word from the file, so that it fits in a line of a terminal and does nothing to it.
-struct Excerpt<'a>(&'a str);
+pub(crate) struct Excerpt<'a>(pub(crate) &'a str);
 
 impl fmt::Display for Excerpt<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -34,6 +34,7 @@ use rayline::limits::{MAX_COUNT, MAX_SIDE};
 use rayline::shape::{Cone, Cylinder, Polygon, Shape, Sphere, Triangle};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Part, Scene, Texture, Vec3};
 
+pub(crate) use error::Excerpt;
 pub use error::{NffError, NffFault};
 use tokens::Tokens;
 

@@ -74,6 +74,16 @@ pub(crate) fn pixels(path: &Path) -> (u32, u32, Vec<u8>) {
     (image.width(), image.height(), image.into_raw())
 }
 
+/// A red square that fills the middle of the picture, as a model without a camera.
+pub(crate) const SQUARE: &str = "mtllib square.mtl
+v -1 -1 0
+v 1 -1 0
+v 1 1 0
+v -1 1 0
+usemtl red
+f 1 2 3 4
+";
+
 /// A red ball under a light, 40 by 30 pixels.
 pub(crate) const BALL: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 40 30
 b .1 .2 .3

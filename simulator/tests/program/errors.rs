@@ -1,6 +1,6 @@
 //! How `rayline` fails: in one line, with status 1, and without leaving anything behind.
 
-use crate::bench::{BALL, Bench};
+use crate::bench::{BALL, Bench, SQUARE};
 
 #[test]
 fn unknown_scenes_are_answered_with_the_known_ones() {
@@ -42,6 +42,24 @@ fn bad_files_are_answered_with_the_line() {
     assert_eq!(bench.files(), ["bad.nff"]);
     assert!(bench.error(&["render", "missing.nff"]).starts_with("cannot read missing.nff: "));
     assert!(bench.error(&["render", "two\nlines.nff"]).starts_with("cannot read two\u{fffd}lines.nff: "));
+}
+
+#[test]
+fn bad_models_are_answered_with_the_file_and_the_line() {
+    let bench = Bench::new();
+    bench.write("square.mtl", "newmtl red\nKd 1 0\nNs many\n");
+    bench.write("bad.obj", SQUARE);
+    assert_eq!(bench.error(&["render", "bad.obj"]), "square.mtl:3: expected a number, found `many`");
+    let unknown =
+        "bad.obj:7: there is no vertex `5`: there are 4 so far, counted from 1; define it or name another";
+    bench.write("bad.obj", SQUARE.replace("3 4", "3 5"));
+    assert_eq!(bench.error(&["pixel", "bad.obj", "0,0"]), unknown);
+    bench.write("bad.obj", BALL);
+    assert_eq!(
+        bench.error(&["render", "bad.obj"]),
+        "bad.obj:1: expected a coordinate of the vertex, found `from`"
+    );
+    assert!(bench.error(&["render", "missing.obj"]).starts_with("cannot read missing.obj: "));
 }
 
 #[test]

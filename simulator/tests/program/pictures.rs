@@ -1,6 +1,6 @@
 //! What `rayline` and `rayline render` write.
 
-use crate::bench::{BALL, Bench, pixels};
+use crate::bench::{BALL, Bench, SQUARE, pixels};
 
 const SMALL: [&str; 3] = ["classic", "--size", "80x60"];
 
@@ -34,6 +34,26 @@ fn files_say_their_size_and_give_their_name() {
     let middle = (15 * 40 + 20) * 3;
     assert!(bytes[middle] > 100 && bytes[middle + 1] < 100, "{:?}", &bytes[middle..middle + 3]);
     assert_eq!(bench.output(&["render", "ball.nff", "--quiet"]), "");
+}
+
+#[test]
+fn models_get_a_camera_and_a_light_and_say_so() {
+    let bench = Bench::new();
+    bench.write("square.obj", SQUARE);
+    bench.write("square.mtl", "newmtl red\nKd 1 0 0\n");
+    let run = bench.run(&["render", "square.obj", "--size", "40x30"]);
+    assert!(run.status.success());
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert!(
+        said.starts_with("note: square.obj: no camera and no light in such a file; all of it is seen"),
+        "{said}"
+    );
+    assert_eq!(said.lines().count(), 1);
+    let (width, height, bytes) = pixels(&bench.path("square.png"));
+    assert_eq!((width, height), (40, 30));
+    let red = |x: usize, y: usize| bytes[(y * 40 + x) * 3] > 150 && bytes[(y * 40 + x) * 3 + 1] == 0;
+    assert!(red(20, 15) && red(16, 12) && red(24, 18) && !red(2, 2) && !red(37, 27));
+    assert_eq!(bench.output(&["render", "square.obj", "--quiet"]), "");
 }
 
 #[test]

@@ -1,0 +1,175 @@
+//! The lines of an OBJ file, checked one by one, and written anew for `tobj`.
+//!
+//! `tobj` tells no lines, takes polylines for faces, and splits vertices at the seams of textures, which nothing asks for. So what
+//! it gets to read is only what it is to make meshes of: numbers that are numbers, and indices that count from the first line.
+
+use core::fmt::Write;
+use std::collections::BTreeMap;
+use std::str::FromStr;
+
+use rayline::limits::MAX_COORDINATE;
+
+use super::error::{LineError, ObjFault};
+
+/// What an OBJ file says.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Statements {
+    /// Faces, and what they are made of, for `tobj`.
+    pub(super) text: String,
+    /// The MTL files that it names, and in which line.
+    pub(super) libraries: Vec<(usize, String)>,
+    /// The materials that it names, and in which line.
+    pub(super) materials: Vec<(usize, String)>,
+    /// The statements that mean something and were left out, and the first line of each.
+    pub(super) left_out: BTreeMap<&'static str, usize>,
+}
+
+/// Shapes that are none of faces.
+const LEFT_OUT: [&str; 6] = ["p", "l", "curv", "curv2", "surf", "call"];
+
+impl Statements {
+    /// Checks all lines.
+    pub(super) fn new(text: &str) -> Result<Self, LineError> {
+        // One library of all materials, that has any name.
+        let mut statements = Self { text: "mtllib materials\n".to_owned(), ..Self::default() };
+        let (mut vertices, mut normals) = (0, 0);
+        for (line, statement) in lines(text) {
+            let read = statements.read(line, &statement, &mut vertices, &mut normals);
+            read.map_err(|fault| LineError { line, fault })?;
+        }
+        Ok(statements)
+    }
+
+    fn read(
+        &mut self,
+        line: usize,
+        statement: &str,
+        vertices: &mut usize,
+        normals: &mut usize,
+    ) -> Result<(), ObjFault> {
+        let mut words = statement.split_whitespace();
+        let keyword = words.next().unwrap_or_default();
+        let rest = statement.trim_start().get(keyword.len()..).unwrap_or_default().trim();
+        match keyword {
+            "v" => {
+                let [x, y, z] = numbers(&mut words, "a coordinate of the vertex")?;
+                // A fourth number alone is a weight; three more are a color.
+                let after: Vec<_> = words.collect();
+                let weight = match *after {
+                    [weight] => number(Some(weight), "the weight of the vertex")?,
+                    _ => 1.0,
+                };
+                let place = [x, y, z].map(|coordinate| coordinate / weight);
+                if place.into_iter().any(|coordinate| !(coordinate.abs() <= MAX_COORDINATE)) {
+                    return Err(ObjFault::OutOfRange { meaning: "a coordinate", found: rest.to_owned() });
+                }
+                *vertices += 1;
+                self.vector("v", place);
+            }
+            "vn" => {
+                let normal = numbers(&mut words, "a coordinate of the normal")?;
+                *normals += 1;
+                self.vector("vn", normal);
+            }
+            "f" => self.face(words, *vertices, *normals)?,
+            "o" | "g" => self.text += &format!("g {rest}\n"),
+            "usemtl" => {
+                let name = named(rest, "the name of a material")?;
+                self.text += &format!("usemtl {name}\n");
+                self.materials.push((line, name));
+            }
+            "mtllib" => self.libraries.push((line, named(rest, "the name of an MTL file")?)),
+            other => {
+                if let Some(known) = LEFT_OUT.into_iter().find(|known| *known == other) {
+                    self.left_out.entry(known).or_insert(line);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn vector(&mut self, keyword: &str, [x, y, z]: [f32; 3]) {
+        let written = writeln!(self.text, "{keyword} {x} {y} {z}");
+        debug_assert!(written.is_ok(), "strings take any text");
+    }
+
+    fn face<'w>(
+        &mut self,
+        corners: impl Iterator<Item = &'w str>,
+        vertices: usize,
+        normals: usize,
+    ) -> Result<(), ObjFault> {
+        let mut face = "f".to_owned();
+        let mut given = 0;
+        for corner in corners {
+            // Vertex, texture and normal; all but the first may be missing.
+            let mut parts = corner.split('/');
+            let vertex = parts.next().unwrap_or_default();
+            let normal = parts.nth(1).filter(|normal| !normal.is_empty());
+            face += &format!(" {}", index(vertex, "vertex", vertices)?);
+            if let Some(normal) = normal {
+                face += &format!("//{}", index(normal, "normal", normals)?);
+            }
+            given += 1;
+        }
+        if given < 3 {
+            return Err(ObjFault::FewCorners { given });
+        }
+        self.text += &face;
+        self.text.push('\n');
+        Ok(())
+    }
+}
+
+/// The lines of a file, counted from 1, without comments; one that ends in a backslash goes on in the next.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, String)> {
+    let mut rest = text.lines().enumerate();
+    core::iter::from_fn(move || {
+        let (number, first) = rest.next()?;
+        let mut line = first.to_owned();
+        while let Some(before) = line.trim_end().strip_suffix('\\') {
+            line = format!("{before} {}", rest.next().map_or("", |(_, next)| next));
+        }
+        let statement = line.split('#').next().unwrap_or_default();
+        Some((number + 1, statement.to_owned()))
+    })
+}
+
+/// A number that is finite.
+pub(super) fn number(word: Option<&str>, expected: &'static str) -> Result<f32, ObjFault> {
+    let found = word.unwrap_or_default().to_owned();
+    match f32::from_str(&found) {
+        Ok(number) if number.is_finite() && number.abs() <= MAX_COORDINATE => Ok(number),
+        Ok(_) => Err(ObjFault::OutOfRange { meaning: expected, found }),
+        Err(_) => Err(ObjFault::Expected { expected, found }),
+    }
+}
+
+/// Three of them.
+fn numbers<'w>(
+    words: &mut impl Iterator<Item = &'w str>,
+    expected: &'static str,
+) -> Result<[f32; 3], ObjFault> {
+    Ok([number(words.next(), expected)?, number(words.next(), expected)?, number(words.next(), expected)?])
+}
+
+fn named(name: &str, expected: &'static str) -> Result<String, ObjFault> {
+    if name.is_empty() {
+        return Err(ObjFault::Expected { expected, found: String::new() });
+    }
+    Ok(name.to_owned())
+}
+
+/// An index that counts from the first, whichever way it is written.
+fn index(word: &str, what: &'static str, count: usize) -> Result<usize, ObjFault> {
+    let found = || word.to_owned();
+    let number = i64::from_str(word)
+        .map_err(|_| ObjFault::Expected { expected: "the number of a vertex or a normal", found: found() })?;
+    // The last one is -1.
+    let index = if number < 0 { number.saturating_add(count as i64).saturating_add(1) } else { number };
+    usize::try_from(index).ok().filter(|index| (1..=count).contains(index)).ok_or_else(|| ObjFault::Unknown {
+        what,
+        found: found(),
+        count,
+    })
+}

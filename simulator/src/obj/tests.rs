@@ -1,0 +1,279 @@
+//! Small files of every kind, good and bad.
+
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)]
+
+use rayline::Material;
+
+use super::*;
+
+/// A pyramid on a square, of two materials; the square's corners have textures, and each face its own of them.
+const PYRAMID: &str = "\
+# a comment
+mtllib colors.mtl
+v -1 0 -1
+v 1 0 -1
+v 1 0 1
+v -1 0 1 # in the middle of a line
+v 0 3 0 1.5
+vt 0 0
+vt 1
+g base
+usemtl red
+f 1/1 2/2 3/1 4/2
+g roof
+usemtl glass
+f -1 -2 \\
+  -3
+f 5/2 3/1 2/2
+f 5 2 1
+f 5 1 4
+";
+
+const COLORS: &str = "\
+newmtl red
+Kd 1 0 0
+Ks 0.25 0.5 0.75
+Ns 20
+illum 2
+newmtl glass
+Kd 0.5
+Ks 1
+illum 3
+Ns 500
+d 0.25
+Ni 1.5
+";
+
+/// Reads the files of this content: an OBJ file and its MTL file.
+fn with_files<T>(obj: &str, mtl: &str, look: impl FnOnce(Result<Import<'_>, String>) -> T) -> T {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.obj");
+    fs::write(&path, obj).unwrap();
+    fs::write(folder.path().join("colors.mtl"), mtl).unwrap();
+    let arena = Bump::new();
+    let shown = |error: ObjError| error.to_string().replace(&format!("{}/", folder.path().display()), "");
+    let import = read(&arena, &path).map(|import| Import {
+        notes: import
+            .notes
+            .iter()
+            .map(|note| note.replace(&format!("{}/", folder.path().display()), ""))
+            .collect(),
+        ..import
+    });
+    look(import.map_err(shown))
+}
+
+fn mesh<'a>(import: &Import<'a>, index: usize) -> Mesh<'a> {
+    let Shape::Mesh(mesh) = import.scene.objects[index].shape else { unreachable!("only meshes are read") };
+    mesh
+}
+
+#[test]
+fn groups_are_meshes_that_share_their_vertices() {
+    with_files(PYRAMID, COLORS, |import| {
+        let import = import.unwrap();
+        assert_eq!(import.scene.objects.len(), 2);
+        let (base, roof) = (mesh(&import, 0), mesh(&import, 1));
+        // Neither the seams of a texture nor relative numbers make more of the five.
+        assert_eq!((base.vertices.len(), base.triangles), (4, &[[0, 1, 2], [0, 2, 3]][..]));
+        assert_eq!((roof.vertices.len(), roof.triangles.len()), (5, 4));
+        assert_eq!(roof.vertices[0], Vec3::new(0.0, 2.0, 0.0));
+        assert_eq!(roof.triangles[..2], [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(import.name_of(Part::Object(1)), Some("roof"));
+        assert_eq!(import.notes.len(), 1, "{:?}", import.notes);
+    });
+}
+
+/// The first material of an MTL file that says nothing but a color.
+fn plain(color: LinearRgb) -> Material<'static> {
+    Material { ambient: 0.1, ..Material::matte(color) }
+}
+
+#[test]
+fn materials_go_as_far_as_they_can() {
+    with_files(PYRAMID, COLORS, |import| {
+        let import = import.unwrap();
+        let of = |index: usize| import.scene.materials[usize::from(import.scene.objects[index].material.0)];
+        let shiny = Material { specular: 0.5, shininess: 20.0, ..plain(LinearRgb::new(1.0, 0.0, 0.0)) };
+        assert_eq!(of(0), shiny);
+        let glass = Material {
+            ambient: 0.025,
+            diffuse: 0.25,
+            specular: 1.0,
+            shininess: 500.0,
+            reflectance: 0.25,
+            transmittance: 0.75,
+            ior: 1.5,
+            ..Material::matte(LinearRgb::gray(0.5))
+        };
+        assert_eq!(of(1), glass);
+    });
+    let first = |mtl: &str, expected: Material<'_>| {
+        with_files(PYRAMID, &format!("newmtl red\n{mtl}"), |import| {
+            assert_eq!(import.unwrap().scene.materials[0], expected);
+        });
+    };
+    let half =
+        Material { ior: 0.14, transmittance: 0.5, diffuse: 0.5, ambient: 0.05, ..plain(LinearRgb::WHITE) };
+    first("Kd 1 1 1\nTr 0.5\nNi 0", half);
+    let lamp = Material { ambient: 1.0, diffuse: 0.0, ..plain(LinearRgb::new(1.0, 0.5, 0.0)) };
+    first("Kd 0 0 0\nKe 2 0.5 0", lamp);
+    // Without an exponent there is no highlight; colors by wavelength are not known.
+    first("Kd spectral file.rfl 1\nKs 1 1 1\nd -halo 1.0\nKa 1 1 1", plain(LinearRgb::gray(0.7)));
+}
+
+#[test]
+fn normals_are_kept_where_all_corners_have_one() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 0 0 -2\n";
+    with_files(&format!("{corners}f 1//1 2//1 3//1\nf 3//-1 2//1 4//1"), "", |import| {
+        let import = import.unwrap();
+        let smooth = mesh(&import, 0);
+        // The third vertex has two normals, so it is there twice.
+        assert_eq!(smooth.vertices.len(), 5);
+        assert_eq!(smooth.triangles, [[0, 1, 2], [3, 1, 4]]);
+        let (up, down) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0));
+        assert_eq!(smooth.normals.unwrap(), [up, up, up, down, up]);
+    });
+    with_files(&format!("{corners}f 1//1 2//1 3//1\nf 3 2 4"), "", |import| {
+        let import = import.unwrap();
+        assert_eq!(mesh(&import, 0).normals, None);
+        assert!(import.notes[0].contains("not all of its corners have a normal"), "{:?}", import.notes);
+    });
+}
+
+#[test]
+fn what_is_left_out_is_said() {
+    let obj = PYRAMID.replace("colors.mtl", "missing.mtl").replace("g roof", "l 1 2 3\nl 2 3\np 1");
+    with_files(&obj, "", |import| {
+        let notes = import.unwrap().notes;
+        assert!(notes[0].starts_with("missing.mtl: its materials are left out: "), "{notes:?}");
+        assert_eq!(notes[1], "model.obj:11: there is no material `red`; it is gray");
+        assert_eq!(notes[2], "model.obj:16: there is no material `glass`; it is gray");
+        assert_eq!(notes[3], "model.obj:13: `l` is left out, here and below");
+        assert_eq!(notes[4], "model.obj:15: `p` is left out, here and below");
+        assert!(notes[5].starts_with("model.obj: no camera and no light in such a file; "), "{notes:?}");
+        assert_eq!(notes.len(), 6);
+    });
+    with_files(PYRAMID, "newmtl red\nmap_Kd red.png\nmap_Ks red.png\nnewmtl glass", |import| {
+        assert_eq!(import.unwrap().notes[0], "colors.mtl:2: textures are left out, here and below");
+    });
+}
+
+#[test]
+fn bad_files_are_refused_with_the_line() {
+    let refused = |obj: &str, mtl: &str, expected: &str| {
+        assert_eq!(with_files(obj, mtl, |import| import.map(|_| ()).unwrap_err()), expected);
+    };
+    for (from, to, expected) in [
+        ("v 1 0 1\n", "v 1 x 1\n", "model.obj:5: expected a coordinate of the vertex, found `x`"),
+        ("v 1 0 1\n", "v 1 0\n", "model.obj:5: the line ends where a coordinate of the vertex must follow"),
+        (
+            "v 1 0 1\n",
+            "v 1 nan 1\n",
+            "model.obj:5: a coordinate of the vertex is not a number within ±1e6: `nan`; replace it",
+        ),
+        ("0 1.5\n", "0 0\n", "model.obj:7: a coordinate is not a number within ±1e6: `0 3 0 0`; replace it"),
+        (
+            "f 5 2 1",
+            "f 6 2 1",
+            "model.obj:18: there is no vertex `6`: there are 5 so far, counted from 1; define it or name another",
+        ),
+        (
+            "f 5 2 1",
+            "f 5//1 2 1",
+            "model.obj:18: there is no normal `1`: there are 0 so far, counted from 1; define it or name another",
+        ),
+        (
+            "f 5 2 1",
+            "f 5 2 -6",
+            "model.obj:18: there is no vertex `-6`: there are 5 so far, counted from 1; define it or name another",
+        ),
+        (
+            "f 5 2 1",
+            "f 5 2 0",
+            "model.obj:18: there is no vertex `0`: there are 5 so far, counted from 1; define it or name another",
+        ),
+        ("f 5 2 1", "f 5 a 1", "model.obj:18: expected the number of a vertex or a normal, found `a`"),
+        ("f 5 2 1", "f 5 2", "model.obj:18: a face of 2 corners; remove it or give it three or more"),
+        ("usemtl red", "usemtl", "model.obj:11: the line ends where the name of a material must follow"),
+    ] {
+        assert!(PYRAMID.contains(from));
+        refused(&PYRAMID.replace(from, to), COLORS, expected);
+    }
+    refused("v 0 0 0\n", "", "model.obj: the file has no face that has an area; is it an OBJ file?");
+    refused("v 0 0 0\nf 1 1 1", "", "model.obj: the file has no face that has an area; is it an OBJ file?");
+    refused(PYRAMID, "Kd 1 1 1", "colors.mtl:1: there is no `newmtl` yet; name the material first");
+    refused(PYRAMID, "newmtl red\nKd 1 x 1", "colors.mtl:2: expected a color, found `x`");
+    refused(PYRAMID, "newmtl red\n\nNs", "colors.mtl:3: the line ends where a number must follow");
+    refused(PYRAMID, "newmtl", "colors.mtl:1: the line ends where the name of a material must follow");
+}
+
+#[test]
+fn what_is_not_text_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.obj");
+    fs::write(&path, b"# fine\nv \xff").unwrap();
+    let error = read(&Bump::new(), &path).unwrap_err();
+    assert_eq!((error.line, error.fault), (Some(2), ObjFault::NotUtf8));
+    let error = read(&Bump::new(), &folder.path().join("none.obj")).unwrap_err();
+    assert!(error.to_string().starts_with("cannot read "), "{error}");
+}
+
+#[test]
+fn large_meshes_are_cut_in_pieces() {
+    // A strip of squares, in pieces of at most ten vertices and six triangles.
+    let squares = (0..50u32).map(|i| [2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3]);
+    let strip: Vec<_> = squares.flat_map(|[a, b, c, d]| [[a, b, c], [c, b, d]]).collect();
+    for most in [3, 6, 10, 99] {
+        let pieces = pieces(&strip, 102, most);
+        let whole = pieces.iter().flat_map(|piece| {
+            assert!(piece.vertices.len() <= most && piece.triangles.len() <= most);
+            piece.triangles.iter().map(|triangle| triangle.map(|at| piece.vertices[usize::from(at)]))
+        });
+        assert_eq!(whole.collect::<Vec<_>>(), strip);
+    }
+    assert_eq!(pieces(&strip, 102, 102).len(), 1);
+}
+
+#[test]
+fn more_vertices_than_a_mesh_may_have() {
+    let side = 300;
+    let mut text = String::new();
+    for i in 0..side * side {
+        text += &format!("v {} {} 0\n", i % side, i / side);
+    }
+    for i in (0..side * (side - 1)).filter(|i| i % side != side - 1) {
+        text += &format!("f {} {} {} {}\n", i + 1, i + 2, i + 2 + side, i + 1 + side);
+    }
+    with_files(&text, "", |import| {
+        let import = import.unwrap();
+        let meshes: Vec<_> = (0..import.scene.objects.len()).map(|index| mesh(&import, index)).collect();
+        assert_eq!(meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>(), 2 * 299 * 299);
+        assert!(meshes.len() >= 3 && meshes.iter().all(|mesh| mesh.vertices.len() <= MAX_COUNT));
+    });
+}
+
+#[test]
+fn all_of_it_is_in_the_picture() {
+    let long = PYRAMID.replace("v 1 0 1", "v 40 0 1");
+    with_files(&long, COLORS, |import| {
+        let scene = import.unwrap().scene;
+        let camera = scene.camera;
+        let forward = (camera.target - camera.eye).normalized().unwrap();
+        let right = forward.cross(camera.up).normalized().unwrap();
+        let up = right.cross(forward);
+        let half = (camera.vertical_fov / 2.0).tan();
+        let mut nearest_to_edge = 0.0f32;
+        for object in scene.objects {
+            let Shape::Mesh(mesh) = object.shape else { continue };
+            for vertex in mesh.vertices {
+                let seen = *vertex - camera.eye;
+                let depth = seen.dot(forward) * half;
+                assert!(depth > 0.0);
+                let across = seen.dot(up).abs().max(seen.dot(right).abs() * 3.0 / 4.0);
+                nearest_to_edge = nearest_to_edge.max(across / depth);
+            }
+        }
+        assert!((0.6..0.95).contains(&nearest_to_edge), "{nearest_to_edge}");
+    });
+}

@@ -1,0 +1,49 @@
+//! A camera and a light for what has none.
+
+use rayline::math::Aabb;
+use rayline::shape::{Mesh, Shape};
+use rayline::{Camera, Light, LinearRgb, Object, Vec3};
+
+/// What is said of it.
+pub(super) const NOTE: &str = "all of it is seen from the front, a little from the right and from above (y is up), lit from the upper left";
+
+/// From there toward the middle.
+const TOWARD_EYE: Vec3 = Vec3::new(0.45, 0.4, 1.0);
+
+/// The angle of view, and the tangent of half of it.
+const FOV: f32 = 0.6;
+const TANGENT_OF_HALF: f32 = 0.309_336_25;
+/// How much farther than to the edge of the picture it may be.
+const MARGIN: f32 = 1.1;
+/// Width and height that such a scene is meant to be seen in, and width over height.
+pub(super) const SIZE: (u32, u32) = (640, 480);
+const ASPECT: f32 = 4.0 / 3.0;
+
+/// The light.
+pub(super) static LIGHTS: [Light; 1] =
+    [Light::Directional { direction: Vec3::new(0.6, -1.0, -0.6), color: LinearRgb::gray(0.9) }];
+
+/// A camera that sees the boxes around all meshes in full; `None` where there are none.
+pub(super) fn of(objects: &[Object<Shape<'_>>]) -> Option<Camera> {
+    let corners = objects.iter().filter_map(|object| match object.shape {
+        Shape::Mesh(Mesh { vertices, triangles, .. }) => Some((vertices, triangles)),
+        _ => None,
+    });
+    let corners = corners.flat_map(|(vertices, triangles)| {
+        triangles.as_flattened().iter().filter_map(|corner| vertices.get(usize::from(*corner)))
+    });
+    let bounds = corners.map(|corner| Aabb::point(*corner)).reduce(Aabb::union)?;
+    let target = bounds.center();
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let backward = TOWARD_EYE * TOWARD_EYE.length().recip();
+    let right = up.cross(backward);
+    let right = right * right.length().recip();
+    let upward = backward.cross(right);
+    // As far away as the corner asks for that is the nearest to the edge of the picture.
+    let distance = bounds.corners().fold(0.0f32, |distance, corner| {
+        let corner = corner - target;
+        let across = corner.dot(upward).abs().max(corner.dot(right).abs() / ASPECT);
+        distance.max(across * MARGIN / TANGENT_OF_HALF + corner.dot(backward))
+    });
+    Some(Camera { eye: target + backward * distance, target, up, vertical_fov: FOV })
+}
