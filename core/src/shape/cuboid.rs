@@ -1,5 +1,6 @@
 //! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
 
+use super::chord::Chord;
 use super::{Geometry, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
@@ -134,33 +135,20 @@ impl<R: Real> PreparedCuboid<'_, R> {
         }
     }
 
-    /// Where a ray's line enters and where it leaves, the one before the other.
     #[inline(always)]
-    fn chord(&self, ray: &Ray<R>) -> Option<(R, R)> {
+    fn chord(&self, ray: &Ray<R>) -> Chord<R> {
         let (o, d) = (self.turned(ray.origin - self.center), self.turned(ray.direction));
-        let (mut from, mut to) = (-R::FARTHEST, R::FARTHEST);
+        let mut chord = Chord::whole();
         for (o, d, half) in [(o.x, d.x, self.half.x), (o.y, d.y, self.half.y), (o.z, d.z, self.half.z)] {
-            // Along the planes the quotients are as large as numbers get: of different signs between them, else of one.
-            let (one, other) = ((-half - o) / d, (half - o) / d);
-            let (enters, leaves) = if one < other { (one, other) } else { (other, one) };
-            if enters > from {
-                from = enters;
-            }
-            if leaves < to {
-                to = leaves;
-            }
-            if !(from < to) {
-                return None;
-            }
+            chord.between(-half - o, half - o, d);
         }
-        Some((from, to))
+        chord
     }
 }
 
 impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let (near, far) = self.chord(ray)?;
-        range.first(near, far)
+        self.chord(ray).first(range)
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -175,7 +163,7 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        self.chord(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
+        self.chord(ray).spans()
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -6,6 +6,7 @@
 //! [`shape_set!`](crate::shape_set) makes a closed set out of any shapes, yours among them; [`Shape`] is
 //! the set of all that are built in.
 
+mod chord;
 mod cone;
 mod cuboid;
 mod cylinder;

@@ -8,6 +8,7 @@
 //! [`MAX_FACES`]. Rejected: to clip the polygon of each face, which needs memory for the largest; and to intersect all triples,
 //! which goes with the fourth power.
 
+use super::chord::Chord;
 use super::{Geometry, Intersect, Plane, PreparedPlane, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
@@ -186,38 +187,21 @@ pub struct PreparedPolyhedron<'m, R> {
 }
 
 impl<R: Real> PreparedPolyhedron<'_, R> {
-    /// Where a ray's line enters and where it leaves, the one before the other.
-    fn chord(&self, ray: &Ray<R>) -> Option<(R, R)> {
-        let (mut from, mut to) = (-R::FARTHEST, R::FARTHEST);
+    fn chord(&self, ray: &Ray<R>) -> Chord<R> {
+        let mut chord = Chord::whole();
         for PreparedPlane { normal, distance } in self.planes {
-            let height = *distance - normal.dot(ray.origin);
-            let slope = normal.dot(ray.direction);
-            if slope == R::ZERO {
-                if !(height > R::ZERO) {
-                    return None;
-                }
-                continue;
-            }
-            let t = height / slope;
-            if slope > R::ZERO {
-                if t < to {
-                    to = t;
-                }
-            } else if t > from {
-                from = t;
-            }
-            if !(from < to) {
-                return None;
+            chord.below(*distance - normal.dot(ray.origin), normal.dot(ray.direction));
+            if !chord.is_left() {
+                break;
             }
         }
-        Some((from, to))
+        chord
     }
 }
 
 impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let (near, far) = self.chord(ray)?;
-        range.first(near, far)
+        self.chord(ray).first(range)
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -225,7 +209,7 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        self.chord(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
+        self.chord(ray).spans()
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -1,0 +1,166 @@
+//! The part of a line that lies behind several planes.
+
+use super::Spans;
+use crate::math::{Interval, Real};
+
+/// The part of a line that lies behind all planes so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chord<R> {
+    from: End<R>,
+    to: End<R>,
+}
+
+/// A distance along the line, as a fraction whose denominator is 0 or more.
+///
+/// Where a division is many instructions, two fractions are compared by products, so that the whole takes at most two
+/// divisions, however many planes there are. Floating point divides at once.
+#[derive(Clone, Copy, Debug)]
+struct End<R> {
+    height: R,
+    slope: R,
+}
+
+impl<R: Real> End<R> {
+    #[inline(always)]
+    fn new(height: R, slope: R) -> Self {
+        // The sum makes a negative zero a positive one, and the quotient infinite to the right side.
+        if R::REACH.is_some() { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
+    }
+
+    #[inline(always)]
+    fn at(t: R) -> Self {
+        Self { height: t, slope: R::ONE }
+    }
+
+    #[inline(always)]
+    fn is_before(self, other: Self) -> bool {
+        self.height.times(other.slope) < other.height.times(self.slope)
+    }
+
+    #[inline(always)]
+    fn distance(self) -> R {
+        if R::REACH.is_some() { self.height / self.slope } else { self.height }
+    }
+}
+
+impl<R: Real> Chord<R> {
+    /// The whole line.
+    #[inline(always)]
+    pub(super) fn whole() -> Self {
+        Self { from: End::at(-R::FARTHEST), to: End::at(R::FARTHEST) }
+    }
+
+    /// Keeps what lies behind a plane: where `slope · t` is at most `height`.
+    #[inline(always)]
+    pub(super) fn below(&mut self, height: R, slope: R) {
+        if slope < R::ZERO {
+            self.begin(End::new(-height, -slope));
+        } else {
+            self.end(End::new(height, slope));
+        }
+    }
+
+    /// Keeps what lies between two parallel planes: where `slope · t` is from `least` to `most`.
+    #[inline(always)]
+    pub(super) fn between(&mut self, least: R, most: R, slope: R) {
+        let (least, most, slope) =
+            if slope < R::ZERO { (-most, -least, -slope) } else { (least, most, slope) };
+        self.begin(End::new(least, slope));
+        self.end(End::new(most, slope));
+    }
+
+    #[inline(always)]
+    fn begin(&mut self, end: End<R>) {
+        if self.from.is_before(end) {
+            self.from = end;
+        }
+    }
+
+    #[inline(always)]
+    fn end(&mut self, end: End<R>) {
+        if end.is_before(self.to) {
+            self.to = end;
+        }
+    }
+
+    /// Whether something is left.
+    #[inline(always)]
+    pub(super) fn is_left(&self) -> bool {
+        self.from.is_before(self.to)
+    }
+
+    /// The nearer of its two ends that lies inside the range.
+    #[inline(always)]
+    pub(super) fn first(&self, range: Interval<R>) -> Option<R> {
+        if !self.is_left() {
+            return None;
+        }
+        let from = self.from.distance();
+        let first = if from > range.min { from } else { self.to.distance() };
+        range.contains(first).then_some(first)
+    }
+
+    /// Both its ends, if something is left.
+    pub(super) fn spans(&self) -> Spans<R> {
+        if self.is_left() { Spans::one(self.from.distance(), self.to.distance()) } else { Spans::NONE }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    /// What `check` makes of slabs, each by least, most and slope, in the three number systems.
+    fn in_each_number_system(check: impl Fn(&[(f32, f32, f32)]) -> [Option<(f32, f32)>; 3]) {
+        // A plane along the line keeps all of it or nothing, whatever the sign of its zero.
+        for zero in [0.0, -0.0] {
+            assert_eq!(check(&[(-1.0, 1.0, zero), (2.0, 6.0, 2.0)]), [Some((1.0, 3.0)); 3]);
+            assert_eq!(check(&[(1.0, 2.0, zero), (2.0, 6.0, 2.0)]), [None; 3]);
+            assert_eq!(check(&[(2.0, 6.0, 2.0), (-2.0, -1.0, zero)]), [None; 3]);
+        }
+        assert_eq!(check(&[(2.0, 6.0, -2.0), (-2.0, 1.0, 1.0)]), [Some((-2.0, -1.0)); 3]);
+        assert_eq!(check(&[(2.0, 6.0, 2.0), (4.0, 8.0, 1.0)]), [None; 3]);
+    }
+
+    fn ends<R: Real>(chord: Chord<R>) -> Option<(f32, f32)> {
+        // Quotients in fixed point are off by a unit.
+        let rounded = |t: R| (t.to_f32() * 1e6).round() / 1e6;
+        chord.spans().as_slice().first().map(|part| (rounded(part.min), rounded(part.max)))
+    }
+
+    #[test]
+    fn slabs_are_cut_one_with_the_other() {
+        fn cut<R: Real>(slabs: &[(f32, f32, f32)]) -> Option<(f32, f32)> {
+            let mut chord = Chord::whole();
+            for (least, most, slope) in slabs {
+                chord.between(R::from_f32(*least), R::from_f32(*most), R::from_f32(*slope));
+            }
+            ends(chord)
+        }
+        in_each_number_system(|slabs| [cut::<f32>(slabs), cut::<f64>(slabs), cut::<Fixed>(slabs)]);
+    }
+
+    #[test]
+    fn a_slab_is_what_lies_behind_two_planes() {
+        fn cut<R: Real>(slabs: &[(f32, f32, f32)]) -> Option<(f32, f32)> {
+            let mut chord = Chord::whole();
+            for (least, most, slope) in slabs {
+                chord.below(R::from_f32(*most), R::from_f32(*slope));
+                chord.below(R::from_f32(-*least), R::from_f32(-*slope));
+            }
+            ends(chord)
+        }
+        in_each_number_system(|slabs| [cut::<f32>(slabs), cut::<f64>(slabs), cut::<Fixed>(slabs)]);
+    }
+
+    #[test]
+    fn the_farther_end_counts_where_the_nearer_lies_behind() {
+        let mut chord = Chord::whole();
+        chord.between(2.0, 6.0, 2.0f64);
+        assert_eq!(chord.first(Interval { min: 0.0, max: 9.0 }), Some(1.0));
+        assert_eq!(chord.first(Interval { min: 1.0, max: 9.0 }), Some(3.0));
+        assert_eq!(chord.first(Interval { min: 1.5, max: 3.0 }), None);
+        assert_eq!(chord.first(Interval { min: 0.0, max: 1.0 }), None);
+    }
+}
