@@ -64,6 +64,19 @@ pub enum Fault {
         /// How many vertices.
         vertices: usize,
     },
+    /// The steps of a [`Csg`](crate::shape::Csg) do not leave one solid: an operator finds fewer than two, or the last leaves
+    /// more than one. Give each pair of solids one operator after them.
+    NotOneSolid,
+    /// A part of a [`Csg`](crate::shape::Csg) has no inside. Close it (`capped`), or use a shape that has one.
+    NotSolid {
+        /// Which of its solids, in the order of the steps, from 0.
+        solid: usize,
+    },
+    /// A [`Csg`](crate::shape::Csg) has more than [`MAX_CSG_SOLIDS`](crate::limits::MAX_CSG_SOLIDS) solids. Make several of it.
+    TooManySolids {
+        /// How many it has.
+        given: usize,
+    },
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -151,6 +164,13 @@ impl fmt::Display for Fault {
                     f,
                     "the mesh has {uvs} pairs of coordinates and {vertices} vertices; give one for each, or none"
                 );
+            }
+            Self::NotOneSolid => "the steps do not leave one solid; give each pair one operator after them",
+            Self::NotSolid { solid } => {
+                return write!(f, "solid {solid} has no inside; close it, or use a shape that has one");
+            }
+            Self::TooManySolids { given } => {
+                return write!(f, "{given} solids in one are too many; use at most 32");
             }
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",

@@ -33,3 +33,8 @@ pub const FEW_OBJECTS: usize = 32;
 ///
 /// Twelve where the cuts cost least, and eight more if all [`MAX_COUNT`] objects are still together.
 pub const MAX_HIERARCHY_DEPTH: usize = 20;
+
+/// The most solids that one [`Csg`](crate::shape::Csg) is made of: whether a ray is in each is a bit of a word.
+///
+/// A ray may enter and leave each twice: a kilobyte of stack in `f32`. A die takes 23: a box, a ball and 21 dots.
+pub const MAX_CSG_SOLIDS: usize = 32;

@@ -150,6 +150,7 @@ impl Tree<'_> {
             Shape::Cuboid(_) => "box",
             Shape::Polyhedron(_) => "polyhedron",
             Shape::Mesh(_) => "mesh",
+            Shape::Csg(_) => "solid",
         };
         let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
         format!("object {index} ({kind}, material {}{line})", object.material.0)

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use rayline::Vec3;
 use rayline::shape::{
-    Cone, ConvexPolyhedron, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric, Rectangle,
-    Shape, Sphere, Torus, Triangle,
+    Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
+    Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 
 /// Points and directions of such coordinates.
@@ -73,6 +73,7 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
         (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..6))
             .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
         meshes(vector, 3..30).prop_map(Shape::Mesh),
+        solids_put_together(number),
     ]
     .boxed()
 }
@@ -115,4 +116,39 @@ pub fn meshes(
             }
         })
         .boxed()
+}
+
+/// Two or three solids of such coordinates and lengths, put together in any way.
+fn solids_put_together(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
+    let vector = vectors(number);
+    let solid = prop_oneof![
+        (vector.clone(), number.clone())
+            .prop_map(|(center, radius)| Solid::Sphere(Sphere::new(center, radius))),
+        (vector.clone(), vector.clone()).prop_map(|(point, normal)| Solid::Plane(Plane::new(point, normal))),
+        (vector.clone(), vector.clone()).prop_map(|(one, other)| Solid::Cuboid(Cuboid::aligned(one, other))),
+        (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..3))
+            .prop_map(|(center, half, cuts)| Solid::Polyhedron(cut_box(center, half, &cuts))),
+        (vector.clone(), vector.clone(), number.clone()).prop_map(|(base, top, radius)| {
+            Solid::Cylinder(Cylinder { base, top, radius, capped: true })
+        }),
+        (vector.clone(), [vector.clone(), vector.clone(), vector.clone()])
+            .prop_map(|(center, axes)| Solid::Ellipsoid(Ellipsoid { center, axes })),
+        (vector.clone(), vector.clone(), number.clone(), number.clone()).prop_map(
+            |(center, axis, major_radius, minor_radius)| {
+                Solid::Torus(Torus { center, axis, major_radius, minor_radius })
+            }
+        ),
+    ]
+    .prop_map(CsgStep::Solid)
+    .boxed();
+    let operator = prop_oneof![Just(CsgStep::Union), Just(CsgStep::Intersection), Just(CsgStep::Difference)];
+    let steps = prop_oneof![
+        (solid.clone(), solid.clone(), operator.clone()).prop_map(|(a, b, operator)| vec![a, b, operator]),
+        ([solid.clone(), solid.clone(), solid], [operator.clone(), operator], any::<bool>()).prop_map(
+            |([a, b, c], [first, second], in_order)| {
+                if in_order { vec![a, b, first, c, second] } else { vec![a, b, c, first, second] }
+            }
+        ),
+    ];
+    steps.prop_map(|steps| Shape::Csg(Csg::new(steps.leak()))).boxed()
 }

@@ -8,8 +8,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Cuboid, Disc, Ellipsoid, Geometry, Mesh, Plane, Polygon, Quadric, Rectangle, Shape, Sphere, Torus,
-    Triangle,
+    Cone, Csg, CsgStep, Cuboid, Disc, Ellipsoid, Geometry, Mesh, Plane, Polygon, Quadric, Rectangle, Shape,
+    Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
@@ -108,6 +108,20 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
             }
         ),
         1 => meshes(vector(), 1..30).prop_map(Shape::Mesh),
+        1 => (vector(), vector(), 0.1f32..3.0, 0.1f32..3.0, vector(), 0..3usize).prop_map(
+            |(center, aside, radius, other_radius, normal, operator)| {
+                // Near enough to each other that something is left.
+                let ball = |center, radius| CsgStep::Solid(Solid::Sphere(Sphere::new(center, radius)));
+                let operator = [CsgStep::Union, CsgStep::Intersection, CsgStep::Difference][operator];
+                Shape::Csg(Csg::new(Box::leak(Box::new([
+                    ball(center, radius),
+                    ball(center + aside * (0.3 * radius), other_radius),
+                    operator,
+                    CsgStep::Solid(Solid::Plane(Plane::new(center, normal))),
+                    CsgStep::Difference,
+                ]))))
+            }
+        ),
     ]
     .boxed()
 }

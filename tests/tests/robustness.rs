@@ -6,7 +6,9 @@ use std::mem::MaybeUninit;
 
 use proptest::prelude::*;
 use rayline::builtin::{CLASSIC, PRISM};
-use rayline::shape::{Cone, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Sphere, Torus, Triangle};
+use rayline::shape::{
+    Cone, Csg, CsgStep, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Solid, Sphere, Torus, Triangle,
+};
 use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
@@ -100,6 +102,9 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 major_radius: bad,
                 minor_radius: 1.0,
             }),
+            Shape::Csg(Csg::new(Box::leak(Box::new([CsgStep::Solid(Solid::Sphere(Sphere::new(
+                point, 1.0,
+            )))])))),
             Shape::Quadric(Quadric {
                 center: Vec3::ZERO,
                 coefficients: [1.0; 10],
@@ -161,6 +166,7 @@ fn degenerate_shapes_are_refused() {
     static LINE: [Vec3; 3] = [Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0), Vec3::new(2.0, 2.0, 2.0)];
     refused(Shape::Polygon(Polygon::new(&LINE)), Fault::NoArea);
     refused(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::ZERO)), Fault::ZeroLength);
+    refused(Shape::Csg(Csg::new(&[CsgStep::Union])), Fault::NotOneSolid);
 }
 
 #[test]

@@ -4,7 +4,9 @@
 use std::path::Path;
 
 use rayline::math::Fixed;
-use rayline::shape::{Ellipsoid, Plane, Quadric, Shape, Torus};
+use rayline::shape::{
+    Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Plane, Quadric, Shape, Solid, Sphere, Torus,
+};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Texture, Vec3};
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{Picture, PovrayPicture, assert_alike, core_picture, settings};
@@ -117,6 +119,70 @@ fn tori() {
             (ring(Vec3::new(1.4, -0.3, 2.0), Vec3::new(0.2, 1.0, 0.5), 0.6, 0.35), 3),
             (ring(Vec3::new(1.5, 0.2, -1.5), Vec3::new(1.0, 0.0, 0.7), 1.1, 0.03), 1),
             (ring(Vec3::new(-2.0, -0.1, -2.0), Vec3::new(0.1, 0.9, 0.7), 0.45, 0.44), 1),
+        ],
+    );
+}
+
+#[test]
+fn solids_put_together() {
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+    let ball = |center: Vec3, radius: f32| CsgStep::Solid(Solid::Sphere(Sphere::new(center, radius)));
+    let behind = |point: Vec3, normal: Vec3| CsgStep::Solid(Solid::Plane(Plane::new(point, normal)));
+    let pillar = |base: Vec3, top: Vec3, radius: f32| {
+        CsgStep::Solid(Solid::Cylinder(Cylinder { base, top, radius, capped: true }))
+    };
+    let (join, common, take_away) = (CsgStep::Union, CsgStep::Intersection, CsgStep::Difference);
+    // A magnifying glass.
+    let middle = Vec3::new(1.4, 0.1, 3.0);
+    let toward = Vec3::new(-0.1, 0.5, 0.85);
+    let lens = [ball(middle - toward * 1.6, 1.9), ball(middle + toward * 1.6, 1.9), common];
+    // A ball that is bored through along each axis.
+    let center = Vec3::new(-1.9, 0.2, -1.5);
+    let bore = |along: Vec3| pillar(center - along * 2.0, center + along * 2.0, 0.55);
+    let along = Vec3::new(0.7, 0.0, 0.7);
+    let across = Vec3::new(0.7, 0.0, -0.7);
+    let bored = [ball(center, 1.1), bore(UP), take_away, bore(along), take_away, bore(across), take_away];
+    // A bowl of glass: hollow, without its upper half.
+    let center = Vec3::new(1.9, 0.0, -1.0);
+    let bowl = [ball(center, 0.99), ball(center, 0.85), take_away, behind(center + UP * 0.2, UP), common];
+    // A mug with a handle that does not reach inside.
+    let base = Vec3::new(-1.6, -0.99, 2.3);
+    let wall = pillar(base, base + UP * 1.2, 0.55);
+    let inside = pillar(base + UP * 0.1, base + UP * 2.0, 0.47);
+    let handle = CsgStep::Solid(Solid::Torus(Torus {
+        center: base + Vec3::new(0.55, 0.6, 0.2),
+        axis: Vec3::new(-0.3, 0.0, 1.0),
+        major_radius: 0.35,
+        minor_radius: 0.08,
+    }));
+    let mug = [wall, handle, join, inside, take_away];
+    // A cone with a bite.
+    let cone = CsgStep::Solid(Solid::Cone(Cone {
+        base: Vec3::new(0.2, -0.99, -3.0),
+        base_radius: 0.9,
+        top: Vec3::new(0.2, 1.0, -3.0),
+        top_radius: 0.2,
+        capped: true,
+    }));
+    let bitten = [cone, ball(Vec3::new(0.5, 0.2, -2.3), 0.6), take_away];
+    // A die, with dots on the faces that are seen.
+    let center = Vec3::new(0.1, -0.49, 0.6);
+    let half = Vec3::new(0.5, 0.5, 0.5);
+    let mut die = vec![CsgStep::Solid(Solid::Cuboid(Cuboid::aligned(center - half, center + half)))];
+    die.extend([ball(center, 0.72), common]);
+    let dots = [(0.0, 0.55, 0.0), (-0.2, -0.2, 0.55), (0.2, 0.2, 0.55), (0.55, 0.2, 0.2), (0.55, -0.2, -0.2)];
+    for (x, y, z) in dots {
+        die.extend([ball(center + Vec3::new(x, y, z), 0.12), take_away]);
+    }
+    check(
+        "solids",
+        &[
+            (Shape::Csg(Csg::new(&die)), 1),
+            (Shape::Csg(Csg::new(&lens)), 3),
+            (Shape::Csg(Csg::new(&bored)), 0),
+            (Shape::Csg(Csg::new(&bowl)), 3),
+            (Shape::Csg(Csg::new(&mug)), 1),
+            (Shape::Csg(Csg::new(&bitten)), 2),
         ],
     );
 }

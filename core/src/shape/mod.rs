@@ -8,6 +8,7 @@
 
 mod chord;
 mod cone;
+mod csg;
 mod cuboid;
 mod cylinder;
 mod disc;
@@ -20,6 +21,7 @@ mod polyhedron;
 mod quadric;
 mod rectangle;
 mod set;
+mod solid;
 mod spans;
 mod sphere;
 #[cfg(test)]
@@ -31,6 +33,7 @@ mod uv;
 use core::fmt::Debug;
 
 pub use cone::{Cone, PreparedCone};
+pub use csg::{Csg, CsgStep, PreparedCsg};
 pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
@@ -41,6 +44,7 @@ pub use polygon::{Polygon, PreparedPolygon};
 pub use polyhedron::{ConvexPolyhedron, PreparedPolyhedron};
 pub use quadric::{PreparedQuadric, Quadric};
 pub use rectangle::{PreparedRectangle, Rectangle};
+pub use solid::{PreparedSolid, Solid};
 pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
 pub use torus::{PreparedTorus, Torus};
@@ -185,6 +189,8 @@ crate::shape_set! {
         Polyhedron(ConvexPolyhedron<'a>),
         /// A mesh of triangles.
         Mesh(Mesh<'a>),
+        /// A solid that is made of others.
+        Csg(Csg<'a>),
     }
 }
 
@@ -199,6 +205,7 @@ impl Shape<'_> {
             Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
             Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
             Self::Mesh(mesh) => mesh.const_bytes::<R>(),
+            Self::Csg(csg) => csg.const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

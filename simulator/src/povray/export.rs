@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
+use rayline::shape::{Csg, CsgStep, Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -33,6 +33,8 @@ pub enum PovrayError {
     Texture(usize),
     /// The object at this position names a material that the scene does not have.
     UnknownMaterial(usize),
+    /// The object at this position has steps that do not leave one solid.
+    NotOneSolid(usize),
 }
 
 impl fmt::Display for PovrayError {
@@ -44,6 +46,9 @@ impl fmt::Display for PovrayError {
             }
             Self::UnknownMaterial(index) => {
                 write!(f, "object {index} names a material that the scene does not have")
+            }
+            Self::NotOneSolid(index) => {
+                write!(f, "object {index} has steps that do not leave one solid; give each pair an operator")
             }
         }
     }
@@ -93,7 +98,13 @@ fn camera(camera: &Camera, settings: &Settings) -> String {
 
 /// The largest coordinate that the scene's parts name: how far away from the origin anything lies.
 fn extent(scene: &Scene<'_>) -> f64 {
-    let shapes = scene.objects.iter().flat_map(|object| match object.shape {
+    let shapes = scene.objects.iter().flat_map(|object| places(&object.shape));
+    shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
+}
+
+/// Places that a shape names.
+fn places(shape: &Shape<'_>) -> Vec<Vec3> {
+    match *shape {
         Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
         Shape::Plane(plane) => vec![plane.point],
         Shape::Disc(disc) => vec![disc.center, Vec3::new(disc.radius, 0.0, 0.0)],
@@ -112,8 +123,14 @@ fn extent(scene: &Scene<'_>) -> f64 {
         // What its planes enclose may be farther away than these points, or nearer.
         Shape::Polyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
         Shape::Mesh(mesh) => mesh.vertices.to_vec(),
-    });
-    shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
+        Shape::Csg(csg) => {
+            let solids = csg.steps.iter().filter_map(|step| match step {
+                CsgStep::Solid(solid) => Some(places(&Shape::from(*solid))),
+                _ => None,
+            });
+            solids.flatten().collect()
+        }
+    }
 }
 
 /// A light; a directional one stands far outside of the scene.
@@ -174,7 +191,7 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         let (Some(material), Some(faces)) = (scene.materials.get(number), faces.get_mut(number)) else {
             return Err(PovrayError::UnknownMaterial(index));
         };
-        let (kind, geometry) = shape(&object.shape);
+        let (kind, geometry) = shape(&object.shape).ok_or(PovrayError::NotOneSolid(index))?;
         if material.transmittance > 0.0 && is_face(&object.shape) {
             *faces += &format!("  {kind} {{ {geometry} }}\n");
         } else {
@@ -220,9 +237,9 @@ fn enclosing_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
 }
 
 /// A shape's keyword and numbers.
-fn shape(shape: &Shape<'_>) -> (&'static str, String) {
+fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
     let open = |capped: bool| if capped { "" } else { " open" };
-    match shape {
+    Some(match shape {
         Shape::Sphere(sphere) => ("sphere", format!("{}, {}", point(sphere.center), sphere.radius)),
         Shape::Plane(plane) => ("plane", self::plane(plane)),
         Shape::Disc(disc) => (
@@ -279,7 +296,8 @@ fn shape(shape: &Shape<'_>) -> (&'static str, String) {
             let turned = matrix([right, up, right.cross(up), torus.center.to()]);
             ("torus", format!("{}, {} {turned}", torus.major_radius, torus.minor_radius))
         }
-    }
+        Shape::Csg(csg) => return self::csg(csg),
+    })
 }
 
 /// What turns the axes, and then the origin, into these.
@@ -287,6 +305,29 @@ fn matrix(images: [Vec3<f64>; 4]) -> String {
     let rows =
         images.map(|image| [image.x, image.y, image.z].map(|number| (number + 0.0).to_string()).join(", "));
     format!("matrix <{}>", rows.join(", "))
+}
+
+/// The steps carried out on pieces of text.
+fn csg(csg: &Csg<'_>) -> Option<(&'static str, String)> {
+    let mut stack: Vec<(&'static str, String)> = vec![];
+    for step in csg.steps {
+        let piece = match step {
+            CsgStep::Solid(solid) => shape(&Shape::from(*solid))?,
+            operator => {
+                let ((right, right_text), (left, left_text)) = (stack.pop()?, stack.pop()?);
+                // A merge is a union that has no walls inside.
+                let kind = match operator {
+                    CsgStep::Intersection => "intersection",
+                    CsgStep::Difference => "difference",
+                    _ => "merge",
+                };
+                (kind, format!("{left} {{ {left_text} }} {right} {{ {right_text} }}"))
+            }
+        };
+        stack.push(piece);
+    }
+    let whole = stack.pop()?;
+    stack.is_empty().then_some(whole)
 }
 
 /// Cut out of a box by it, or clipped by it.
@@ -359,7 +400,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Torus, Triangle};
+    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Solid, Torus, Triangle};
 
     const GLASS: Material = Material {
         transmittance: 0.75,
@@ -436,7 +477,7 @@ union {
     #[test]
     fn ellipsoids_and_quadrics() {
         let egg = Ellipsoid::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 1.0, 2.0));
-        let (kind, text) = shape(&Shape::Ellipsoid(egg));
+        let (kind, text) = shape(&Shape::Ellipsoid(egg)).unwrap();
         assert_eq!((kind, text.as_str()), ("sphere", "0, 1 matrix <0.5, 0, 0, 0, 1, 0, 0, 0, 2, 1, 2, 3>"));
         let corner = Vec3::new(1.0, 1.0, 1.0);
         let bowl = Quadric {
@@ -448,9 +489,9 @@ union {
         };
         let equation = "<1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -10 translate <0, 1, 0>";
         let corners = "box { <-1, 0, -1>, <1, 2, 1> }";
-        let (kind, text) = shape(&Shape::Quadric(bowl));
+        let (kind, text) = shape(&Shape::Quadric(bowl)).unwrap();
         assert_eq!((kind, text), ("intersection", format!("quadric {{ {equation} }} {corners}")));
-        let (kind, text) = shape(&Shape::Quadric(Quadric { capped: false, ..bowl }));
+        let (kind, text) = shape(&Shape::Quadric(Quadric { capped: false, ..bowl })).unwrap();
         assert_eq!((kind, text), ("quadric", format!("{equation} clipped_by {{ {corners} }}")));
     }
 
@@ -458,7 +499,7 @@ union {
     fn tori_are_turned() {
         let axis = Vec3::new(0.0, 0.0, 2.0);
         let ring = Torus { center: UP, axis, major_radius: 2.0, minor_radius: 0.5 };
-        let (kind, text) = shape(&Shape::Torus(ring));
+        let (kind, text) = shape(&Shape::Torus(ring)).unwrap();
         assert_eq!((kind, text.as_str()), ("torus", "2, 0.5 matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0>"));
     }
 
@@ -468,10 +509,32 @@ union {
         let mesh = Mesh { vertices: &corners, triangles: &[[0, 1, 2], [2, 1, 3]], normals: None, uvs: None };
         let flat = "vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <1, 1, 0> }";
         let faces = "face_indices { 2, <0, 1, 2>, <2, 1, 3> }";
-        assert_eq!(shape(&Shape::Mesh(mesh)), ("mesh2", format!("{flat} {faces}")));
+        assert_eq!(shape(&Shape::Mesh(mesh)), Some(("mesh2", format!("{flat} {faces}"))));
         let smooth = Shape::Mesh(Mesh { normals: Some(&[UP; 4]), ..mesh });
         let normals = "normal_vectors { 4, <0, 1, 0>, <0, 1, 0>, <0, 1, 0>, <0, 1, 0> }";
-        assert_eq!(shape(&smooth), ("mesh2", format!("{flat} {normals} {faces}")));
+        assert_eq!(shape(&smooth), Some(("mesh2", format!("{flat} {normals} {faces}"))));
+    }
+
+    #[test]
+    fn solids_are_put_together() {
+        let ball = |radius: f32| CsgStep::Solid(Solid::Sphere(Sphere::new(Vec3::ZERO, radius)));
+        let steps = [
+            ball(1.0),
+            ball(2.0),
+            CsgStep::Union,
+            ball(3.0),
+            ball(4.0),
+            CsgStep::Intersection,
+            CsgStep::Difference,
+        ];
+        let (kind, text) = shape(&Shape::Csg(Csg::new(&steps))).unwrap();
+        let sphere = |radius: u8| format!("sphere {{ <0, 0, 0>, {radius} }}");
+        let pair = |kind: &str, a: u8, b: u8| format!("{kind} {{ {} {} }}", sphere(a), sphere(b));
+        assert_eq!(kind, "difference");
+        assert_eq!(text, format!("{} {}", pair("merge", 1, 2), pair("intersection", 3, 4)));
+        let objects = [Object::new(Shape::Csg(Csg::new(&steps[..4])), 0)];
+        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        assert_eq!(error, PovrayError::NotOneSolid(0));
     }
 
     #[test]

@@ -6,6 +6,7 @@
 
 mod shading;
 mod shapes;
+mod solids;
 
 use glam::{DMat4, DVec3};
 use rayline::shape::Shape;

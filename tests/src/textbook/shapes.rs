@@ -41,6 +41,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
             self::polyhedron(&faces.collect::<Vec<_>>(), ray)
         }
         Shape::Mesh(mesh) => triangles(mesh).filter_map(|triangle| self::triangle(&triangle, ray)).collect(),
+        Shape::Csg(csg) => super::solids::crossings(csg.steps, ray),
     }
 }
 

@@ -1,0 +1,59 @@
+//! The set of all built-in shapes that can be put together.
+
+use super::{Cone, ConvexPolyhedron, Cuboid, Cylinder, Ellipsoid, Plane, Quadric, Shape, Sphere, Torus};
+use crate::math::Real;
+
+crate::shape_set! {
+    /// The set of all built-in solids: what a [`Csg`](super::Csg) is made of, unless you name a set of your own.
+    pub enum Solid<'a>;
+    /// [`Solid`] as the kernel sees it.
+    pub enum PreparedSolid {
+        /// A ball.
+        Sphere(Sphere),
+        /// All that lies behind a plane.
+        Plane(Plane),
+        /// A capped cylinder.
+        Cylinder(Cylinder),
+        /// A capped cone or frustum.
+        Cone(Cone),
+        /// An ellipsoid.
+        Ellipsoid(Ellipsoid),
+        /// What a quadric and a box have in common.
+        Quadric(Quadric),
+        /// A torus.
+        Torus(Torus),
+        /// A box, along the axes or not.
+        Cuboid(Cuboid),
+        /// A convex solid with flat faces.
+        Polyhedron(ConvexPolyhedron<'a>),
+    }
+}
+
+impl Solid<'_> {
+    /// [`Geometry::bytes`](super::Geometry::bytes), usable in constants.
+    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+        match self {
+            Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
+            Self::Quadric(_) => Quadric::const_bytes::<R>(),
+            Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
+            Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
+            Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) => 0,
+        }
+    }
+}
+
+impl<'a> From<Solid<'a>> for Shape<'a> {
+    fn from(solid: Solid<'a>) -> Self {
+        match solid {
+            Solid::Sphere(sphere) => Self::Sphere(sphere),
+            Solid::Plane(plane) => Self::Plane(plane),
+            Solid::Cylinder(cylinder) => Self::Cylinder(cylinder),
+            Solid::Cone(cone) => Self::Cone(cone),
+            Solid::Ellipsoid(ellipsoid) => Self::Ellipsoid(ellipsoid),
+            Solid::Quadric(quadric) => Self::Quadric(quadric),
+            Solid::Torus(torus) => Self::Torus(torus),
+            Solid::Cuboid(cuboid) => Self::Cuboid(cuboid),
+            Solid::Polyhedron(polyhedron) => Self::Polyhedron(polyhedron),
+        }
+    }
+}
