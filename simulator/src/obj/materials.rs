@@ -1,16 +1,4 @@
-//! Materials of MTL files.
-//!
-//! | in the file | in the scene |
-//! |---|---|
-//! | `Kd` | the color, shown in full by lights |
-//! | `Ks` | the strength of the highlight, the mean of the three; and the reflectance, if `illum` is 3 to 7 |
-//! | `Ns` | the exponent of the highlight; without, there is none |
-//! | `d`, or `Tr` = 1 - `d` | the transmittance, 1 - `d`; what is diffuse and reflected gives way to it |
-//! | `Ni` | the index of refraction, where there is any transmittance |
-//! | `Ke` | where it is not black, the color, seen without any light |
-//!
-//! A tenth of the color is ambient, as the one light that such a scene gets leaves half of it in the dark. `Ka` and textures (`map_…`)
-//! are left out.
+//! Materials of MTL files; what becomes of them, the table of [`obj`](super) tells.
 
 use std::path::Path;
 

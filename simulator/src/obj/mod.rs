@@ -8,10 +8,23 @@
 //! | `v`, `vn` | vertices; normals, where all corners of a mesh have one, make it smooth |
 //! | `f` | triangles; of more corners, the fan around the first |
 //! | `o`, `g`, `usemtl` | each stretch of one of these is a mesh; one of more than 65535 vertices or triangles, several |
-//! | `mtllib` | the materials of that file, see [`materials`] |
+//! | `mtllib` | the materials of that file |
 //!
 //! Texture coordinates, smoothing groups, lines, points and free-form surfaces are left out. There is no camera in such a file and no
-//! light, so [`view`] adds them. [`Import::notes`] say what was added and left out.
+//! light, so they are added. [`Import::notes`] say what was added and left out.
+//!
+//! # Materials
+//! | in the file | in the scene |
+//! |---|---|
+//! | `Kd` | the color, shown in full by lights |
+//! | `Ks` | the strength of the highlight, the mean of the three; and the reflectance, if `illum` is 3 to 7 |
+//! | `Ns` | the exponent of the highlight; without, there is none |
+//! | `d`, or `Tr` = 1 - `d` | the transmittance, 1 - `d`; what is diffuse and reflected gives way to it |
+//! | `Ni` | the index of refraction, where there is any transmittance |
+//! | `Ke` | where it is not black, the color, seen without any light |
+//!
+//! A tenth of the color is ambient, as the one light that such a scene gets leaves half of it in the dark. `Ka` and textures (`map_…`)
+//! are left out.
 
 mod error;
 mod materials;

@@ -16,9 +16,18 @@
 //! more vertices than triangles it is 58 at most. Which vertices a triangle joins, and coordinates for textures, are read where
 //! the description has them, in flash.
 //!
-//! Rejected: the planes of single triangles, prepared, through whose edges rays slip. A teapot of 240 smooth triangles takes
-//! 14.7 KB with its floor, and 40.0 KB as single triangles; a picture of it takes 1.16 times as long (`f32`, x86-64). Leaves of
-//! two triangles instead of four take longer still, 1.08 times, and up to 50 bytes a triangle.
+//! # Time
+//! A teapot of 240 smooth triangles on its floor, 96 by 96 pixels, on x86-64 (callgrind, without preparation):
+//!
+//! | | bytes | million instructions, `f32` | in fixed point |
+//! |---|---|---|---|
+//! | as single triangles, through whose edges rays slip | 40,037 | 42.0 | 108.2 |
+//! | as a mesh | 14,727 | 52.4 | 105.1 |
+//!
+//! A ray that may meet it takes 950 instructions in `f32`, and 2340 in fixed point. Rejected: leaves of 2, 3, 6 or 8 triangles in
+//! place of 4, which take 1 to 4 % more in `f32` and 1 to 9 % in fixed point; to look at the second coordinate of corners only
+//! where the first does not tell that they all lie on one side, 5 % more, as no four numbers are computed at once any longer; and a
+//! question of its own for shadows, that ends at the first hit, which saves 0.5 %.
 //!
 //! # Finding the triangle again
 //! [`Intersect::surface`] is told no more than the ray and the distance. Of the triangles whose boxes hold the point there it
