@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
-use rayline::Material;
+use core::mem::MaybeUninit;
+
+use proptest::prelude::*;
+use rayline::{Material, PreparedScene};
 
 use super::*;
 
@@ -276,4 +279,35 @@ fn all_of_it_is_in_the_picture() {
         }
         assert!((0.6..0.95).contains(&nearest_to_edge), "{nearest_to_edge}");
     });
+}
+
+/// Lines of a few words each that mean something in one of the formats, or nothing.
+fn lines_of(keywords: &'static [&'static str]) -> impl Strategy<Value = String> {
+    let word = prop::sample::select(&[
+        "1", "2", "3", "-1", "0", "0.5", "1//1", "2/1/1", "nan", "1e9", "a", "é", "\\", "#", "",
+    ]);
+    let line = (prop::sample::select(keywords), proptest::collection::vec(word, 0..5));
+    let text = |(keyword, words): (&str, Vec<&str>)| format!("{keyword} {}\n", words.join(" "));
+    proptest::collection::vec(line.prop_map(text), 0..20).prop_map(|lines| lines.concat())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_is_refused_or_a_scene(
+        obj in lines_of(&["v", "vn", "vt", "f 1 2 3", "f", "g", "usemtl", "usemtl a", "l", "surf"]),
+        mtl in lines_of(&["newmtl", "newmtl a", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"]),
+    ) {
+        let triangle = "mtllib colors.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        for (obj, mtl) in [(format!("{triangle}{obj}"), ""), (format!("{triangle}usemtl a\nf 1 2 3"), &*mtl)] {
+            with_files(&obj, mtl, |import| {
+                if let Ok(Import { scene, .. }) = import {
+                    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+                    let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory);
+                    prepared.unwrap_or_else(|error| unreachable!("{error}:\n{obj}\n{mtl}"));
+                }
+            });
+        }
+    }
 }
