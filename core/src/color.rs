@@ -2,6 +2,7 @@
 
 use core::ops::{Add, Mul};
 
+use crate::fault::{Fault, check_coordinate, check_held};
 use crate::math::Real;
 
 /// Linear light or reflectivity in three channels, with the primaries of sRGB.
@@ -33,6 +34,10 @@ impl LinearRgb {
         Self::new(value, value, value)
     }
 
+    pub(crate) const fn channels(self) -> [f32; 3] {
+        [self.r, self.g, self.b]
+    }
+
     /// The same color in another number system.
     pub fn to<R: Real>(self) -> LinearRgb<R> {
         LinearRgb::new(R::from_f32(self.r), R::from_f32(self.g), R::from_f32(self.b))
@@ -47,6 +52,25 @@ impl<R: Real> LinearRgb<R> {
     pub fn to_f32(self) -> LinearRgb {
         LinearRgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
     }
+}
+
+impl<R: Real> LinearRgb<R> {
+    /// The same in all three channels.
+    pub(crate) fn even(value: R) -> Self {
+        Self::new(value, value, value)
+    }
+}
+
+/// Refuses emitted light that is negative or not finite; it may be above 1.
+pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
+    for value in [color.r, color.g, color.b] {
+        check_coordinate(value)?;
+        if value < 0.0 {
+            return Err(Fault::NegativeColor);
+        }
+        check_held::<R>(R::Setup::from_f32(value))?;
+    }
+    Ok(())
 }
 
 impl<R: Real> Add for LinearRgb<R> {

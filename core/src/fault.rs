@@ -87,6 +87,16 @@ pub enum Fault {
     EnergyAboveOne,
     /// The shininess is negative. Use 0 or more.
     NegativeShininess,
+    /// The coefficients of a falloff are negative, or all zero. Use 0 or more, and more for one of them.
+    FalloffNegative,
+    /// A cone of light is not between 0° and 180°, or dark before it is bright. Give the half angle of the bright part, then that of
+    /// all.
+    LightCone,
+    /// The scene needs code that was left out. Build with this feature of the crate `rayline`.
+    WithoutFeature {
+        /// The feature.
+        feature: &'static str,
+    },
     /// The index of refraction is zero or negative. Air is 1, glass about 1.5.
     IorNotPositive,
     /// The number system that the scene is prepared for has too few digits for something so much smaller than the
@@ -177,6 +187,15 @@ impl fmt::Display for Fault {
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",
             Self::EnergyAboveOne => "reflectance and transmittance add up to more than 1; lower one of them",
             Self::NegativeShininess => "the shininess is negative; use 0 or more",
+            Self::FalloffNegative => {
+                "a falloff is negative or all zero; use 0 or more, and more for one of the three"
+            }
+            Self::LightCone => {
+                "a cone of light is not between 0 and 180 degrees, the bright part within all of it"
+            }
+            Self::WithoutFeature { feature } => {
+                return write!(f, "this needs the feature `{feature}` of the crate rayline; build with it");
+            }
             Self::IorNotPositive => "the index of refraction is not positive; air is 1, glass about 1.5",
             Self::TooSmall => {
                 "too small beside the rest for this number system; enlarge it or prepare for f32"
@@ -213,6 +232,12 @@ pub(crate) fn check_coordinate(value: f32) -> Result<(), Fault> {
     } else {
         Ok(())
     }
+}
+
+/// Refuses what is not a share, 0 to 1.
+pub(crate) fn check_share(share: f32) -> Result<(), Fault> {
+    check_coordinate(share)?;
+    if (0.0..=1.0).contains(&share) { Ok(()) } else { Err(Fault::OutsideUnit) }
 }
 
 /// Refuses a point that is not finite or too far out.

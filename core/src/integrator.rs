@@ -8,12 +8,13 @@ use heapless::Vec;
 
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
-use crate::material::PreparedMaterial;
+use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::{Departure, ObjectSet};
-use crate::prepared::{Hit, PreparedScene};
+use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
+use crate::share::Share;
 
 /// When rays are no longer followed.
 #[derive(Clone, Copy, Debug)]
@@ -65,8 +66,8 @@ impl RayBudget {
 #[derive(Clone, Copy, Debug)]
 struct PendingRay<R> {
     ray: Ray<R>,
-    /// Share of its light that reaches the pixel.
-    throughput: R,
+    /// Share of its light that reaches the pixel, in each channel.
+    throughput: Share<R>,
     bounces: u8,
     kind: RayKind,
     /// The surface that it leaves; of a camera ray, none.
@@ -87,64 +88,63 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     let rays = &mut RayBudget(budget.0);
     let mut light = LinearRgb::BLACK;
     let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
-    let mut next =
-        PendingRay { ray, throughput: R::ONE, bounces: 0, kind: RayKind::Camera, from: Departure::NONE };
+    let mut next = PendingRay {
+        ray,
+        throughput: Share::even(R::ONE),
+        bounces: 0,
+        kind: RayKind::Camera,
+        from: Departure::NONE,
+    };
     loop {
         let PendingRay { ray, throughput, bounces, kind, from } = next;
         if !rays.spend() {
             probe.record(Event::Cut(Cut::Rays));
             break;
         }
-        probe.record(Event::Ray { kind, ray, bounces, throughput });
+        probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
         let from = if kind == RayKind::Camera { None } else { Some(from) };
         let Some((hit, material)) = scene.closest_hit_from(&ray, from, sight.among) else {
             probe.record(Event::Miss);
-            light = light + scene.background * throughput;
+            let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
+            light = light + throughput.of(scene.background);
             if !take(&mut waiting, &mut next) {
                 break;
             }
             continue;
         };
+        let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
         let vertex = Vertex::new(&ray, hit, material, kind, probe);
         let shades =
             sight.shades.filter(|shades| kind == RayKind::Camera && shades.receiver == vertex.hit.object);
-        light = light + vertex.local_light(scene, shades, rays, probe) * throughput;
+        light = light + throughput.of(vertex.local_light(scene, shades, rays, probe));
 
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
-        let mut followed = |share: R| {
+        let mut followed = |share: Share<R>| {
             let throughput = throughput * share;
-            if !(throughput > R::ZERO) {
-                return R::ZERO;
+            let largest = throughput.largest();
+            if !(largest > R::ZERO) {
+                return None;
             }
             if bounces >= bounds.bounces {
                 probe.record(Event::Cut(Cut::Bounces));
-                return R::ZERO;
+                return None;
             }
-            if throughput < bounds.cutoff {
+            if largest < bounds.cutoff {
                 probe.record(Event::Cut(Cut::Throughput));
-                return R::ZERO;
+                return None;
             }
-            throughput
+            Some(throughput)
         };
-        let (mut reflectance, mut refracted) = (material.reflectance, None);
-        if material.transmittance > R::ZERO {
-            refracted = vertex.refracted();
-            if refracted.is_none() {
-                // Total internal reflection: what cannot leave is mirrored.
-                reflectance = reflectance + material.transmittance;
-            }
+        let (Shares { mirrored, refracted }, direction) = vertex.shares();
+        let mirrors = followed(mirrored);
+        if let Some(direction) = direction
+            && let Some(throughput) = followed(refracted)
+            // There is always room, as shown above.
+            && waiting.push(vertex.leave(direction, throughput, bounces, RayKind::Refracted)).is_err()
+        {
+            probe.record(Event::Cut(Cut::Bounces));
         }
-        let mirrors = followed(reflectance);
-        if let Some(direction) = refracted {
-            let transmits = followed(material.transmittance);
-            if transmits > R::ZERO
-                // There is always room, as shown above.
-                && waiting.push(vertex.leave(direction, transmits, bounces, RayKind::Refracted)).is_err()
-            {
-                probe.record(Event::Cut(Cut::Bounces));
-            }
-        }
-        if mirrors > R::ZERO {
+        if let Some(mirrors) = mirrors {
             next = vertex.leave(vertex.mirrored, mirrors, bounces, RayKind::Reflected);
         } else if !take(&mut waiting, &mut next) {
             break;
@@ -196,7 +196,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     }
 
     /// A ray that is to be followed from here, after so many bounces.
-    fn leave(&self, direction: Vec3<R>, throughput: R, bounces: u8, kind: RayKind) -> PendingRay<R> {
+    fn leave(&self, direction: Vec3<R>, throughput: Share<R>, bounces: u8, kind: RayKind) -> PendingRay<R> {
         let (ray, from) = (self.spawn(direction), self.departure(direction));
         PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
     }
@@ -221,8 +221,14 @@ impl<'s, R: Real> Vertex<'s, R> {
         rays: &mut RayBudget,
         probe: &mut impl Probe<R>,
     ) -> LinearRgb<R> {
-        let material = self.material;
-        let ambient = self.color * material.ambient;
+        let (material, optics) = (self.material, self.material.optics());
+        let mut ambient = self.color * material.ambient;
+        if let Some(light) = scene.ambient() {
+            ambient = ambient * light;
+        }
+        if let Some(optics) = optics {
+            ambient = ambient + optics.emission;
+        }
         let (diffuses, shines) = (material.diffuse > R::ZERO, material.specular > R::ZERO);
         if !(diffuses || shines) {
             return ambient;
@@ -232,10 +238,22 @@ impl<'s, R: Real> Vertex<'s, R> {
         for (index, light) in scene.lights.iter().enumerate() {
             let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
-            let along = if shines { self.mirrored.dot(toward) } else { R::ZERO };
+            let along = match optics {
+                _ if !shines => R::ZERO,
+                None => self.mirrored.dot(toward),
+                Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
+            };
             let glints = shines && material.shininess.is_visible(along);
             if !(diffuses || glints) {
                 continue;
+            }
+            let mut color = light.color;
+            if let Some(lamp) = light.lamp() {
+                let share = lamp.share(toward, distance);
+                if !(share > R::ZERO) {
+                    continue;
+                }
+                color = color * share;
             }
             if !rays.spend() {
                 probe.record(Event::Cut(Cut::Rays));
@@ -244,32 +262,70 @@ impl<'s, R: Real> Vertex<'s, R> {
             let shades = shades.and_then(|shades| shades.among.get(index)).copied();
             let from = self.departure(toward);
             let in_the_way = scene.in_the_way(from, self.hit.surface.magnitude, index, toward, shades);
-            let mut through = R::ONE;
+            let mut through = Through::All;
             if in_the_way.is_none_or(|objects| !objects.is_empty()) {
-                let cut;
-                (through, cut) = scene.light_through_among(&self.spawn(toward), distance, in_the_way);
-                if cut {
+                through = scene.light_through_among(&self.spawn(toward), distance, in_the_way);
+            }
+            let mut highlight = R::ZERO;
+            let through = match through {
+                Through::All => Share::even(R::ONE),
+                Through::Some(through) => through,
+                Through::Nothing => Share::even(R::ZERO),
+                Through::TooManyLayers => {
                     probe.record(Event::Cut(Cut::ShadowLayers));
+                    Share::even(R::ZERO)
                 }
-            }
-            // The power takes long: it is for what is seen.
-            let highlight =
-                if glints && through > R::ZERO { material.shininess.power_of(along) } else { R::ZERO };
-            if through > R::ZERO {
-                diffuse = diffuse + light.color * (cosine * through);
-            }
-            if highlight > R::ZERO {
-                specular = specular + light.color * (highlight * through);
+            };
+            if through.largest() > R::ZERO {
+                diffuse = diffuse + (through * cosine).of(color);
+                // The power takes long: it is for what is seen.
+                highlight = if glints { material.shininess.power_of(along) } else { R::ZERO };
+                if highlight > R::ZERO {
+                    specular = specular + (through * highlight).of(color);
+                }
             }
             if probe.is_watching() {
                 let shown = self.color * (material.diffuse * cosine);
-                let highlight = material.specular * highlight;
-                let shown = LinearRgb::new(shown.r + highlight, shown.g + highlight, shown.b + highlight);
-                let shown = light.color * shown * through;
-                probe.record(Event::Light { light: index, toward, through, shown });
+                let highlight = LinearRgb::even(material.specular * highlight);
+                let highlight = optics.map_or(highlight, |optics| optics.reflection_color * highlight);
+                let shown = through.of(color * (shown + highlight));
+                probe.record(Event::Light { light: index, toward, through: through.largest(), shown });
             }
         }
+        if let Some(optics) = optics {
+            specular = specular * optics.reflection_color;
+        }
         ambient + self.color * diffuse * material.diffuse + specular * material.specular
+    }
+
+    /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.
+    #[inline(always)]
+    fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
+        let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
+        let optics = self.material.optics();
+        let is_glass = transmittance > R::ZERO;
+        let refraction = if is_glass { self.refracted() } else { None };
+        let Some(optics) = optics else {
+            // Total internal reflection: what cannot leave is mirrored.
+            let mirrored =
+                if is_glass && refraction.is_none() { reflectance + transmittance } else { reflectance };
+            let shares = Shares { mirrored: Share::even(mirrored), refracted: Share::even(transmittance) };
+            return (shares, refraction);
+        };
+        // Opaque lacquer mirrors as if light went on behind it.
+        let behind = if is_glass || !optics.needs_angle_behind() { refraction } else { self.refracted() };
+        let cosine = match behind {
+            Some(direction) => Some(self.normal.dot(direction).abs()),
+            None if is_glass => None,
+            None => Some(self.cosine),
+        };
+        (optics.shares((reflectance, transmittance), self.cosine, self.eta(), cosine), refraction)
+    }
+
+    /// The ratio of the indices of refraction for a ray that goes on: that of the side it came from over that of the other.
+    fn eta(&self) -> R {
+        let entering = self.hit.surface.normal.dot(self.incoming) < R::ZERO;
+        if entering { self.material.eta_entering } else { self.material.eta_leaving }
     }
 
     /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",
@@ -278,8 +334,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     /// Which side is inside is told by the geometric normal alone: in front of a surface the index is 1, behind
     /// it the material's. Nested and overlapping glass follows the same rule, surface by surface.
     fn refracted(&self) -> Option<Vec3<R>> {
-        let entering = self.hit.surface.normal.dot(self.incoming) < R::ZERO;
-        let eta = if entering { self.material.eta_entering } else { self.material.eta_leaving };
+        let eta = self.eta();
         if eta == R::ONE {
             // Straight through, with the very same bits.
             return Some(self.incoming);

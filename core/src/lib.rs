@@ -43,7 +43,7 @@
 //! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `hierarchy`, `color`,
-//! `surface`, `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
+//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
 //! `render`, `builtin`.
 //!
 //! # Number systems
@@ -82,6 +82,8 @@
 //! - `hierarchy`, on unless left out: a hierarchy of boxes for scenes of more than
 //!   [`FEW_OBJECTS`](limits::FEW_OBJECTS). Without it every ray of those is tested against every object: the same bytes, later,
 //!   and 12 KB less of flash.
+//! - `optics`, on unless left out: colored glass and metal, Fresnel's shares, absorption, light of surfaces' own, lamps with falloff
+//!   and cones, ambient light. Without it a scene that has one of them is refused.
 //! - `std`: the standard library's square root. Changes no byte.
 //! - `micromath`: micromath's square roots and powers for `f32`, refined: faster without an FPU, other bytes.
 
@@ -91,6 +93,7 @@ mod arena;
 pub mod builtin;
 mod camera;
 mod color;
+mod falloff;
 mod fault;
 mod hierarchy;
 mod integrator;
@@ -104,17 +107,19 @@ mod render;
 mod sampler;
 mod scene;
 pub mod shape;
+mod share;
 mod surface;
 mod texture;
 
 pub use arena::{Arena, Workspace};
 pub use camera::Camera;
 pub use color::LinearRgb;
+pub use falloff::Falloff;
 pub use fault::Fault;
-pub use light::Light;
-pub use material::Material;
+pub use light::{Lamp, Light, LightCone};
+pub use material::{Fresnel, Highlight, Material, Optics, presets as materials};
 pub use math::{Real, Vec3};
-pub use prepared::{Hit, Part, PreparedScene, SceneError, prepared_bytes};
+pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Pattern, Progress,

@@ -214,6 +214,10 @@ impl Real for Counted {
         slow(Real::powf(self.0, exponent))
     }
 
+    fn halved(self) -> Self {
+        slow(Real::halved(self.0))
+    }
+
     fn cell(self, per_unit: f32) -> i32 {
         self.0.cell(per_unit)
     }

@@ -1,11 +1,11 @@
 //! Random parts of scenes.
 
 use proptest::prelude::*;
-use rayline::Vec3;
 use rayline::shape::{
     Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
     Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
+use rayline::{Falloff, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Optics, Vec3};
 
 /// Points and directions of such coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
@@ -151,4 +151,47 @@ fn solids_put_together(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'stat
         ),
     ];
     steps.prop_map(|steps| Shape::Csg(Csg::new(steps.leak()))).boxed()
+}
+
+/// Optics of all kinds, or none. They are leaked: materials borrow them.
+pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Optics>> {
+    let color =
+        [number.clone(), number.clone(), number.clone()].prop_map(|[r, g, b]| LinearRgb::new(r, g, b));
+    let fresnel = prop_oneof![Just(Fresnel::Constant), Just(Fresnel::Schlick), Just(Fresnel::Exact)];
+    let highlight = prop_oneof![Just(Highlight::Phong), Just(Highlight::BlinnPhong)];
+    let colors = (color.clone(), color.clone(), color.clone(), color);
+    let some =
+        (fresnel, highlight, colors, falloffs(number)).prop_map(|(fresnel, highlight, colors, falloff)| {
+            let (reflection_color, transmission_color, absorption, emission) = colors;
+            let optics = Optics {
+                highlight,
+                fresnel,
+                reflection_color,
+                transmission_color,
+                absorption,
+                emission,
+                reflection_falloff: falloff,
+            };
+            Some(&*Box::leak(Box::new(optics)))
+        });
+    prop_oneof![1 => Just(None), 1 => some].boxed()
+}
+
+/// Falloffs of these coefficients, or none.
+fn falloffs(number: &BoxedStrategy<f32>) -> BoxedStrategy<Falloff> {
+    let some = [number.clone(), number.clone(), number.clone()]
+        .prop_map(|[constant, linear, quadratic]| Falloff { constant, linear, quadratic });
+    prop_oneof![1 => Just(Falloff::NONE), 1 => some].boxed()
+}
+
+/// Lamps with falloffs, cones or both, and ambient lights.
+pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> BoxedStrategy<Light> {
+    let cone = (vectors(number), 0.0f32..2.0, 0.0f32..2.0).prop_map(|(direction, bright, more)| LightCone {
+        direction,
+        bright,
+        dark: bright + more,
+    });
+    let lamp = (vectors(number), color.clone(), falloffs(number), proptest::option::of(cone))
+        .prop_map(|(position, color, falloff, cone)| Light::Lamp(Lamp { position, color, falloff, cone }));
+    prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color })].boxed()
 }

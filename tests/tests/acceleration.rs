@@ -14,7 +14,7 @@ use rayline::shape::{
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
-use rayline_tests::{cut_box, each_scene, meshes, turned_box, with_scene};
+use rayline_tests::{cut_box, each_scene, lamps, meshes, optics, turned_box, with_scene};
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
     let renderer = Renderer::new(scene, settings).unwrap();
@@ -128,8 +128,9 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
 
 fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (0.0f32..1.0, 0.0f32..0.6, prop_oneof![Just(0.0f32), 0.1f32..0.4], 0.6f32..2.0);
-    (shares, [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0])
-        .prop_map(|((specular, reflectance, transmittance, ior), [r, g, b])| Material {
+    (shares, [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], optics(&(0.0f32..1.0).boxed()))
+        .prop_map(|((specular, reflectance, transmittance, ior), [r, g, b], optics)| Material {
+            optics,
             specular,
             shininess: 10.0,
             reflectance,
@@ -145,6 +146,7 @@ fn light() -> BoxedStrategy<Light> {
     prop_oneof![
         vector().prop_map(move |v| Light::Point { position: v * 3.0, color }),
         vector().prop_map(move |direction| Light::Directional { direction, color }),
+        lamps(&(-5.0f32..5.0).boxed(), &Just(color).boxed()),
     ]
     .boxed()
 }

@@ -16,7 +16,7 @@ use rayline::{
     Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer,
     Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
-use rayline_tests::{Picture, core_picture, shapes, vectors};
+use rayline_tests::{Picture, core_picture, lamps, optics, shapes, vectors};
 
 /// What pictures in fixed point are held to.
 const BAR_DB: f64 = 40.0;
@@ -293,22 +293,41 @@ fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..0.6, 0.0f32..0.6);
     let ior = prop_oneof![4 => 0.14f32..7.6, 1 => Just(1.0f32)];
     let shininess = prop_oneof![4 => 0.0f32..300.0, 1 => 0.0f32..1e6];
-    (color(), shares, shininess, ior, proptest::option::of((color(), vector())))
-        .prop_map(|(even, (ambient, diffuse, specular, reflectance, transmittance), shininess, ior, odd)| {
-            Material {
-                color: match odd {
-                    None => even.into(),
-                    Some((odd, cells_per_unit)) => Texture::Checker(Checker { even, odd, cells_per_unit }),
-                },
-                ambient,
-                diffuse,
-                specular,
+    (
+        color(),
+        shares,
+        shininess,
+        ior,
+        proptest::option::of((color(), vector())),
+        optics(&(0.0f32..1.0).boxed()),
+    )
+        .prop_map(
+            |(
+                even,
+                (ambient, diffuse, specular, reflectance, transmittance),
                 shininess,
-                reflectance,
-                transmittance,
                 ior,
-            }
-        })
+                odd,
+                optics,
+            )| {
+                Material {
+                    color: match odd {
+                        None => even.into(),
+                        Some((odd, cells_per_unit)) => {
+                            Texture::Checker(Checker { even, odd, cells_per_unit })
+                        }
+                    },
+                    ambient,
+                    diffuse,
+                    specular,
+                    shininess,
+                    reflectance,
+                    transmittance,
+                    ior,
+                    optics,
+                }
+            },
+        )
         .boxed()
 }
 
@@ -316,7 +335,8 @@ fn light() -> BoxedStrategy<Light> {
     let color = (color(), 0.0f32..59.0).prop_map(|(color, strength)| color * strength).boxed();
     prop_oneof![
         (vector(), color.clone()).prop_map(|(position, color)| Light::Point { position, color }),
-        (vector(), color).prop_map(|(direction, color)| Light::Directional { direction, color }),
+        (vector(), color.clone()).prop_map(|(direction, color)| Light::Directional { direction, color }),
+        lamps(&number(), &color),
     ]
     .boxed()
 }

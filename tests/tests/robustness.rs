@@ -13,7 +13,7 @@ use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
 };
-use rayline_tests::{shapes, vectors};
+use rayline_tests::{lamps, optics, shapes, vectors};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -283,9 +283,17 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
 
 fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (share(), share(), share(), share(), share());
-    (light_color(), shares, number(), number(), proptest::option::of((light_color(), vector())))
+    let optics = optics(&share());
+    (light_color(), shares, number(), number(), proptest::option::of((light_color(), vector())), optics)
         .prop_map(
-            |(color, (ambient, diffuse, specular, reflectance, transmittance), shininess, ior, checker)| {
+            |(
+                color,
+                (ambient, diffuse, specular, reflectance, transmittance),
+                shininess,
+                ior,
+                checker,
+                optics,
+            )| {
                 Material {
                     color: match checker {
                         None => color.into(),
@@ -300,6 +308,7 @@ fn material() -> BoxedStrategy<Material<'static>> {
                     reflectance,
                     transmittance,
                     ior,
+                    optics,
                 }
             },
         )
@@ -310,6 +319,7 @@ fn light() -> BoxedStrategy<Light> {
     prop_oneof![
         (vector(), light_color()).prop_map(|(position, color)| Light::Point { position, color }),
         (vector(), light_color()).prop_map(|(direction, color)| Light::Directional { direction, color }),
+        lamps(&number(), &light_color()),
     ]
     .boxed()
 }

@@ -53,6 +53,11 @@ pub(crate) fn turn_f64(y: f64, x: f64) -> f64 {
     if turn < 1.0 { turn } else { 0.0 }
 }
 
+/// The cosine of an angle in radians, while a scene is prepared: always libm's.
+pub(crate) fn set_up_cos(angle: f32) -> f32 {
+    libm::cosf(angle)
+}
+
 /// The square root of the reference build.
 #[allow(unreachable_code)]
 pub(crate) fn sqrt_f64(value: f64) -> f64 {

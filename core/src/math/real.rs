@@ -70,6 +70,8 @@ pub trait Real:
     fn factor(value: f32) -> Self::Factor;
     /// `self` to the power `exponent`, for `self` in `[0, 1]` and `exponent ≥ 0`.
     fn powf(self, exponent: Self::Factor) -> Self;
+    /// 2 to the power `-self`, for `self ≥ 0`: what is left after so many halvings.
+    fn halved(self) -> Self;
     /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Very far cells keep at least whether
     /// they are even, or are all the same.
     fn cell(self, per_unit: Self::Factor) -> i32;
@@ -206,7 +208,7 @@ impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
 }
 
 macro_rules! impl_real_for_float {
-    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path) => {
+    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $exp2:path) => {
         impl Product<$Float> for $Float {
             const ZERO: Self = 0.0;
 
@@ -306,6 +308,10 @@ macro_rules! impl_real_for_float {
                 Cell { index, within }
             }
 
+            fn halved(self) -> Self {
+                $exp2(-self)
+            }
+
             fn floor_to_i32(self) -> i32 {
                 // Truncate, then step down where truncation went up: 8 instructions, where libm's floorf takes 17.
                 let truncated = self as i32;
@@ -322,8 +328,8 @@ macro_rules! impl_real_for_float {
 
 // 1e-5 is 168 units in the last place of f32: 10.8 million spawned rays on spheres of radius 1e-3 to 1e6
 // never met their own surface.
-impl_real_for_float!(f32, 1e-5, float::sqrt, libm::tanf, float::powf, float::turn);
-impl_real_for_float!(f64, 1e-10, float::sqrt_f64, libm::tan, libm::pow, float::turn_f64);
+impl_real_for_float!(f32, 1e-5, float::sqrt, libm::tanf, float::powf, float::turn, libm::exp2f);
+impl_real_for_float!(f64, 1e-10, float::sqrt_f64, libm::tan, libm::pow, float::turn_f64, libm::exp2);
 
 #[cfg(test)]
 mod tests {

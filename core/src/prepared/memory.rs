@@ -20,35 +20,46 @@ impl Scene<'_> {
     /// assert!(prepared.is_ok());
     /// ```
     pub const fn bytes<R: Real>(&self) -> usize {
-        let shapes = self.shape_bytes::<R>();
-        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), shapes)
+        let more = self.part_bytes::<R>();
+        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), more)
     }
 
-    /// How many of those bytes the shapes take: the last argument of [`prepared_bytes`](crate::prepared_bytes), where the scene is
-    /// prepared with a set of fewer shapes.
-    pub const fn shape_bytes<R: Real>(&self) -> usize {
-        let mut shapes: usize = 0;
+    /// How many of those bytes single shapes, materials and lights take beyond what each of its kind does: the last argument of
+    /// [`prepared_bytes`](crate::prepared_bytes), where the scene is prepared with a set of fewer shapes.
+    pub const fn part_bytes<R: Real>(&self) -> usize {
+        let mut bytes: usize = 0;
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
-            shapes = shapes.saturating_add(object.shape.const_bytes::<R>());
+            bytes = bytes.saturating_add(object.shape.const_bytes::<R>());
             objects = rest;
         }
-        shapes
+        let mut materials = self.materials;
+        while let [material, rest @ ..] = materials {
+            bytes = bytes.saturating_add(material.bytes::<R>());
+            materials = rest;
+        }
+        let mut lights = self.lights;
+        while let [light, rest @ ..] = lights {
+            bytes = bytes.saturating_add(light.bytes::<R>());
+            lights = rest;
+        }
+        bytes
     }
 }
 
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
-/// objects, materials and lights, and for `shapes`, the sum of [`Geometry::bytes`] over all objects.
+/// objects, materials and lights, and for `more`, what single ones take beyond that: [`Scene::part_bytes`](crate::Scene::part_bytes), or
+/// the sum of [`Geometry::bytes`] over all objects.
 pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     objects: usize,
     materials: usize,
     lights: usize,
-    shapes: usize,
+    more: usize,
 ) -> usize {
     Arena::bytes::<PreparedObject<'m, R, S::Prepared<'m, R>>>(objects)
         .saturating_add(Arena::bytes::<PreparedMaterial<'m, R>>(materials))
-        .saturating_add(Arena::bytes::<PreparedLight<R>>(lights))
-        .saturating_add(shapes)
+        .saturating_add(Arena::bytes::<PreparedLight<'m, R>>(lights))
+        .saturating_add(more)
         .saturating_add(Candidates::<R>::bytes(objects, lights))
         .saturating_add(hierarchy_bytes::<R>(objects))
 }

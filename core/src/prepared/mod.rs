@@ -10,17 +10,19 @@ use core::mem::MaybeUninit;
 
 pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
+pub use queries::Through;
 
 use candidates::Candidates;
 use objects::PreparedObject;
 
 use crate::arena::Arena;
 use crate::camera::{Camera, PreparedCamera};
-use crate::color::LinearRgb;
+use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
 use crate::hierarchy::Hierarchy;
-use crate::light::{PreparedLight, check_emission};
+use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
+use crate::material::Material;
 use crate::math::{Extent, Real, Scale};
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
@@ -35,7 +37,9 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     camera: PreparedCamera<R>,
     pub(crate) background: LinearRgb<R>,
     objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
-    pub(crate) lights: &'m [PreparedLight<R>],
+    pub(crate) lights: &'m [PreparedLight<'m, R>],
+    /// `None`: white.
+    ambient: Option<LinearRgb<R>>,
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m, R>>,
@@ -76,17 +80,20 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 return Err(part.error()(Fault::TooMany { given }));
             }
         }
-        let shapes =
-            objects.iter().fold(0, |sum: usize, object| sum.saturating_add(object.shape.bytes::<R>()));
-        let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), shapes);
+        let parts = (objects.iter().map(|object| object.shape.bytes::<R>()))
+            .chain(materials.iter().map(Material::bytes::<R>))
+            .chain(lights.iter().map(Light::bytes::<R>));
+        let more = parts.fold(0, usize::saturating_add);
+        let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), more);
         if memory.len() < needed {
             return Err(Part::Memory.error()(Fault::Memory { needed, lent: memory.len() }));
         }
 
         let arena = &mut Arena::new(memory);
         let prepared_materials =
-            prepare_all(arena, materials, Part::Material, |material, _| material.prepare(scale))?;
-        let prepared_lights = prepare_all(arena, lights, Part::Light, |light, _| light.prepare(scale))?;
+            prepare_all(arena, materials, Part::Material, |material, arena| material.prepare(scale, arena))?;
+        let prepared_lights =
+            prepare_all(arena, lights, Part::Light, |light, arena| light.prepare(scale, arena))?;
         let prepared_objects = prepare_all(arena, objects, Part::Object, |object, arena| {
             let (named, materials) = (usize::from(object.material.0), prepared_materials.len());
             let material =
@@ -101,6 +108,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             background: background.to(),
             objects: prepared_objects,
             lights: prepared_lights,
+            ambient: ambient::<R>(lights)?,
             scale,
             candidates,
             hierarchy,
@@ -129,9 +137,28 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.scale.to_f32()
     }
 
+    /// The ambient light, where it is not white.
+    #[inline(always)]
+    pub(crate) fn ambient(&self) -> Option<LinearRgb<R>> {
+        if cfg!(feature = "optics") { self.ambient } else { None }
+    }
+
     pub(crate) fn camera(&self) -> &PreparedCamera<R> {
         &self.camera
     }
+}
+
+/// The sum of a scene's ambient lights, if it has any.
+fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError> {
+    let mut sum: Option<LinearRgb> = None;
+    for (index, light) in lights.iter().enumerate() {
+        if let Some(color) = light.ambient() {
+            let all = sum.map_or(color, |sum| sum + color);
+            check_emission::<R>(all).map_err(Part::Light(index).error())?;
+            sum = Some(all);
+        }
+    }
+    Ok(sum.map(LinearRgb::to))
 }
 
 /// Stores what each description becomes, or tells which of them is wrong.

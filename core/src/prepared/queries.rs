@@ -2,17 +2,43 @@
 
 use super::candidates::{Ball, Candidates, Departure, ObjectSet};
 use super::{Hit, PreparedScene};
+use crate::color::LinearRgb;
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::shape::{Form, Geometry, Intersect, Spine};
+use crate::share::Share;
 
 /// The space that an object is inside of.
 pub(crate) enum Enclosure<R> {
     Ball { center: Vec3<R>, radius: R },
     Box(Aabb<R>),
     Everywhere,
+}
+
+/// How much of a light comes through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Through<S> {
+    /// Nothing is in the way.
+    All,
+    /// Nothing comes through.
+    Nothing,
+    /// This share.
+    Some(S),
+    /// Nothing, because more than [`MAX_SHADOW_LAYERS`] transparent surfaces lie in between.
+    TooManyLayers,
+}
+
+impl<S> Through<S> {
+    fn map<T>(self, map: impl FnOnce(S) -> T) -> Through<T> {
+        match self {
+            Self::All => Through::All,
+            Self::Nothing => Through::Nothing,
+            Self::Some(share) => Through::Some(map(share)),
+            Self::TooManyLayers => Through::TooManyLayers,
+        }
+    }
 }
 
 /// A hit, and the material of the object.
@@ -87,6 +113,26 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             closest = self.closest_of_all(ray);
         }
         self.hit(ray, closest)
+    }
+
+    /// What is left of a ray's throughput where it has gone this far from a surface, or for ever: behind a surface its material
+    /// absorbs, and what is mirrored may fade with distance.
+    #[inline(always)]
+    pub(crate) fn dimmed(
+        &self,
+        throughput: Share<R>,
+        from: Option<Departure>,
+        is_mirrored: bool,
+        length: Option<R>,
+    ) -> Share<R> {
+        if !cfg!(feature = "optics") {
+            return throughput;
+        }
+        let material = from.and_then(|from| self.material(from.object));
+        match (material.and_then(PreparedMaterial::optics), from) {
+            (Some(optics), Some(from)) => optics.dimmed(throughput, from.outward, is_mirrored, length),
+            _ => throughput,
+        }
     }
 
     fn comes_out_again(&self, from: Departure) -> bool {
@@ -173,12 +219,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 
-    /// The share of light, 0 to 1, that comes through from a light at `distance` along `ray`, and whether it
-    /// was cut short because more than [`MAX_SHADOW_LAYERS`] transparent surfaces lie in between.
+    /// How much comes through from a light at `distance` along `ray`.
     ///
-    /// Each surface in between scales the light by its transmittance; what lies behind the light does not.
-    pub fn light_through(&self, ray: &Ray<R>, distance: R) -> (R, bool) {
-        self.light_through_among(ray, distance, None)
+    /// Each surface in between scales the light by its transmittance and its color; what lies behind the light does not.
+    pub fn light_through(&self, ray: &Ray<R>, distance: R) -> Through<LinearRgb<R>> {
+        self.light_through_among(ray, distance, None).map(Share::color)
     }
 
     /// What can be in the way from a surface into the unit direction `toward` a light of the scene, `among` which
@@ -209,7 +254,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         ray: &Ray<R>,
         distance: R,
         among: Option<ObjectSet>,
-    ) -> (R, bool) {
+    ) -> Through<Share<R>> {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
@@ -230,22 +275,35 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             },
         };
         if blocked {
-            return (R::ZERO, false);
+            return Through::Nothing;
         }
         if clear {
-            return (R::ONE, false);
+            return Through::All;
         }
         // Transparent surfaces are multiplied in the order of the ray: one order, the same rounding. A shape
         // with an inside is met twice.
-        let mut through = R::ONE;
+        let mut through = Share::even(R::ONE);
         for _ in 0..MAX_SHADOW_LAYERS {
-            let Some((t, index)) = self.closest_object(ray, range, among) else { return (through, false) };
+            let Some((t, index)) = self.closest_object(ray, range, among) else {
+                return Through::Some(through);
+            };
             through = through * self.transmittance(index);
+            if let Some(optics) = self.material(index).and_then(PreparedMaterial::optics) {
+                through = through * optics.transmission_color();
+                // Behind the surface there is what the light went through since the one before.
+                if optics.absorbs()
+                    && let Some(object) = self.objects.get(index)
+                    && object.shape.surface(ray, t).normal.dot(ray.direction) > R::ZERO
+                    && let Some(left) = optics.left_after(t - range.min)
+                {
+                    through = through * left;
+                }
+            }
             range.min = t;
         }
         match self.closest_object(ray, range, among) {
-            None => (through, false),
-            Some(_) => (R::ZERO, true),
+            None => Through::Some(through),
+            Some(_) => Through::TooManyLayers,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The description of a scene: plain data that can be a `static` in flash.
 
 mod buf;
+mod features;
 
 pub use buf::SceneBuf;
 

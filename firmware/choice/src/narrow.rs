@@ -63,7 +63,7 @@ pub(crate) fn scene(scene: &Scene<'_>) -> String {
             {count},
             BUILTIN.scene.materials.len(),
             BUILTIN.scene.lights.len(),
-            BUILTIN.scene.shape_bytes::<Number>(),
+            BUILTIN.scene.part_bytes::<Number>(),
         );\n",
         count = scene.objects.len(),
     )

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
-use rayline::limits::FEW_OBJECTS;
 use serde_json::Value;
 
 use crate::board::Board;
@@ -112,9 +111,7 @@ impl Toolchain {
             command.arg("-Zbuild-std=core");
         }
         let mut features = [board.program.features, features].concat();
-        if picture.scene.scene.objects.len() > FEW_OBJECTS {
-            features.push("hierarchy");
-        }
+        features.extend(picture.scene.scene.features());
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);
         }

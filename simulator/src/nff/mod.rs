@@ -235,6 +235,7 @@ fn material(tokens: &mut Tokens<'_>) -> Result<Material<'static>, NffError> {
         reflectance: specular,
         transmittance,
         ior: if transmittance == 0.0 && ior == 0.0 { 1.0 } else { ior },
+        optics: None,
     })
 }
 

@@ -21,16 +21,22 @@
 use core::fmt;
 
 use rayline::shape::{Csg, CsgStep, Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
-use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
+use rayline::{
+    Camera, Falloff, Lamp, Light, LinearRgb, Material, Object, Optics, Scene, Settings, Texture, Vec3,
+};
 
 /// A part of a scene that POV-Ray cannot be told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PovrayError {
-    /// The light at this position is of a kind that was added to the core since. Replace it.
+    /// The light at this position falls off in a way that POV-Ray does not know: it needs a constant of 1 or more, and no linear
+    /// term. Or it is of a kind that was added to the core since. Replace it.
     Light(usize),
     /// The material at this position has a texture that was added to the core since. Replace it.
     Texture(usize),
+    /// The material at this position has optics that POV-Ray has not, or other than these: Fresnel's shares, absorption, colored glass, Blinn's
+    /// highlight, fading reflections. Leave them out.
+    Optics(usize),
     /// The object at this position names a material that the scene does not have.
     UnknownMaterial(usize),
     /// The object at this position has steps that do not leave one solid.
@@ -43,6 +49,9 @@ impl fmt::Display for PovrayError {
             Self::Light(index) => write!(f, "light {index} cannot be written for POV-Ray; replace it"),
             Self::Texture(index) => {
                 write!(f, "the texture of material {index} cannot be written for POV-Ray; replace it")
+            }
+            Self::Optics(index) => {
+                write!(f, "the optics of material {index} cannot be written for POV-Ray; leave them out")
             }
             Self::UnknownMaterial(index) => {
                 write!(f, "object {index} names a material that the scene does not have")
@@ -63,9 +72,10 @@ impl core::error::Error for PovrayError {}
 /// The part of the scene that cannot be written.
 pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
     let mut text = format!(
-        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} }}\n",
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light rgb {} }}\n",
         u32::from(settings.bounces) + 1,
-        settings.cutoff
+        settings.cutoff,
+        rgb(ambient(scene))
     );
     text += &format!("background {{ rgb {} }}\n", rgb(scene.background));
     text += &camera(&scene.camera, settings);
@@ -74,6 +84,9 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
         text += &light(source, extent).ok_or(PovrayError::Light(index))?;
     }
     for (index, material) in scene.materials.iter().enumerate() {
+        if !material.optics.is_none_or(is_known) {
+            return Err(PovrayError::Optics(index));
+        }
         text += &texture(index, material).ok_or(PovrayError::Texture(index))?;
     }
     text += &objects(scene)?;
@@ -144,8 +157,48 @@ fn light(light: &Light, extent: f64) -> Option<String> {
             let away = direction * (-100.0 * extent * direction.length().recip());
             format!("light_source {{ {} rgb {} parallel point_at 0 }}\n", xyz(away), rgb(color))
         }
+        // It is a setting.
+        Light::Ambient { .. } => String::new(),
+        Light::Lamp(lamp) => lamp_source(&lamp)?,
         _ => return None,
     })
+}
+
+/// The sum of the ambient lights; white where there are none.
+fn ambient(scene: &Scene<'_>) -> LinearRgb {
+    let colors = scene.lights.iter().filter_map(|light| match light {
+        Light::Ambient { color } => Some(*color),
+        _ => None,
+    });
+    colors.reduce(|a, b| a + b).unwrap_or(LinearRgb::WHITE)
+}
+
+/// A lamp. POV-Ray's falls off as 2 / (1 + (d / distance)²), and between two angles like ours.
+fn lamp_source(lamp: &Lamp) -> Option<String> {
+    let Falloff { constant, linear, quadratic } = lamp.falloff;
+    if linear != 0.0 || constant < 1.0 {
+        return None;
+    }
+    let (mut brightness, mut fade) = (1.0 / f64::from(constant), String::new());
+    if quadratic > 0.0 {
+        brightness /= 2.0;
+        let distance = (f64::from(constant) / f64::from(quadratic)).sqrt();
+        fade = format!(" fade_distance {distance} fade_power 2");
+    }
+    let color = [lamp.color.r, lamp.color.g, lamp.color.b].map(|channel| f64::from(channel) * brightness);
+    let cone = lamp.cone.map_or(String::new(), |cone| {
+        let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();
+        let (bright, dark) = (f64::from(cone.bright).to_degrees(), f64::from(cone.dark).to_degrees());
+        format!(" spotlight radius {bright} falloff {dark} tightness 0 point_at {}", xyz(target))
+    });
+    Some(format!("light_source {{ {} rgb {}{cone}{fade} }}\n", xyz(lamp.position.to::<f64>()), list(&color)))
+}
+
+/// Whether POV-Ray has these optics: light of the surface's own, and colored mirrors without highlight.
+fn is_known(optics: &Optics) -> bool {
+    let known =
+        Optics { emission: optics.emission, reflection_color: optics.reflection_color, ..Optics::PLAIN };
+    *optics == known
 }
 
 /// A material's colors and finish, under a name that objects refer to.
@@ -171,14 +224,18 @@ fn texture(index: usize, material: &Material) -> Option<String> {
         }
         _ => return None,
     };
+    let optics = material.optics.unwrap_or(&Optics::PLAIN);
+    let LinearRgb { r, g, b } = optics.reflection_color;
+    let mirrored = [r, g, b].map(|channel| f64::from(channel * material.reflectance));
     Some(format!(
         "#declare Material{index} = texture {{\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} phong {} \
-         phong_size {} reflection {} }}\n}}\n",
+         phong_size {} reflection rgb {} emission rgb {} }}\n}}\n",
         f64::from(material.ambient) / opacity,
         f64::from(material.diffuse) / opacity,
         material.specular,
         material.shininess,
-        material.reflectance
+        list(&mirrored),
+        rgb(optics.emission),
     ))
 }
 

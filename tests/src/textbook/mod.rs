@@ -4,13 +4,14 @@
 //! Recursive ray tracing as Whitted describes it ("An Improved Illumination Model for Shaded Display", CACM 1980);
 //! the formulas are those of Glassner (ed.), "An Introduction to Ray Tracing", 1989, where not said otherwise.
 
+mod optics;
 mod shading;
 mod shapes;
 mod solids;
 
 use glam::{DMat4, DVec3};
 use rayline::shape::Shape;
-use rayline::{LinearRgb, Object, Scene, Settings, Vec3};
+use rayline::{LinearRgb, Object, Optics, Scene, Settings, Vec3};
 
 use crate::Picture;
 
@@ -72,7 +73,7 @@ impl<'s> Textbook<'s> {
         let right = ((f64::from(x) + 0.5) / width * 2.0 - 1.0) * top * width / height;
         let up = (1.0 - (f64::from(y) + 0.5) / height * 2.0) * top;
         let direction = to_world.transform_vector3(DVec3::new(right, up, -1.0)).normalize();
-        self.trace(Ray { origin: eye, direction }, 0, 1.0)
+        self.trace(Ray { origin: eye, direction }, 0, DVec3::ONE)
     }
 
     /// Where a ray goes through an object, in no particular order.
@@ -95,15 +96,28 @@ impl<'s> Textbook<'s> {
         all.into_iter().find(|(_, crossing)| crossing.t <= least + NEAR)
     }
 
-    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part.
-    fn transmission(&self, ray: Ray, distance: f64) -> f64 {
-        let share = |object: &'s Object<_>| {
-            let crossings = self.crossings(ray, object);
-            let surfaces = crossings.iter().filter(|crossing| crossing.t < distance).count();
+    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part, and what
+    /// lies between it and the one before, if the ray comes out there.
+    fn transmission(&self, ray: Ray, distance: f64) -> DVec3 {
+        let objects = self.scene.objects.iter();
+        let mut all: Vec<_> = objects
+            .flat_map(|object| {
+                self.crossings(ray, object).into_iter().map(move |crossing| (object, crossing))
+            })
+            .filter(|(_, crossing)| crossing.t < distance)
+            .collect();
+        all.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+        let (mut share, mut last) = (DVec3::ONE, 0.0);
+        for (object, crossing) in all {
             let material = &self.scene.materials[usize::from(object.material.0)];
-            f64::from(material.transmittance).powi(surfaces as i32)
-        };
-        self.scene.objects.iter().map(share).product()
+            let optics = material.optics.unwrap_or(&Optics::PLAIN);
+            share *= color(optics.transmission_color) * f64::from(material.transmittance);
+            if crossing.geometric.dot(ray.direction) > 0.0 {
+                share *= optics::absorbed(optics, crossing.t - last);
+            }
+            last = crossing.t;
+        }
+        share
     }
 }
 

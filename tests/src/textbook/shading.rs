@@ -1,73 +1,98 @@
 //! Light at a surface, and the recursion: Whitted's model with Phong's highlight.
 
 use glam::DVec3;
-use rayline::{Light, Material, Texture};
+use rayline::{Light, Material, Optics, Texture};
 
-use super::{Ray, Textbook, color, vector};
+use super::{Ray, Textbook, color, optics, vector};
 
 impl Textbook<'_> {
     /// The light that comes along a ray, after so many bounces, of which the pixel gets the share `throughput`.
-    pub(super) fn trace(&self, ray: Ray, bounces: u8, throughput: f64) -> DVec3 {
+    pub(super) fn trace(&self, ray: Ray, bounces: u8, throughput: DVec3) -> DVec3 {
         let Some((object, crossing)) = self.nearest(ray) else {
             return color(self.scene.background);
         };
         let material = &self.scene.materials[usize::from(object.material.0)];
+        let optics = material.optics.unwrap_or(&Optics::PLAIN);
         let point = ray.origin + ray.direction * crossing.t;
         let view = -ray.direction;
         let normal = if crossing.normal.dot(view) < 0.0 { -crossing.normal } else { crossing.normal };
-        let local = self.local_light(material, point, normal, view);
+        let local = self.local_light(material, optics, point, normal, view);
 
-        let mirrored = ray.direction.reflect(normal);
         let from_outside = crossing.geometric.dot(view) > 0.0;
-        let mut reflectance = f64::from(material.reflectance);
-        let transmittance = f64::from(material.transmittance);
-        let follow = |share: f64, direction: DVec3| {
+        let ior = f64::from(material.ior);
+        let indices = if from_outside { (1.0, ior) } else { (ior, 1.0) };
+        let refraction = snell(ray.direction, normal, indices);
+        let behind = refraction.map(|direction| -direction.dot(normal));
+        let (mirror, glass) = optics::shares(material, optics, indices, normal.dot(view), behind);
+        let follow = |share: DVec3, direction: DVec3, is_mirrored: bool| {
             let throughput = throughput * share;
             if bounces >= self.settings.bounces
-                || share == 0.0
-                || throughput < f64::from(self.settings.cutoff)
+                || share == DVec3::ZERO
+                || throughput.max_element() < f64::from(self.settings.cutoff)
             {
                 return DVec3::ZERO;
             }
-            share * self.trace(Ray { origin: point, direction }, bounces + 1, throughput)
+            let next = Ray { origin: point, direction };
+            let length = self.nearest(next).map(|(_, crossing)| crossing.t);
+            let mut dimmed = DVec3::ONE;
+            if crossing.geometric.dot(direction) < 0.0 {
+                dimmed = optics::absorbed(optics, length.unwrap_or(1e30));
+            }
+            if let (true, Some(length)) = (is_mirrored, length) {
+                dimmed *= optics::faded(&optics.reflection_falloff, length);
+            }
+            share * dimmed * self.trace(next, bounces + 1, throughput * dimmed)
         };
         let mut refracted = DVec3::ZERO;
-        if transmittance > 0.0 {
-            match snell(ray.direction, normal, f64::from(material.ior), from_outside) {
-                Some(direction) => refracted = follow(transmittance, direction),
-                None => reflectance += transmittance,
-            }
+        if let Some(direction) = refraction {
+            refracted = follow(glass, direction, false);
         }
-        local + follow(reflectance, mirrored) + refracted
+        local + follow(mirror, ray.direction.reflect(normal), true) + refracted
     }
 
     /// Ambient light, and what the lights that are seen from a point bring.
-    fn local_light(&self, material: &Material, point: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
+    fn local_light(
+        &self,
+        material: &Material,
+        optics: &Optics,
+        point: DVec3,
+        normal: DVec3,
+        view: DVec3,
+    ) -> DVec3 {
         let pigment = pigment(&material.color, point);
-        let mut sum = pigment * f64::from(material.ambient);
+        let ambient: Vec<DVec3> = (self.scene.lights.iter())
+            .filter_map(
+                |light| if let Light::Ambient { color: light } = light { Some(color(*light)) } else { None },
+            )
+            .collect();
+        let ambient = if ambient.is_empty() { DVec3::ONE } else { ambient.into_iter().sum() };
+        let mut sum = pigment * ambient * f64::from(material.ambient) + color(optics.emission);
         for light in self.scene.lights {
             let (toward, distance, emitted) = match *light {
                 Light::Point { position, color: emitted } => {
                     let toward = vector(position) - point;
-                    (toward.normalize(), toward.length(), emitted)
+                    (toward.normalize(), toward.length(), color(emitted))
                 }
                 Light::Directional { direction, color: emitted } => {
-                    (-vector(direction).normalize(), f64::INFINITY, emitted)
+                    (-vector(direction).normalize(), f64::INFINITY, color(emitted))
                 }
+                Light::Lamp(lamp) => {
+                    let toward = vector(lamp.position) - point;
+                    let (toward, distance) = (toward.normalize(), toward.length());
+                    (toward, distance, optics::emitted(&lamp, toward, distance))
+                }
+                Light::Ambient { .. } => continue,
                 _ => panic!("the textbook knows no such light"),
             };
             let lambert = normal.dot(toward);
             if lambert <= 0.0 {
                 continue;
             }
-            // The view ray, mirrored: 2 (N·V) N - V.
-            let mirrored = 2.0 * normal.dot(view) * normal - view;
-            let phong = mirrored.dot(toward).max(0.0).powf(f64::from(material.shininess));
+            let highlight = optics::highlight(optics, normal, view, toward).max(0.0);
+            let highlight = highlight.powf(f64::from(material.shininess)) * f64::from(material.specular);
             let share =
-                pigment * f64::from(material.diffuse) * lambert + f64::from(material.specular) * phong;
-            sum += share
-                * color(emitted)
-                * self.transmission(Ray { origin: point, direction: toward }, distance);
+                pigment * f64::from(material.diffuse) * lambert + color(optics.reflection_color) * highlight;
+            sum += share * emitted * self.transmission(Ray { origin: point, direction: toward }, distance);
         }
         sum
     }
@@ -88,8 +113,7 @@ fn pigment(texture: &Texture, point: DVec3) -> DVec3 {
 
 /// The refracted direction by Snell's law, `n₁ sin θ₁ = n₂ sin θ₂`, put together from its parts along the surface
 /// and across it; `None` where there is no such angle. The normal faces the incoming ray.
-fn snell(incoming: DVec3, normal: DVec3, ior: f64, from_outside: bool) -> Option<DVec3> {
-    let (n1, n2) = if from_outside { (1.0, ior) } else { (ior, 1.0) };
+fn snell(incoming: DVec3, normal: DVec3, (n1, n2): (f64, f64)) -> Option<DVec3> {
     let across = normal * incoming.dot(normal);
     let along = (incoming - across) * (n1 / n2);
     let sine = along.length();

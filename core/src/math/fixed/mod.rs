@@ -207,6 +207,10 @@ impl Real for Fixed {
         Self(power::power(self.0.max(0) as u32, exponent.mantissa as u32, exponent.shift) as i32)
     }
 
+    fn halved(self) -> Self {
+        Self(power::power(1 << (FRACTION - 1), self.0.max(0) as u32, FRACTION) as i32)
+    }
+
     fn cell(self, per_unit: Factor) -> i32 {
         let shift = per_unit.shift.wrapping_add(FRACTION);
         (product(self.0, per_unit.mantissa) >> shift.min(63)) as i32

@@ -1,14 +1,20 @@
 //! Where light comes from.
 
-use crate::color::LinearRgb;
-use crate::fault::{Fault, check_coordinate, check_direction, check_held, check_point};
+mod lamp;
+
+pub(crate) use lamp::PreparedLamp;
+pub use lamp::{Lamp, LightCone};
+
+use crate::arena::Arena;
+use crate::color::{LinearRgb, check_emission};
+use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Real, Scale, Vec3};
 
-/// A light without size: shadows have sharp edges. Intensity does not fall off with distance.
+/// A light without size: shadows have sharp edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Light {
-    /// Shines from one point in all directions.
+    /// Shines from one point in all directions, as bright at any distance.
     Point {
         /// Where the light is.
         position: Vec3,
@@ -22,12 +28,45 @@ pub enum Light {
         /// Its color and intensity, 0 or more.
         color: LinearRgb,
     },
+    /// Shines from one point, with falloff or into a cone.
+    Lamp(Lamp),
+    /// Comes from everywhere: what [`Material::ambient`](crate::Material) is multiplied by. Several add up; a scene without any has
+    /// white ambient light.
+    Ambient {
+        /// Its color and intensity, 0 or more.
+        color: LinearRgb,
+    },
 }
 
 impl Light {
+    /// The most bytes that the light takes from the memory that the caller lends, beyond what each does.
+    pub(crate) const fn bytes<R: Real>(&self) -> usize {
+        if matches!(self, Self::Lamp(_)) { Arena::bytes::<PreparedLamp<R>>(1) } else { 0 }
+    }
+
+    /// Its share of the scene's ambient light.
+    pub(crate) const fn ambient(&self) -> Option<LinearRgb> {
+        if let Self::Ambient { color } = self { Some(*color) } else { None }
+    }
+
     /// Checks every number and converts it.
-    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedLight<R>, Fault> {
+    pub(crate) fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedLight<'m, R>, Fault> {
+        if !cfg!(feature = "optics") && matches!(self, Self::Lamp(_) | Self::Ambient { .. }) {
+            return Err(Fault::WithoutFeature { feature: "optics" });
+        }
+        let mut prepared_lamp = None;
         let (source, color) = match *self {
+            Self::Lamp(lamp) => {
+                check_point(lamp.position)?;
+                prepared_lamp = Some(memory.store(lamp.prepare(scale)?)?);
+                (Source::point(lamp.position, scale), lamp.color)
+            }
+            // It is a light like the others, but there is no place that sees it.
+            Self::Ambient { color } => (Source::Toward(Vec3::ZERO), color),
             Self::Point { position, color } => {
                 check_point(position)?;
                 (Source::point(position, scale), color)
@@ -38,27 +77,16 @@ impl Light {
             }
         };
         check_emission::<R>(color)?;
-        Ok(PreparedLight { source, color: color.to() })
+        Ok(PreparedLight { source, color: color.to(), lamp: prepared_lamp })
     }
-}
-
-/// Refuses emitted light that is negative or not finite; it may be above 1.
-pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
-    for value in [color.r, color.g, color.b] {
-        check_coordinate(value)?;
-        if value < 0.0 {
-            return Err(Fault::NegativeColor);
-        }
-        check_held::<R>(R::Setup::from_f32(value))?;
-    }
-    Ok(())
 }
 
 /// A light that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PreparedLight<R> {
+pub(crate) struct PreparedLight<'m, R> {
     pub(crate) source: Source<R>,
     pub(crate) color: LinearRgb<R>,
+    lamp: Option<&'m PreparedLamp<R>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +109,13 @@ impl<R: Real> Source<R> {
     }
 }
 
-impl<R: Real> PreparedLight<R> {
+impl<'m, R: Real> PreparedLight<'m, R> {
+    /// What it has that a point light has not, if anything. Without the feature, the compiler drops the code for it.
+    #[inline(always)]
+    pub(crate) fn lamp(&self) -> Option<&'m PreparedLamp<R>> {
+        if cfg!(feature = "optics") { self.lamp } else { None }
+    }
+
     /// The unit direction from a point toward the light, how far the light is along it, and the cosine of its
     /// angle with a unit normal; `None` where the light is behind the surface, or the point is the light's own.
     #[inline]

@@ -1,0 +1,141 @@
+//! What a surface does with light.
+
+mod fresnel;
+mod optics;
+pub mod presets;
+mod shininess;
+
+pub use fresnel::Fresnel;
+pub use optics::{Highlight, Optics};
+pub(crate) use optics::{PreparedOptics, Shares};
+pub(crate) use shininess::Shininess;
+
+use crate::arena::Arena;
+use crate::color::LinearRgb;
+use crate::fault::{Fault, check_coordinate, check_held, check_share};
+use crate::math::{Real, Scale};
+use crate::texture::{PreparedTexture, Texture};
+
+/// What a surface does with light: the recursive model of the lectures.
+///
+/// Ambient, Lambert and Phong terms (Phong, "Illumination for Computer Generated Pictures", CACM 1975) plus
+/// what a mirror and a refracted ray bring (Whitted, "An Improved Illumination Model for Shaded Display",
+/// CACM 1980). Coefficients lie in 0..=1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<'a> {
+    /// The color of the ambient and diffuse terms.
+    pub color: Texture<'a>,
+    /// Share of the color that is always seen.
+    pub ambient: f32,
+    /// Share of the color that lights show (Lambert).
+    pub diffuse: f32,
+    /// Strength of the highlight, which has the color of the light (Phong).
+    pub specular: f32,
+    /// Exponent of the highlight: the larger, the smaller the spot.
+    pub shininess: f32,
+    /// Share of what the mirrored ray sees.
+    pub reflectance: f32,
+    /// Share of what the refracted ray sees, and of the light that a shadow ray keeps at each surface.
+    pub transmittance: f32,
+    /// Index of refraction behind the surface: the side that its normal points away from. In front of it,
+    /// always 1.
+    pub ior: f32,
+    /// What goes beyond this model, if anything does.
+    pub optics: Option<&'a Optics>,
+}
+
+impl<'a> Material<'a> {
+    /// A plain matte surface.
+    pub const fn matte(color: LinearRgb) -> Self {
+        Self {
+            color: Texture::Solid(color),
+            ambient: 0.0,
+            diffuse: 1.0,
+            specular: 0.0,
+            shininess: 0.0,
+            reflectance: 0.0,
+            transmittance: 0.0,
+            ior: 1.0,
+            optics: None,
+        }
+    }
+
+    /// The most bytes that the material takes from the memory that the caller lends, beyond what each does.
+    pub(crate) const fn bytes<R: Real>(&self) -> usize {
+        if self.optics.is_some() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 }
+    }
+
+    /// Checks every number and converts it.
+    pub(crate) fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedMaterial<'m, R>, Fault>
+    where
+        'a: 'm,
+    {
+        for share in [self.ambient, self.diffuse, self.specular, self.reflectance, self.transmittance] {
+            check_share(share)?;
+        }
+        // Shares such as 0.1 and 0.9 add up to a little more than 1 in f32.
+        if self.reflectance + self.transmittance > 1.000_001 {
+            return Err(Fault::EnergyAboveOne);
+        }
+        check_coordinate(self.shininess)?;
+        if self.shininess < 0.0 {
+            return Err(Fault::NegativeShininess);
+        }
+        check_coordinate(self.ior)?;
+        // A tiny index has a reciprocal that no longer is a sane number.
+        if self.ior < 1e-3 {
+            return Err(Fault::IorNotPositive);
+        }
+        // Squared when a ray is refracted.
+        let ior = R::Setup::from_f32(self.ior);
+        check_held::<R>(ior * ior)?;
+        check_held::<R>((ior * ior).recip())?;
+        let optics = match self.optics {
+            None => None,
+            Some(_) if !cfg!(feature = "optics") => return Err(Fault::WithoutFeature { feature: "optics" }),
+            Some(optics) => Some(memory.store(optics.prepare(ior, scale)?)?),
+        };
+        Ok(PreparedMaterial {
+            color: self.color.prepare(scale)?,
+            ambient: R::from_f32(self.ambient),
+            diffuse: R::from_f32(self.diffuse),
+            specular: R::from_f32(self.specular),
+            shininess: Shininess::new(self.shininess),
+            reflectance: R::from_f32(self.reflectance),
+            transmittance: R::from_f32(self.transmittance),
+            eta_entering: R::from_setup(ior.recip()),
+            eta_leaving: R::from_setup(ior),
+            optics,
+        })
+    }
+}
+
+/// A material that was checked and converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedMaterial<'m, R: Real> {
+    pub(crate) color: PreparedTexture<'m, R>,
+    pub(crate) ambient: R,
+    pub(crate) diffuse: R,
+    pub(crate) specular: R,
+    pub(crate) shininess: Shininess<R>,
+    pub(crate) reflectance: R,
+    pub(crate) transmittance: R,
+    /// Ratio of the indices of refraction for a ray that goes in at the front: outside over inside.
+    pub(crate) eta_entering: R,
+    /// The same for a ray that comes out.
+    pub(crate) eta_leaving: R,
+    optics: Option<&'m PreparedOptics<R>>,
+}
+
+impl<'m, R: Real> PreparedMaterial<'m, R> {
+    /// What goes beyond Phong's and Whitted's models, if anything does. Without the feature, the compiler sees that nothing does
+    /// and drops the code for it.
+    #[inline(always)]
+    pub(crate) fn optics(&self) -> Option<&'m PreparedOptics<R>> {
+        if cfg!(feature = "optics") { self.optics } else { None }
+    }
+}

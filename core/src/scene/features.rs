@@ -1,0 +1,34 @@
+//! Which cargo features a scene needs.
+
+use super::Scene;
+use crate::light::Light;
+use crate::limits::FEW_OBJECTS;
+
+impl<S> Scene<'_, S> {
+    /// The features of this crate that the scene needs, or that make it faster: a program that draws nothing else can leave out the
+    /// others, and the flash that they take.
+    pub fn features(&self) -> impl Iterator<Item = &'static str> {
+        let has_lamps =
+            self.lights.iter().any(|light| matches!(light, Light::Lamp(_) | Light::Ambient { .. }));
+        let has_optics = self.materials.iter().any(|material| material.optics.is_some());
+        [("hierarchy", self.objects.len() > FEW_OBJECTS), ("optics", has_lamps || has_optics)]
+            .into_iter()
+            .filter_map(|(feature, is_needed)| is_needed.then_some(feature))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::builtin::{CLASSIC, FLAKE};
+    use crate::color::LinearRgb;
+
+    #[test]
+    fn a_scene_tells_what_it_needs() {
+        let needs = |scene: &Scene| scene.features().collect::<Vec<_>>();
+        assert!(needs(&CLASSIC).is_empty());
+        assert_eq!(needs(&FLAKE), ["hierarchy"]);
+        let lights = [Light::Ambient { color: LinearRgb::WHITE }];
+        assert_eq!(needs(&Scene { lights: &lights, ..CLASSIC }), ["optics"]);
+    }
+}
