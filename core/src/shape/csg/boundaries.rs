@@ -12,22 +12,37 @@ pub(super) struct Boundary<R> {
     pub(super) solid: u8,
 }
 
-/// The most that there can be: no solid has more parts of a line inside than [`Spans`] hold.
-const MOST: usize = MAX_CSG_SOLIDS * 2 * 2;
+/// The most that so many solids can have: none has more parts of a line inside than [`Spans`] hold.
+const fn most(solids: usize) -> usize {
+    solids * 2 * 2
+}
+
+/// With this many or fewer, a short list is enough: a long one takes longer to lay out than a lens to be met.
+const FEW_SOLIDS: usize = 4;
+
+/// Lends room for all boundaries of so many solids.
+pub(super) fn with_room<R: Real, T>(solids: usize, work: impl FnOnce(&mut [Boundary<R>]) -> T) -> T {
+    let blank = Boundary { t: R::ZERO, solid: 0 };
+    if solids <= FEW_SOLIDS {
+        work(&mut [blank; most(FEW_SOLIDS)])
+    } else {
+        work(&mut [blank; most(MAX_CSG_SOLIDS)])
+    }
+}
 
 /// All places where a line enters or leaves solids, in the order of the line.
-pub(super) struct Boundaries<R> {
-    places: [Boundary<R>; MOST],
+pub(super) struct Boundaries<'b, R> {
+    places: &'b mut [Boundary<R>],
     count: usize,
     /// The solids that the line comes from inside of.
     before: Bits,
 }
 
-impl<R: Real> Boundaries<R> {
-    pub(super) fn new<P: Intersect<R>>(solids: &[P], ray: &Ray<R>) -> Self {
+impl<'b, R: Real> Boundaries<'b, R> {
+    #[inline(never)]
+    pub(super) fn new<P: Intersect<R>>(room: &'b mut [Boundary<R>], solids: &[P], ray: &Ray<R>) -> Self {
         const { assert!(Spans::<R>::MOST == 2) };
-        let blank = Boundary { t: R::ZERO, solid: 0 };
-        let mut boundaries = Self { places: [blank; MOST], count: 0, before: 0 };
+        let mut boundaries = Self { places: room, count: 0, before: 0 };
         for (number, solid) in (0u8..).zip(solids) {
             for part in solid.spans(ray).as_slice() {
                 // There is no surface where it has no end.
@@ -79,7 +94,7 @@ pub(super) struct Surfaces<'b, R, P> {
 
 impl<'b, R: Real, P: Intersect<R>> Surfaces<'b, R, P> {
     pub(super) fn new(
-        boundaries: &'b Boundaries<R>,
+        boundaries: &'b Boundaries<'_, R>,
         program: Program<'b>,
         solids: &'b [P],
         ray: &'b Ray<R>,

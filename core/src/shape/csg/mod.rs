@@ -17,7 +17,7 @@ mod program;
 #[cfg(test)]
 mod tests;
 
-use boundaries::{Boundaries, Surfaces};
+use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
 use super::{Geometry, Intersect, Solid};
@@ -236,19 +236,21 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         }
     }
 
-    fn surfaces<'b>(&'b self, boundaries: &'b Boundaries<R>, ray: &'b Ray<R>) -> Surfaces<'b, R, P> {
+    fn surfaces<'b>(&'b self, boundaries: &'b Boundaries<'_, R>, ray: &'b Ray<R>) -> Surfaces<'b, R, P> {
         Surfaces::new(boundaries, self.body.program, self.solids, ray, self.body.tolerance)
     }
 }
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
-    // Its boundaries are a kilobyte: on no stack but its own.
+    // Its boundaries may take a kilobyte: on no stack but its own.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let Moved { ray, advance } = self.moved(ray, range)?;
-        let boundaries = Boundaries::new(self.solids, &ray);
-        let surfaces = self.surfaces(&boundaries, &ray);
-        surfaces.map(|boundary| advance + boundary.t).find(|t| range.contains(*t))
+        with_room(self.solids.len(), |room| {
+            let boundaries = Boundaries::new(room, self.solids, &ray);
+            let surfaces = self.surfaces(&boundaries, &ray);
+            surfaces.map(|boundary| advance + boundary.t).find(|t| range.contains(*t))
+        })
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -260,10 +262,11 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         // The same steps as before lead to the same boundary.
         let everywhere = Interval { min: -R::FARTHEST, max: R::FARTHEST };
         let found = self.moved(ray, everywhere).and_then(|Moved { ray, advance }| {
-            let boundaries = Boundaries::new(self.solids, &ray);
             let off = |here: R| (advance + here - t).abs();
-            let boundary =
-                self.surfaces(&boundaries, &ray).reduce(|a, b| if off(b.t) < off(a.t) { b } else { a })?;
+            let boundary = with_room(self.solids.len(), |room| {
+                let boundaries = Boundaries::new(room, self.solids, &ray);
+                self.surfaces(&boundaries, &ray).reduce(|a, b| if off(b.t) < off(a.t) { b } else { a })
+            })?;
             let solid = self.solids.get(usize::from(boundary.solid))?;
             Some((solid.surface(&ray, boundary.t), boundary.solid))
         });
