@@ -186,12 +186,15 @@ fn falloffs(number: &BoxedStrategy<f32>) -> BoxedStrategy<Falloff> {
 
 /// Lamps with falloffs, cones or both, and ambient lights.
 pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> BoxedStrategy<Light> {
-    let cone = (vectors(number), 0.0f32..2.0, 0.0f32..2.0).prop_map(|(direction, bright, more)| LightCone {
+    let cone = (vectors(number), 0.0f32..1.5, 0.01f32..1.5).prop_map(|(direction, bright, more)| LightCone {
         direction,
         bright,
         dark: bright + more,
     });
-    let lamp = (vectors(number), color.clone(), falloffs(number), proptest::option::of(cone))
-        .prop_map(|(position, color, falloff, cone)| Light::Lamp(Lamp { position, color, falloff, cone }));
-    prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color })].boxed()
+    let lamp =
+        (vectors(number), color.clone(), falloffs(&(0.01f32..2.0).boxed()), proptest::option::of(cone))
+            .prop_map(|(position, color, falloff, cone)| {
+                Light::Lamp(Lamp { position, color, falloff, cone })
+            });
+    prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color: color * 0.1 })].boxed()
 }

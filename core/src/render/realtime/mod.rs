@@ -32,7 +32,7 @@
 //! nothing of the others: the row of samples that it hands to the one below only saves tracing it again, and lines are
 //! the same bytes in any order. The grid ends beyond the picture: the camera sees on.
 //!
-//! Measured at 320×240 against the exact picture in 8-bit sRGB (tests/tests/realtime.rs prints this table), of
+//! Measured at 320×240 against the exact picture in 8-bit sRGB (tests/tests/all/realtime.rs prints this table), of
 //! [`Realtime::new`] and [`Realtime::fine`]:
 //!
 //! | scene | PSNR, new | traced pixels | rays a pixel | fine | traced | rays | exact |

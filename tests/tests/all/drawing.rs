@@ -1,7 +1,5 @@
 //! From the renderer to displays: any order, any step, any failure, the same bytes.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 
 use embedded_graphics::draw_target::DrawTargetExt;

@@ -1,7 +1,5 @@
 //! Realtime quality: close to the exact picture, for few rays, in any order, and nothing thin is lost.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::collections::HashMap;
 use std::mem::MaybeUninit;
 use std::ops::Range;

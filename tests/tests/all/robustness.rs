@@ -1,7 +1,5 @@
 //! Bad input: every bad number is refused with its place, and whatever is accepted renders finite pixels.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 
 use proptest::prelude::*;

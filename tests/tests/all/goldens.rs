@@ -3,8 +3,6 @@
 //! On failure the picture and a difference are written, and the command that blesses is printed. Bless only what
 //! you have looked at.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +14,7 @@ use rayline_tests::Picture;
 const WIDTH: u32 = 96;
 const HEIGHT: u32 = 72;
 
-/// Set to bless: `RAYLINE_BLESS=1 cargo test -p rayline-tests --test goldens`.
+/// Set to bless: `RAYLINE_BLESS=1 cargo test -p rayline-tests goldens`.
 const BLESS: &str = "RAYLINE_BLESS";
 
 /// The scene as a display with colors `C` shows it.
@@ -66,7 +64,7 @@ fn check(name: &str, actual: &Picture) {
     actual.write(&written(&format!("{name}-actual.png")));
     panic!(
         "{name} is not its golden; look at {} and, if it is right, bless it with\n    \
-         {BLESS}=1 cargo test -p rayline-tests --test goldens",
+         {BLESS}=1 cargo test -p rayline-tests goldens",
         written(&format!("{name}-actual.png")).display()
     );
 }

@@ -1,7 +1,5 @@
 //! Light transport against answers that can be worked out by hand, in f32 and in f64.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 
 use rayline::shape::{Plane, Polygon, Shape, Sphere};

@@ -1,8 +1,6 @@
 //! Fixed point: how near its pictures are to those of `f64`, that they do not depend on the scene's units, that
 //! nothing overflows, and exact goldens for other processors to be compared with.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 use std::path::Path;
 

@@ -1,7 +1,5 @@
 //! The core's modules use only what stands before them in the order that the crate page lists.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::path::{Path, PathBuf};
 
 /// The modules, in the order of the crate page.

@@ -1,8 +1,6 @@
 //! Colored glass and metal, Fresnel's shares, absorption, lamps: against answers that can be worked out by hand, and against
 //! the textbook renderer.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 use std::path::Path;
 

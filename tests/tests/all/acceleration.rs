@@ -1,7 +1,5 @@
 //! Acceleration never changes a byte: pictures with and without it, of scenes that are given and of random ones.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
-
 use std::mem::MaybeUninit;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};

@@ -1,0 +1,20 @@
+//! The core as its users see it: pictures, scenes and faults.
+//!
+//! One program, so that the kernel is compiled once for each number system and not once for each file.
+
+// This is test code: where something is wrong, it panics.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
+mod acceleration;
+mod architecture;
+mod closed_forms;
+mod drawing;
+mod fixed;
+mod goldens;
+mod operations;
+mod optics;
+mod povray;
+mod realtime;
+mod reference;
+mod robustness;
+mod solids;
