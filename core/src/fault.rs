@@ -114,6 +114,26 @@ pub enum Fault {
     UpAlongView,
     /// The field of view is outside (0°, 180°). It is the full vertical angle, in radians.
     FieldOfView,
+    /// The units of a pattern are 0, or smaller than 1e-6. Enlarge them.
+    PatternSize,
+    /// Noise has no octave, or more than [`MAX_OCTAVES`](crate::MAX_OCTAVES). Give it 1 to 8.
+    Octaves,
+    /// The turbulence of a texture is outside 0..=16. Turn it down.
+    Turbulence,
+    /// An image has more or fewer pixels than its sides say, or none. Mend one or the other.
+    PixelCount {
+        /// Numbers in the list of pixels, by its sides.
+        needed: usize,
+        /// As many as there are.
+        given: usize,
+    },
+    /// A pixel names a color that the palette does not have. Add it or name another.
+    PaletteColor {
+        /// The color that was named.
+        named: usize,
+        /// How many there are.
+        colors: usize,
+    },
     /// An object names a material that does not exist. Add it or name another.
     UnknownMaterial {
         /// The material that was named.
@@ -207,6 +227,21 @@ impl fmt::Display for Fault {
             Self::EyeAtTarget => "the eye is at the target; move one of them",
             Self::UpAlongView => "the up vector lies along the line of sight; turn it away",
             Self::FieldOfView => "the vertical field of view is not between 0 and 180 degrees",
+            Self::PatternSize => "the units of a pattern are smaller than 1e-6; enlarge them",
+            Self::Octaves => "the octaves of noise are not 1 to 8; give it so many",
+            Self::Turbulence => "a turbulence is outside 0 to 16; turn it down",
+            Self::PixelCount { needed, given } => {
+                return write!(
+                    f,
+                    "the image has {given} numbers of pixels, and its sides ask for {needed}; mend one or the other"
+                );
+            }
+            Self::PaletteColor { named, colors } => {
+                return write!(
+                    f,
+                    "a pixel names color {named}, of {colors} that are counted from 0; add it or name another"
+                );
+            }
             Self::UnknownMaterial { named, materials } => {
                 return write!(
                     f,

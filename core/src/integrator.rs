@@ -113,7 +113,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
             continue;
         };
         let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
-        let vertex = Vertex::new(&ray, hit, material, kind, probe);
+        let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
         let shades =
             sight.shades.filter(|shades| kind == RayKind::Camera && shades.receiver == vertex.hit.object);
         light = light + throughput.of(vertex.local_light(scene, shades, rays, probe));
@@ -180,7 +180,8 @@ struct Vertex<'s, R: Real> {
 }
 
 impl<'s, R: Real> Vertex<'s, R> {
-    fn new(
+    fn new<S: Geometry>(
+        scene: &PreparedScene<'_, R, S>,
         ray: &Ray<R>,
         hit: Hit<R>,
         material: &'s PreparedMaterial<'s, R>,
@@ -189,7 +190,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> Self {
         let incoming = ray.direction;
         let (normal, cosine) = hit.surface.shading_normal.facing(incoming);
-        let color = material.color.color(&hit.surface);
+        let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         probe.record(Event::Hit { kind, hit, color });
         let mirrored = incoming + normal * (cosine + cosine);
         Self { hit, material, color, incoming, normal, cosine, mirrored }

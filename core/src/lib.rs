@@ -84,6 +84,8 @@
 //!   and 12 KB less of flash.
 //! - `optics`, on unless left out: colored glass and metal, Fresnel's shares, absorption, light of surfaces' own, lamps with falloff
 //!   and cones, ambient light. Without it a scene that has one of them is refused.
+//! - `textures`, on unless left out: patterns and images. Without it there are solid colors and checkers in space; a
+//!   scene that has more is refused.
 //! - `std`: the standard library's square root. Changes no byte.
 //! - `micromath`: micromath's square roots and powers for `f32`, refined: faster without an FPU, other bytes.
 
@@ -128,4 +130,7 @@ pub use render::{
 };
 pub use scene::{MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
-pub use texture::{Checker, Texture};
+pub use texture::{
+    Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Marble, Noise, Pixels,
+    Placed, Placement, Space, Squares, Stripes, Texture, Wood,
+};

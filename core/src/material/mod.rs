@@ -60,9 +60,15 @@ impl<'a> Material<'a> {
         }
     }
 
+    /// Whether it asks for the feature `textures`.
+    pub(crate) const fn needs_textures(&self) -> bool {
+        matches!(self.color, Texture::Placed(_))
+    }
+
     /// The most bytes that the material takes from the memory that the caller lends, beyond what each does.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
-        if self.optics.is_some() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 }
+        let optics = if self.optics.is_some() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 };
+        optics.saturating_add(self.color.bytes::<R>())
     }
 
     /// Checks every number and converts it.
@@ -100,7 +106,7 @@ impl<'a> Material<'a> {
             Some(optics) => Some(memory.store(optics.prepare(ior, scale)?)?),
         };
         Ok(PreparedMaterial {
-            color: self.color.prepare(scale)?,
+            color: self.color.prepare(scale, memory)?,
             ambient: R::from_f32(self.ambient),
             diffuse: R::from_f32(self.diffuse),
             specular: R::from_f32(self.specular),

@@ -58,6 +58,11 @@ pub(crate) fn set_up_cos(angle: f32) -> f32 {
     libm::cosf(angle)
 }
 
+/// Sine and cosine of an angle in radians, for what is turned while a scene is prepared.
+pub(crate) fn set_up_sin_cos(angle: f32) -> (f32, f32) {
+    libm::sincosf(angle)
+}
+
 /// The square root of the reference build.
 #[allow(unreachable_code)]
 pub(crate) fn sqrt_f64(value: f64) -> f64 {

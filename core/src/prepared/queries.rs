@@ -9,6 +9,7 @@ use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::shape::{Form, Geometry, Intersect, Spine};
 use crate::share::Share;
+use crate::surface::Surface;
 
 /// The space that an object is inside of.
 pub(crate) enum Enclosure<R> {
@@ -82,6 +83,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The middle line of each object that has one.
     pub(crate) fn spines(&self) -> impl Iterator<Item = Option<Spine<R>>> {
         self.objects.iter().map(|object| object.shape.spine())
+    }
+
+    /// Where on an object a surface is.
+    #[inline(never)]
+    pub(crate) fn uv(&self, object: usize, surface: &Surface<R>) -> [R; 2] {
+        self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
     }
 
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in

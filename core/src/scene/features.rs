@@ -3,6 +3,7 @@
 use super::Scene;
 use crate::light::Light;
 use crate::limits::FEW_OBJECTS;
+use crate::material::Material;
 
 impl<S> Scene<'_, S> {
     /// The features of this crate that the scene needs, or that make it faster: a program that draws nothing else can leave out the
@@ -11,9 +12,13 @@ impl<S> Scene<'_, S> {
         let has_lamps =
             self.lights.iter().any(|light| matches!(light, Light::Lamp(_) | Light::Ambient { .. }));
         let has_optics = self.materials.iter().any(|material| material.optics.is_some());
-        [("hierarchy", self.objects.len() > FEW_OBJECTS), ("optics", has_lamps || has_optics)]
-            .into_iter()
-            .filter_map(|(feature, is_needed)| is_needed.then_some(feature))
+        let has_textures = self.materials.iter().any(Material::needs_textures);
+        let all = [
+            ("hierarchy", self.objects.len() > FEW_OBJECTS),
+            ("optics", has_lamps || has_optics),
+            ("textures", has_textures),
+        ];
+        all.into_iter().filter_map(|(feature, is_needed)| is_needed.then_some(feature))
     }
 }
 
@@ -22,6 +27,7 @@ mod tests {
     use super::*;
     use crate::builtin::{CLASSIC, FLAKE};
     use crate::color::LinearRgb;
+    use crate::texture::{Figure, Placed, Placement, Squares, Texture};
 
     #[test]
     fn a_scene_tells_what_it_needs() {
@@ -30,5 +36,9 @@ mod tests {
         assert_eq!(needs(&FLAKE), ["hierarchy"]);
         let lights = [Light::Ambient { color: LinearRgb::WHITE }];
         assert_eq!(needs(&Scene { lights: &lights, ..CLASSIC }), ["optics"]);
+        let squares = Squares { even: LinearRgb::WHITE, odd: LinearRgb::gray(0.5) };
+        let placed = Placed::new(Figure::Squares(squares), Placement::SURFACE);
+        let materials = [Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) }];
+        assert_eq!(needs(&Scene { materials: &materials, ..CLASSIC }), ["textures"]);
     }
 }

@@ -112,12 +112,14 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                 self.counts = throughput > self.marks.faint;
                 self.direction = ray.direction;
             }
-            Event::Hit { kind, hit, .. } if self.counts => {
+            Event::Hit { kind, hit, color } if self.counts => {
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
                 self.path = fold(self.path, hit.object as u32 | refracted);
                 self.hit = None;
                 if let Some(material) = self.scene.material(hit.object) {
-                    if let Some(cell) = material.color.cell(&hit.surface) {
+                    if let Some(cell) =
+                        material.color.cell(&hit.surface, color, || self.scene.uv(hit.object, &hit.surface))
+                    {
                         self.path = fold(self.path, cell);
                     }
                     self.hit = Some(material);

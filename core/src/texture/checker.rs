@@ -1,0 +1,110 @@
+//! Cells of two colors that alternate.
+
+use super::check_reflectivity;
+use crate::color::LinearRgb;
+use crate::fault::{Fault, check_point};
+use crate::math::{Cell, Real, Scale, Vec3};
+
+/// Cells of two colors that alternate in space.
+///
+/// The cell of a point is counted along each axis, `floor(point · cells_per_unit)`; where the sum of the
+/// three is even the cell has the color `even`. An axis with 0 cells per unit does not count, so that a
+/// horizontal floor is checkered by x and z alone and cannot flicker with its height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Checker {
+    /// Color of the cell between the origin and (1, 1, 1) cells.
+    pub even: LinearRgb,
+    /// Color of its neighbors.
+    pub odd: LinearRgb,
+    /// Cells per unit of length along each axis.
+    pub cells_per_unit: Vec3,
+}
+
+impl Checker {
+    /// Squares with sides of `size` units in the x-z plane.
+    pub const fn xz(even: LinearRgb, odd: LinearRgb, size: f32) -> Self {
+        Self { even, odd, cells_per_unit: Vec3::new(1.0 / size, 0.0, 1.0 / size) }
+    }
+
+    pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedChecker<R>, Fault> {
+        check_point(self.cells_per_unit)?;
+        // A power of two: nothing is rounded.
+        let per_unit = self.cells_per_unit * (1.0 / scale.to_f32());
+        Ok(PreparedChecker {
+            even: check_reflectivity(self.even)?,
+            odd: check_reflectivity(self.odd)?,
+            cells_per_unit: [per_unit.x, per_unit.y, per_unit.z].map(R::factor),
+        })
+    }
+}
+
+/// A [`Checker`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedChecker<R: Real> {
+    even: LinearRgb<R>,
+    odd: LinearRgb<R>,
+    cells_per_unit: [R::Factor; 3],
+}
+
+impl<R: Real> PreparedChecker<R> {
+    #[inline(always)]
+    fn cells(&self, point: Vec3<R>) -> [i32; 3] {
+        let [x, y, z] = self.cells_per_unit;
+        [point.x.cell(x), point.y.cell(y), point.z.cell(z)]
+    }
+
+    #[inline(always)]
+    pub(super) fn color(&self, point: Vec3<R>) -> LinearRgb<R> {
+        let [x, y, z] = self.cells(point);
+        if (x ^ y ^ z) & 1 == 0 { self.even } else { self.odd }
+    }
+
+    pub(super) fn cell(&self, point: Vec3<R>) -> u32 {
+        mark(self.cells(point))
+    }
+}
+
+/// A number for a cell that its neighbors do not have.
+pub(super) fn mark(cells: [i32; 3]) -> u32 {
+    let [x, y, z] = cells.map(|cell| cell as u32);
+    x ^ y.wrapping_mul(0x9E37_79B9) ^ z.wrapping_mul(0x85EB_CA6B)
+}
+
+/// Cells of two colors that alternate along all axes of a pattern: over u and v, squares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squares<R = f32> {
+    /// Color of the cell between the pattern's origin and (1, 1, 1).
+    pub even: LinearRgb<R>,
+    /// Color of its neighbors.
+    pub odd: LinearRgb<R>,
+}
+
+impl Squares {
+    pub(super) fn prepare<R: Real>(&self) -> Result<Squares<R>, Fault> {
+        Ok(Squares { even: check_reflectivity(self.even)?, odd: check_reflectivity(self.odd)? })
+    }
+}
+
+impl<R: Real> Squares<R> {
+    pub(super) fn color(&self, [x, y, z]: [Cell<R>; 3]) -> LinearRgb<R> {
+        if (x.index ^ y.index ^ z.index) & 1 == 0 { self.even } else { self.odd }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn checker_alternates_through_zero_and_ignores_height() {
+        let checker =
+            Checker::xz(LinearRgb::WHITE, LinearRgb::gray(0.0), 2.0).prepare::<f32>(Scale::ONE).unwrap();
+        let white_at = |x, y, z| checker.color(Vec3::new(x, y, z)).r == 1.0;
+        for y in [-4.0, -4.0001, 3.0] {
+            assert!(white_at(1.0, y, 1.0));
+            assert!(!white_at(-1.0, y, 1.0));
+            assert!(white_at(-1.0, y, -1.0));
+            assert!(!white_at(3.0, y, 1.0));
+        }
+    }
+}

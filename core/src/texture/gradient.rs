@@ -1,0 +1,70 @@
+//! From one color to another.
+
+use super::{blend, check_reflectivity};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Real};
+
+/// From one color to another along one unit of the pattern's x axis, in linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gradient<R = f32> {
+    /// The color at 0.
+    pub from: LinearRgb<R>,
+    /// The color at 1.
+    pub to: LinearRgb<R>,
+    /// What is beyond.
+    pub ends: Ends,
+}
+
+/// What is beyond the ends of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// The same again.
+    Repeat,
+    /// The same, mirrored, so that there are no edges.
+    Mirror,
+    /// What is at the end.
+    Extend,
+}
+
+impl Ends {
+    /// The place from 0 to 1 that a coordinate stands for.
+    pub(super) fn fold<R: Real>(self, at: Cell<R>) -> R {
+        match self {
+            Self::Mirror if at.index & 1 == 1 => R::ONE - at.within,
+            Self::Extend if at.index < 0 => R::ZERO,
+            Self::Extend if at.index > 0 => R::ONE,
+            _ => at.within,
+        }
+    }
+}
+
+impl Gradient {
+    pub(super) fn prepare<R: Real>(&self) -> Result<Gradient<R>, Fault> {
+        Ok(Gradient {
+            from: check_reflectivity(self.from)?,
+            to: check_reflectivity(self.to)?,
+            ends: self.ends,
+        })
+    }
+}
+
+impl<R: Real> Gradient<R> {
+    pub(super) fn color(&self, [x, ..]: [Cell<R>; 3]) -> LinearRgb<R> {
+        blend(self.from, self.to, self.ends.fold(x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_repeat_mirror_or_extend() {
+        let folds = |at: f32| [Ends::Repeat, Ends::Mirror, Ends::Extend].map(|ends| ends.fold(at.split()));
+        assert_eq!(folds(0.25), [0.25, 0.25, 0.25]);
+        assert_eq!(folds(1.25), [0.25, 0.75, 1.0]);
+        assert_eq!(folds(-0.75), [0.25, 0.75, 0.0]);
+        assert_eq!(folds(2.25), [0.25, 0.25, 1.0]);
+    }
+}

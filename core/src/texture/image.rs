@@ -1,0 +1,212 @@
+//! A picture as a texture.
+
+use super::blend;
+use super::gradient::Ends;
+use super::pixels::{Encoding, Pixels};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Linear, Real, Vec3};
+
+/// A picture: its width is one unit along the pattern's x axis, its height one unit along y, upward. Along z it is the same.
+///
+/// ```
+/// use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement, Texture};
+/// /// Two pixels wide, one high.
+/// static FLAG: Image = Image {
+///     width: 2,
+///     height: 1,
+///     pixels: Pixels::Rgb565(&[0xF800, 0x001F]),
+///     encoding: Encoding::Srgb,
+///     filter: Filter::Nearest,
+///     ends: Ends::Repeat,
+/// };
+/// static PLACED: Placed = Placed::new(Figure::Image(FLAG), Placement::SURFACE);
+/// let _texture = Texture::Placed(&PLACED);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Image<'a> {
+    /// In pixels.
+    pub width: u16,
+    /// In pixels.
+    pub height: u16,
+    /// Width times height of them.
+    pub pixels: Pixels<'a>,
+    /// What their numbers mean.
+    pub encoding: Encoding,
+    /// What is between their middles.
+    pub filter: Filter,
+    /// What is beyond its edges.
+    pub ends: Ends,
+}
+
+/// What is between the middles of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// The nearest pixel.
+    Nearest,
+    /// A blend of the four nearest, in linear light.
+    Bilinear,
+}
+
+impl<'a> Image<'a> {
+    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
+        self.pixels.check(self.width, self.height)?;
+        let half = R::Setup::from_f32(match self.filter {
+            Filter::Nearest => 0.0,
+            Filter::Bilinear => 0.5,
+        });
+        let counts = [self.width, self.height].map(|pixels| R::Setup::from_f32(f32::from(pixels)));
+        let (none, [columns, lines]) = (R::Setup::ZERO, counts);
+        Ok(PreparedImage {
+            image: *self,
+            column: R::Linear::new(Vec3::new(columns, none, none), Vec3::new(half / columns, none, none)),
+            line: R::Linear::new(Vec3::new(none, lines, none), Vec3::new(none, half / lines, none)),
+        })
+    }
+}
+
+/// An [`Image`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedImage<'m, R: Real> {
+    image: Image<'m>,
+    /// From 0 to 1 across the picture to columns, and to lines from below.
+    column: R::Linear,
+    line: R::Linear,
+}
+
+impl<R: Real> PreparedImage<'_, R> {
+    pub(super) fn color(&self, [x, y, _]: [Cell<R>; 3]) -> LinearRgb<R> {
+        self.at(self.image.ends.fold(x), self.image.ends.fold(y))
+    }
+
+    /// The color at a place from 0 to 1.
+    pub(crate) fn at(&self, x: R, y: R) -> LinearRgb<R> {
+        let place = Vec3::new(x, y, R::ZERO);
+        let (column, line) = (self.column.cell(place), self.line.cell(place));
+        let pixel =
+            |right: i32, up: i32| self.pixel(column.index.wrapping_add(right), line.index.wrapping_add(up));
+        match self.image.filter {
+            Filter::Nearest => pixel(0, 0),
+            Filter::Bilinear => {
+                let lower = blend(pixel(0, 0), pixel(1, 0), column.within);
+                let upper = blend(pixel(0, 1), pixel(1, 1), column.within);
+                blend(lower, upper, line.within)
+            }
+        }
+    }
+
+    /// A pixel by its column, and its line from below; next to the edges, of what is beyond.
+    fn pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
+        let Image { width, height, pixels, encoding, ends, .. } = self.image;
+        let fold = |at: i32, count: u16| {
+            let last = i32::from(count).wrapping_sub(1);
+            if at < 0 {
+                if ends == Ends::Repeat { last } else { 0 }
+            } else if at > last {
+                if ends == Ends::Repeat { 0 } else { last }
+            } else {
+                at
+            }
+        };
+        // A place that is exactly the far edge belongs to the last pixel.
+        let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
+        let (column, line) = match self.image.filter {
+            Filter::Nearest => (nearest(column, width), nearest(line, height)),
+            Filter::Bilinear => (fold(column, width), fold(line, height)),
+        };
+        let line = i32::from(height).wrapping_sub(1).wrapping_sub(line);
+        pixels.light(encoding, width, column as u16, line as u16)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    const RED: [u8; 3] = [255, 0, 0];
+    const BLUE: [u8; 3] = [0, 0, 255];
+    /// Red and blue above, blue and black below.
+    const IMAGE: Image = Image {
+        width: 2,
+        height: 2,
+        pixels: Pixels::Rgb888(&[255, 0, 0, 0, 0, 255, 0, 0, 255, 0, 0, 0]),
+        encoding: Encoding::Linear,
+        filter: Filter::Nearest,
+        ends: Ends::Repeat,
+    };
+
+    fn at<R: Real>(image: Image<'_>, x: f32, y: f32) -> [f32; 3] {
+        let prepared = image.prepare::<R>().unwrap();
+        let color = prepared.color([x, y, 0.0].map(|value| R::from_f32(value).split())).to_f32();
+        [color.r, color.g, color.b]
+    }
+
+    #[test]
+    fn pixels_lie_upright_in_all_formats() {
+        let formats = [
+            IMAGE.pixels,
+            Pixels::Rgb565(&[0xF800, 0x001F, 0x001F, 0]),
+            Pixels::Palette8 { indices: &[2, 1, 1, 0], palette: &[[0; 3], BLUE, RED] },
+            Pixels::Palette4 { indices: &[0x21, 0x10], palette: &[[0; 3], BLUE, RED] },
+        ];
+        for pixels in formats {
+            for encoding in [Encoding::Srgb, Encoding::Linear] {
+                let image = Image { pixels, encoding, ..IMAGE };
+                for (x, y, color) in [
+                    (0.25, 0.75, [1.0, 0.0, 0.0]),
+                    (0.75, 0.75, [0.0, 0.0, 1.0]),
+                    (0.25, 0.25, [0.0, 0.0, 1.0]),
+                    (0.75, 0.25, [0.0; 3]),
+                    (-0.75, 1.75, [1.0, 0.0, 0.0]),
+                    (0.0, 0.5, [1.0, 0.0, 0.0]),
+                ] {
+                    assert_eq!(at::<f32>(image, x, y), color, "{pixels:?} at {x}, {y}");
+                    assert_eq!(at::<f64>(image, x, y), color);
+                    assert_eq!(at::<Fixed>(image, x, y), color);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bilinear_blends_and_wraps() {
+        let image = Image { filter: Filter::Bilinear, ..IMAGE };
+        for (ends, x, y, color) in [
+            (Ends::Repeat, 0.25, 0.75, [1.0, 0.0, 0.0]),
+            (Ends::Repeat, 0.5, 0.75, [0.5, 0.0, 0.5]),
+            (Ends::Repeat, 0.5, 0.5, [0.25, 0.0, 0.5]),
+            // Half of the edge on the other side.
+            (Ends::Repeat, 0.0, 0.75, [0.5, 0.0, 0.5]),
+            (Ends::Extend, 0.0, 0.75, [1.0, 0.0, 0.0]),
+            (Ends::Extend, 7.0, 9.0, [0.0, 0.0, 1.0]),
+            (Ends::Mirror, 1.0, 0.75, [0.0, 0.0, 1.0]),
+            (Ends::Mirror, 1.75, 0.75, [1.0, 0.0, 0.0]),
+        ] {
+            let image = Image { ends, ..image };
+            for got in [at::<f32>(image, x, y), at::<f64>(image, x, y), at::<Fixed>(image, x, y)] {
+                let same = got.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6);
+                assert!(same, "{got:?}, not {color:?}, at {x}, {y} of {ends:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn codes_are_decoded() {
+        let gray = Image { width: 1, height: 1, pixels: Pixels::Rgb888(&[188, 188, 188]), ..IMAGE };
+        assert!((at::<f32>(Image { encoding: Encoding::Srgb, ..gray }, 0.5, 0.5)[0] - 0.5029).abs() < 1e-4);
+        assert!((at::<Fixed>(gray, 0.5, 0.5)[0] - 188.0 / 255.0).abs() < 2e-5);
+    }
+
+    #[test]
+    fn bad_images_are_refused() {
+        let refusal = |image: Image<'_>| image.prepare::<f32>().err();
+        assert_eq!(refusal(Image { width: 3, ..IMAGE }), Some(Fault::PixelCount { needed: 18, given: 12 }));
+        let none = Image { width: 0, pixels: Pixels::Rgb565(&[]), ..IMAGE };
+        assert_eq!(refusal(none), Some(Fault::PixelCount { needed: 0, given: 0 }));
+        let pixels = Pixels::Palette8 { indices: &[0, 1, 2, 0], palette: &[RED, BLUE] };
+        assert_eq!(refusal(Image { pixels, ..IMAGE }), Some(Fault::PaletteColor { named: 2, colors: 2 }));
+        let pixels = Pixels::Palette4 { indices: &[0x10, 0x03], palette: &[RED, BLUE] };
+        assert_eq!(refusal(Image { pixels, ..IMAGE }), Some(Fault::PaletteColor { named: 3, colors: 2 }));
+    }
+}

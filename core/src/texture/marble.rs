@@ -1,0 +1,57 @@
+//! Marble: veins that noise has stirred (Perlin, "An Image Synthesizer", SIGGRAPH 1985).
+
+use super::noise::{check_octaves, check_turbulence, octaves, wave};
+use super::{blend, check_reflectivity};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Real};
+
+/// Veins across the pattern's x axis, one in each unit, moved by noise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Marble<R = f32> {
+    /// The color of the stone.
+    pub stone: LinearRgb<R>,
+    /// The color of the veins.
+    pub vein: LinearRgb<R>,
+    /// By how many units they are moved: 0 to 16. With 0 they are straight.
+    pub turbulence: R,
+    /// Octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
+    pub octaves: u8,
+}
+
+impl Marble {
+    pub(super) fn prepare<R: Real>(&self) -> Result<Marble<R>, Fault> {
+        Ok(Marble {
+            stone: check_reflectivity(self.stone)?,
+            vein: check_reflectivity(self.vein)?,
+            turbulence: check_turbulence(self.turbulence)?,
+            octaves: check_octaves(self.octaves)?,
+        })
+    }
+}
+
+impl<R: Real> Marble<R> {
+    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+        let [x, ..] = at;
+        let moved = x.plus(octaves(at, self.octaves) * self.turbulence);
+        // Thin veins: the wave, squared.
+        let share = wave(moved);
+        blend(self.stone, self.vein, share * share)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_turbulence_veins_are_straight() {
+        let marble =
+            Marble { stone: LinearRgb::WHITE, vein: LinearRgb::gray(0.0), turbulence: 0.0, octaves: 3 };
+        let marble = marble.prepare::<f32>().unwrap();
+        for y in [0.3, 7.7] {
+            let at = |x: f32| marble.color([x.split(), y.split(), y.split()]).r;
+            assert_eq!((at(-2.0), at(0.5), at(3.25)), (1.0, 0.0, 0.75));
+        }
+    }
+}

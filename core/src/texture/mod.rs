@@ -1,0 +1,151 @@
+//! Color that varies over a surface.
+//!
+//! [`Texture::Solid`] and [`Texture::Checker`] are always there. All else is a [`Placed`]: a [`Figure`] and how it is placed,
+//! in space or on the surface. Patterns are a cargo feature, `textures`: without it there is no code for them, and
+//! scenes that have one are refused.
+
+mod brick;
+mod checker;
+mod gradient;
+mod image;
+mod marble;
+mod noise;
+mod pixels;
+mod placed;
+mod placement;
+mod srgb;
+mod stripes;
+mod wood;
+
+pub use brick::Brick;
+pub use checker::{Checker, Squares};
+pub use gradient::{Ends, Gradient};
+pub use image::{Filter, Image};
+pub use marble::Marble;
+pub use noise::{MAX_OCTAVES, Noise};
+pub use pixels::{Encoding, Pixels};
+pub(crate) use placed::present;
+pub use placed::{Figure, Placed};
+pub(crate) use placed::{PreparedPlaced, Present};
+pub use placement::{Placement, Space};
+pub use stripes::Stripes;
+pub use wood::Wood;
+
+use crate::arena::Arena;
+use crate::color::LinearRgb;
+use crate::fault::{Fault, check_coordinate, check_share};
+use crate::math::{Real, Scale};
+use crate::surface::Surface;
+use checker::PreparedChecker;
+
+/// The color of a material at each point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Texture<'a> {
+    /// The same color everywhere.
+    Solid(LinearRgb),
+    /// Two colors in alternating cells.
+    Checker(Checker),
+    /// Everything else. Needs the feature `textures`.
+    Placed(&'a Placed<'a>),
+}
+
+impl<'a> Texture<'a> {
+    /// A checker of squares with sides of `size` units in the x-z plane.
+    pub const fn checker_xz(even: LinearRgb, odd: LinearRgb, size: f32) -> Self {
+        Self::Checker(Checker::xz(even, odd, size))
+    }
+
+    /// The most bytes that [`prepare`](Self::prepare) takes.
+    pub(crate) const fn bytes<R: Real>(&self) -> usize {
+        match self {
+            Self::Solid(_) | Self::Checker(_) => 0,
+            Self::Placed(_) => Arena::bytes::<PreparedPlaced<'_, R>>(1),
+        }
+    }
+
+    /// Checks the texture and converts it.
+    pub(crate) fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedTexture<'m, R>, Fault>
+    where
+        'a: 'm,
+    {
+        Ok(match self {
+            Self::Solid(color) => PreparedTexture::Solid(check_reflectivity(*color)?),
+            Self::Checker(checker) => PreparedTexture::Checker(checker.prepare(scale)?),
+            Self::Placed(pattern) => {
+                let present = present()?;
+                PreparedTexture::Placed(memory.store(pattern.prepare(scale)?)?, present)
+            }
+        })
+    }
+}
+
+impl From<LinearRgb> for Texture<'_> {
+    fn from(color: LinearRgb) -> Self {
+        Self::Solid(color)
+    }
+}
+
+/// Refuses what is no share of light.
+fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> {
+    for value in [color.r, color.g, color.b] {
+        check_coordinate(value)?;
+        if value < 0.0 {
+            return Err(Fault::NegativeColor);
+        }
+        if value > 1.0 {
+            return Err(Fault::OutsideUnit);
+        }
+    }
+    Ok(color.to())
+}
+
+/// Refuses a number outside 0..=1.
+fn check_unit<R: Real>(value: f32) -> Result<R, Fault> {
+    check_share(value)?;
+    Ok(R::from_f32(value))
+}
+
+/// From one color to another, by a share from 0 to 1.
+fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
+    from * (R::ONE - share) + to * share
+}
+
+/// A texture that was checked and converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum PreparedTexture<'m, R: Real> {
+    Solid(LinearRgb<R>),
+    Checker(PreparedChecker<R>),
+    Placed(&'m PreparedPlaced<'m, R>, Present),
+}
+
+impl<R: Real> PreparedTexture<'_, R> {
+    /// A number for what a ray saw of the texture, which had this color: other cells nearby have others, and so have colors
+    /// that differ much. `None` where it is the same everywhere.
+    pub(crate) fn cell(
+        &self,
+        surface: &Surface<R>,
+        color: LinearRgb<R>,
+        uv: impl FnOnce() -> [R; 2],
+    ) -> Option<u32> {
+        match self {
+            Self::Solid(_) => None,
+            Self::Checker(checker) => Some(checker.cell(surface.point)),
+            Self::Placed(pattern, _) => Some(pattern.cell(surface.point, color, uv)),
+        }
+    }
+
+    /// The color where a ray met a surface. Only what needs to know asks for the place on that.
+    #[inline(always)]
+    pub(crate) fn color(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
+        match self {
+            Self::Solid(color) => *color,
+            Self::Checker(checker) => checker.color(surface.point),
+            Self::Placed(pattern, _) => pattern.color(surface.point, uv),
+        }
+    }
+}

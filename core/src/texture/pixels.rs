@@ -1,0 +1,103 @@
+//! The pixels of pictures in flash.
+
+use super::srgb::LINEAR;
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::Real;
+
+/// The pixels of a picture, from left to right and from above to below, wherever they lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pixels<'a> {
+    /// 5 bits of red in the highest bits, 6 of green, 5 of blue.
+    Rgb565(&'a [u16]),
+    /// A byte each of red, green and blue.
+    Rgb888(&'a [u8]),
+    /// A byte of each names a color.
+    Palette8 {
+        /// The names.
+        indices: &'a [u8],
+        /// A byte each of red, green and blue.
+        palette: &'a [[u8; 3]],
+    },
+    /// Half a byte of each names a color: the upper half is the left pixel. Each line begins with a byte of its own.
+    Palette4 {
+        /// The names.
+        indices: &'a [u8],
+        /// A byte each of red, green and blue.
+        palette: &'a [[u8; 3]],
+    },
+}
+
+/// What the numbers of pixels mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Codes for a display, as in almost every picture.
+    Srgb,
+    /// Amounts of light, or heights.
+    Linear,
+}
+
+impl Encoding {
+    /// The light of a code.
+    fn light<R: Real>(self, code: u8) -> R {
+        let light = match self {
+            Self::Srgb => LINEAR.get(usize::from(code)).copied().unwrap_or(u16::MAX),
+            Self::Linear => u16::from(code).wrapping_mul(257),
+        };
+        if light == u16::MAX { R::ONE } else { R::from_fraction(light) }
+    }
+}
+
+impl Pixels<'_> {
+    /// Refuses pixels that are not as many as `width` times `height`, and names of colors that there are not.
+    pub(super) fn check(&self, width: u16, height: u16) -> Result<(), Fault> {
+        let (columns, lines) = (usize::from(width), usize::from(height));
+        let (given, per_line) = match self {
+            Self::Rgb565(pixels) => (pixels.len(), columns),
+            Self::Rgb888(bytes) => (bytes.len(), columns.saturating_mul(3)),
+            Self::Palette8 { indices, .. } => (indices.len(), columns),
+            Self::Palette4 { indices, .. } => (indices.len(), columns.div_ceil(2)),
+        };
+        let needed = per_line.saturating_mul(lines);
+        if given != needed || given == 0 {
+            return Err(Fault::PixelCount { needed, given });
+        }
+        let (largest, colors) = match self {
+            Self::Rgb565(_) | Self::Rgb888(_) => return Ok(()),
+            Self::Palette8 { indices, palette } => (indices.iter().copied().max(), palette.len()),
+            Self::Palette4 { indices, palette } => {
+                (indices.iter().map(|pair| (pair >> 4).max(pair & 15)).max(), palette.len())
+            }
+        };
+        match largest {
+            Some(named) if usize::from(named) >= colors => {
+                Err(Fault::PaletteColor { named: named.into(), colors })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The light of a pixel; black where there is none.
+    pub(super) fn light<R: Real>(&self, encoding: Encoding, width: u16, x: u16, y: u16) -> LinearRgb<R> {
+        let (width, x, y) = (usize::from(width), usize::from(x), usize::from(y));
+        let place = y.wrapping_mul(width).wrapping_add(x);
+        let color = |palette: &[[u8; 3]], name: u8| palette.get(usize::from(name)).copied();
+        let codes = match self {
+            Self::Rgb565(pixels) => pixels.get(place).map(|pixel| {
+                let (r, g, b) = ((pixel >> 11) as u8, (pixel >> 5 & 63) as u8, (pixel & 31) as u8);
+                // The upper bits again below: the largest code is then 255.
+                [r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2]
+            }),
+            Self::Rgb888(bytes) => {
+                bytes.get(place.wrapping_mul(3)..).and_then(<[u8]>::first_chunk::<3>).copied()
+            }
+            Self::Palette8 { indices, palette } => indices.get(place).and_then(|name| color(palette, *name)),
+            Self::Palette4 { indices, palette } => {
+                let pair = indices.get(y.wrapping_mul(width.div_ceil(2)).wrapping_add(x >> 1));
+                pair.and_then(|pair| color(palette, if x & 1 == 0 { pair >> 4 } else { pair & 15 }))
+            }
+        };
+        let [r, g, b] = codes.unwrap_or_default().map(|code| encoding.light(code));
+        LinearRgb::new(r, g, b)
+    }
+}

@@ -1,0 +1,154 @@
+//! A figure and where it lies.
+
+use super::checker::mark;
+use super::gradient::Gradient;
+use super::image::{Image, PreparedImage};
+use super::marble::Marble;
+use super::noise::Noise;
+use super::placement::{Placement, PreparedPlacement};
+use super::stripes::Stripes;
+use super::wood::Wood;
+use super::{Brick, Squares};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Real, Scale, Vec3};
+
+/// Proof that the feature `textures` is there. Without it there is no such value: the compiler knows it and drops all that
+/// needs one, tests for it included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Present(
+    #[cfg(feature = "textures")] (),
+    #[cfg(not(feature = "textures"))] core::convert::Infallible,
+);
+
+/// The proof, or [`Fault::WithoutFeature`].
+pub(crate) const fn present() -> Result<Present, Fault> {
+    #[cfg(feature = "textures")]
+    return Ok(Present(()));
+    #[cfg(not(feature = "textures"))]
+    Err(Fault::WithoutFeature { feature: "textures" })
+}
+
+/// A figure and where it lies.
+///
+/// ```
+/// use rayline::{Figure, LinearRgb, Marble, Material, Placed, Placement, Texture};
+/// static STONE: Placed = Placed::new(
+///     Figure::Marble(Marble {
+///         stone: LinearRgb::gray(0.9),
+///         vein: LinearRgb::gray(0.1),
+///         turbulence: 1.5,
+///         octaves: 4,
+///     }),
+///     Placement::in_scene(0.5),
+/// );
+/// let _material = Material { color: Texture::Placed(&STONE), ..Material::matte(LinearRgb::WHITE) };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed<'a> {
+    /// What is seen.
+    pub figure: Figure<'a>,
+    /// Where, and how large.
+    pub placement: Placement,
+}
+
+/// What is seen of a pattern, in the pattern's own coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Figure<'a> {
+    /// Cells of two colors that alternate.
+    Squares(Squares),
+    /// Stripes of two colors.
+    Stripes(Stripes),
+    /// From one color to another.
+    Gradient(Gradient),
+    /// Clouds.
+    Noise(Noise),
+    /// Veins.
+    Marble(Marble),
+    /// Rings.
+    Wood(Wood),
+    /// Bricks and mortar.
+    Brick(Brick),
+    /// A picture.
+    Image(Image<'a>),
+}
+
+impl<'a> Placed<'a> {
+    /// The figure in this place.
+    pub const fn new(figure: Figure<'a>, placement: Placement) -> Self {
+        Self { figure, placement }
+    }
+
+    pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedPlaced<'a, R>, Fault> {
+        let figure = match self.figure {
+            Figure::Squares(squares) => PreparedFigure::Squares(squares.prepare()?),
+            Figure::Stripes(stripes) => PreparedFigure::Stripes(stripes.prepare()?),
+            Figure::Gradient(gradient) => PreparedFigure::Gradient(gradient.prepare()?),
+            Figure::Noise(noise) => PreparedFigure::Noise(noise.prepare()?),
+            Figure::Marble(marble) => PreparedFigure::Marble(marble.prepare()?),
+            Figure::Wood(wood) => PreparedFigure::Wood(wood.prepare()?),
+            Figure::Brick(brick) => PreparedFigure::Brick(brick.prepare()?),
+            Figure::Image(image) => PreparedFigure::Image(image.prepare()?),
+        };
+        Ok(PreparedPlaced { figure, placement: self.placement.prepare(scale)? })
+    }
+}
+
+/// A [`Placed`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedPlaced<'m, R: Real> {
+    figure: PreparedFigure<'m, R>,
+    placement: PreparedPlacement<R>,
+}
+
+/// A [`Figure`], prepared. Those that have no other form keep it, in other numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum PreparedFigure<'m, R: Real> {
+    Squares(Squares<R>),
+    Stripes(Stripes<R>),
+    Gradient(Gradient<R>),
+    Noise(Noise<R>),
+    Marble(Marble<R>),
+    Wood(Wood<R>),
+    Brick(Brick<R>),
+    Image(PreparedImage<'m, R>),
+}
+
+impl<R: Real> PreparedPlaced<'_, R> {
+    /// The color at a point of the surface.
+    #[inline(always)]
+    pub(super) fn color(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
+        self.figure.color(self.placement.coordinates(self.placement.place(point, uv)))
+    }
+
+    /// See [`PreparedTexture::cell`](super::PreparedTexture::cell).
+    pub(super) fn cell(&self, point: Vec3<R>, color: LinearRgb<R>, uv: impl FnOnce() -> [R; 2]) -> u32 {
+        // A sixteenth of each channel: between those that differ less, a straight line will do.
+        let levels = [color.r, color.g, color.b].map(|channel| channel.to_q16() as i32 >> 12);
+        match self.figure {
+            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => {
+                let cells = self.placement.coordinates(self.placement.place(point, uv));
+                mark(cells.map(|cell| cell.index)) ^ mark(levels).rotate_left(16)
+            }
+            _ => mark(levels),
+        }
+    }
+}
+
+impl<R: Real> PreparedFigure<'_, R> {
+    /// In one place, however many ask for it.
+    #[inline(never)]
+    fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+        match self {
+            Self::Squares(squares) => squares.color(at),
+            Self::Stripes(stripes) => stripes.color(at),
+            Self::Gradient(gradient) => gradient.color(at),
+            Self::Noise(noise) => noise.color(at),
+            Self::Marble(marble) => marble.color(at),
+            Self::Wood(wood) => wood.color(at),
+            Self::Brick(brick) => brick.color(at),
+            Self::Image(image) => image.color(at),
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Stripes of two colors.
+
+use super::{check_reflectivity, check_unit};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Real};
+
+/// Stripes across the pattern's x axis: one pair in each unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stripes<R = f32> {
+    /// The color at the beginning of each unit.
+    pub first: LinearRgb<R>,
+    /// The color of the rest.
+    pub second: LinearRgb<R>,
+    /// How much of each unit the first one takes: 0 to 1.
+    pub width: R,
+}
+
+impl Stripes {
+    pub(super) fn prepare<R: Real>(&self) -> Result<Stripes<R>, Fault> {
+        Ok(Stripes {
+            first: check_reflectivity(self.first)?,
+            second: check_reflectivity(self.second)?,
+            width: check_unit(self.width)?,
+        })
+    }
+}
+
+impl<R: Real> Stripes<R> {
+    pub(super) fn color(&self, [x, ..]: [Cell<R>; 3]) -> LinearRgb<R> {
+        if x.within < self.width { self.first } else { self.second }
+    }
+}

@@ -1,0 +1,53 @@
+//! Wood: rings that noise has shaken (Peachey, "Solid Texturing of Complex Surfaces", SIGGRAPH 1985).
+
+use super::noise::{check_octaves, check_turbulence, octaves, wave};
+use super::{blend, check_reflectivity};
+use crate::color::LinearRgb;
+use crate::fault::Fault;
+use crate::math::{Cell, Product, Real};
+
+/// Rings about the pattern's z axis, one in each unit, up to 60 of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wood<R = f32> {
+    /// The color where a ring begins.
+    pub early: LinearRgb<R>,
+    /// The color between.
+    pub late: LinearRgb<R>,
+    /// By how many units the rings are moved: 0 to 16. With 0 they are circles.
+    pub turbulence: R,
+    /// Octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
+    pub octaves: u8,
+}
+
+impl Wood {
+    pub(super) fn prepare<R: Real>(&self) -> Result<Wood<R>, Fault> {
+        Ok(Wood {
+            early: check_reflectivity(self.early)?,
+            late: check_reflectivity(self.late)?,
+            turbulence: check_turbulence(self.turbulence)?,
+            octaves: check_octaves(self.octaves)?,
+        })
+    }
+}
+
+impl<R: Real> Wood<R> {
+    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+        let [x, y, _] = at.map(Cell::number);
+        let radius = (x.times(x) + y.times(y)).sqrt();
+        let ring = radius.split().plus(octaves(at, self.octaves) * self.turbulence);
+        blend(self.early, self.late, wave(ring))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_turbulence_rings_are_circles() {
+        let wood = Wood { early: LinearRgb::WHITE, late: LinearRgb::gray(0.0), turbulence: 0.0, octaves: 1 };
+        let wood = wood.prepare::<f32>().unwrap();
+        let at = |x: f32, y: f32| wood.color([x.split(), y.split(), 9.3f32.split()]).r;
+        assert_eq!((at(0.0, 0.0), at(-3.0, 4.0), at(0.0, -2.5), at(1.5, 2.0)), (1.0, 1.0, 0.0, 0.0));
+    }
+}
