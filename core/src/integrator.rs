@@ -15,6 +15,7 @@ use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::share::Share;
+use crate::surface::Surface;
 
 /// When rays are no longer followed.
 #[derive(Clone, Copy, Debug)]
@@ -103,7 +104,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
         }
         probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
         let from = if kind == RayKind::Camera { None } else { Some(from) };
-        let Some((hit, material)) = scene.closest_hit_from(&ray, from, sight.among) else {
+        let Some((mut hit, mut material)) = scene.closest_hit_from(&ray, from, sight.among) else {
             probe.record(Event::Miss);
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
             light = light + throughput.of(scene.background);
@@ -113,6 +114,13 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
             continue;
         };
         let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
+        let mapped;
+        if !material.maps.is_empty() {
+            let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
+            mapped = material.mapped(&hit.surface, uv);
+            let normal = material.maps.bumped(&hit.surface, ray.direction, uv);
+            (hit.surface.shading_normal, material) = (normal, &mapped);
+        }
         let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
         let shades =
             sight.shades.filter(|shades| kind == RayKind::Camera && shades.receiver == vertex.hit.object);

@@ -131,6 +131,6 @@ pub use render::{
 pub use scene::{MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
 pub use texture::{
-    Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Marble, Noise, Pixels,
-    Placed, Placement, Space, Squares, Stripes, Texture, Wood,
+    Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Map, Marble, Noise, Onto,
+    Pixels, Placed, Placement, Space, Squares, Stripes, Texture, Wood,
 };

@@ -5,7 +5,11 @@ use rayline::shape::{
     Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
     Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
-use rayline::{Falloff, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Optics, Vec3};
+use rayline::{
+    Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp, Light,
+    LightCone, LinearRgb, Map, Marble, Noise, Onto, Optics, Pixels, Placed, Placement, Space, Squares,
+    Stripes, Texture, Vec3, Wood,
+};
 
 /// Points and directions of such coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
@@ -197,4 +201,83 @@ pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> B
                 Light::Lamp(Lamp { position, color, falloff, cone })
             });
     prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color: color * 0.1 })].boxed()
+}
+
+/// Patterns and images of such numbers and colors; not all are legal.
+pub fn textures(
+    number: &BoxedStrategy<f32>,
+    color: &BoxedStrategy<LinearRgb>,
+) -> BoxedStrategy<Texture<'static>> {
+    let ends = || prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
+    let octaves = || prop_oneof![9 => 1..=8u8, 1 => any::<u8>()];
+    let two = (color.clone(), color.clone());
+    let pixels = prop_oneof![
+        proptest::collection::vec(any::<u16>(), 6).prop_map(|pixels| Pixels::Rgb565(pixels.leak())),
+        proptest::collection::vec(any::<u8>(), 18).prop_map(|bytes| Pixels::Rgb888(bytes.leak())),
+        proptest::collection::vec(0..4u8, 6).prop_map(|indices| Pixels::Palette8 {
+            indices: indices.leak(),
+            palette: &[[7; 3], [255; 3], [90, 0, 9]]
+        }),
+    ];
+    let image =
+        (pixels, ends(), any::<bool>(), any::<bool>()).prop_map(|(pixels, ends, srgb, nearest)| Image {
+            width: 3,
+            height: 2,
+            pixels,
+            encoding: if srgb { Encoding::Srgb } else { Encoding::Linear },
+            filter: if nearest { Filter::Nearest } else { Filter::Bilinear },
+            ends,
+        });
+    let figure = prop_oneof![
+        two.clone().prop_map(|(even, odd)| Figure::Squares(Squares { even, odd })),
+        (two.clone(), number.clone()).prop_map(|((first, second), width)| Figure::Stripes(Stripes {
+            first,
+            second,
+            width
+        })),
+        (two.clone(), ends()).prop_map(|((from, to), ends)| Figure::Gradient(Gradient { from, to, ends })),
+        (two.clone(), octaves()).prop_map(|((low, high), octaves)| Figure::Noise(Noise {
+            low,
+            high,
+            octaves
+        })),
+        (two.clone(), number.clone(), octaves()).prop_map(|((stone, vein), turbulence, octaves)| {
+            Figure::Marble(Marble { stone, vein, turbulence, octaves })
+        }),
+        (two.clone(), number.clone(), octaves()).prop_map(|((early, late), turbulence, octaves)| {
+            Figure::Wood(Wood { early, late, turbulence, octaves })
+        }),
+        (two, [number.clone(), number.clone()]).prop_map(|((brick, mortar), gap)| Figure::Brick(Brick {
+            brick,
+            mortar,
+            gap
+        })),
+        image.prop_map(Figure::Image),
+    ];
+    let vector = vectors(number);
+    let space = prop_oneof![Just(Space::Scene), Just(Space::Surface)];
+    (figure, space, vector.clone(), vector.clone(), vector)
+        .prop_map(|(figure, space, size, rotation, origin)| {
+            let placed = Placed::new(figure, Placement { space, size, rotation, origin });
+            Texture::Placed(Box::leak(Box::new(placed)))
+        })
+        .boxed()
+}
+
+/// Up to two maps of such numbers and colors; not all are legal.
+pub fn maps(
+    number: &BoxedStrategy<f32>,
+    color: &BoxedStrategy<LinearRgb>,
+) -> BoxedStrategy<&'static [Map<'static>]> {
+    let onto = prop_oneof![
+        Just(Onto::Ambient),
+        Just(Onto::Diffuse),
+        Just(Onto::Specular),
+        Just(Onto::Reflectance),
+        Just(Onto::Transmittance),
+        (number.clone(), number.clone()).prop_map(|(height, step)| Onto::Bump { height, step }),
+    ];
+    let map = (onto, textures(number, color)).prop_map(|(onto, texture)| Map { onto, texture });
+    let some = proptest::collection::vec(map, 1..3).prop_map(|maps| -> &'static [_] { maps.leak() });
+    prop_oneof![2 => Just(&[][..]), 1 => some].boxed()
 }

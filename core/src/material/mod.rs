@@ -14,7 +14,8 @@ use crate::arena::Arena;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate, check_held, check_share};
 use crate::math::{Real, Scale};
-use crate::texture::{PreparedTexture, Texture};
+use crate::surface::Surface;
+use crate::texture::{Map, PreparedMaps, PreparedTexture, Texture};
 
 /// What a surface does with light: the recursive model of the lectures.
 ///
@@ -42,6 +43,8 @@ pub struct Material<'a> {
     pub ior: f32,
     /// What goes beyond this model, if anything does.
     pub optics: Option<&'a Optics>,
+    /// Textures on coefficients, and bumps. Need the feature `textures`.
+    pub maps: &'a [Map<'a>],
 }
 
 impl<'a> Material<'a> {
@@ -57,18 +60,19 @@ impl<'a> Material<'a> {
             transmittance: 0.0,
             ior: 1.0,
             optics: None,
+            maps: &[],
         }
     }
 
     /// Whether it asks for the feature `textures`.
     pub(crate) const fn needs_textures(&self) -> bool {
-        matches!(self.color, Texture::Placed(_))
+        matches!(self.color, Texture::Placed(_)) || !self.maps.is_empty()
     }
 
     /// The most bytes that the material takes from the memory that the caller lends, beyond what each does.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
         let optics = if self.optics.is_some() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 };
-        optics.saturating_add(self.color.bytes::<R>())
+        optics.saturating_add(self.color.bytes::<R>()).saturating_add(Map::bytes::<R>(self.maps))
     }
 
     /// Checks every number and converts it.
@@ -116,6 +120,7 @@ impl<'a> Material<'a> {
             eta_entering: R::from_setup(ior.recip()),
             eta_leaving: R::from_setup(ior),
             optics,
+            maps: Map::prepare_all(self.maps, scale, memory)?,
         })
     }
 }
@@ -135,9 +140,24 @@ pub(crate) struct PreparedMaterial<'m, R: Real> {
     /// The same for a ray that comes out.
     pub(crate) eta_leaving: R,
     optics: Option<&'m PreparedOptics<R>>,
+    pub(crate) maps: PreparedMaps<'m, R>,
 }
 
 impl<'m, R: Real> PreparedMaterial<'m, R> {
+    /// The material at a surface, where it has maps: each coefficient times the textures on it. `uv` tells where on its shape a
+    /// surface is.
+    pub(crate) fn mapped(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Self {
+        let shares = self.maps.shares(surface, uv);
+        Self {
+            ambient: self.ambient * shares.ambient,
+            diffuse: self.diffuse * shares.diffuse,
+            specular: self.specular * shares.specular,
+            reflectance: self.reflectance * shares.reflectance,
+            transmittance: self.transmittance * shares.transmittance,
+            ..*self
+        }
+    }
+
     /// What goes beyond Phong's and Whitted's models, if anything does. Without the feature, the compiler sees that nothing does
     /// and drops the code for it.
     #[inline(always)]

@@ -75,6 +75,16 @@ impl<R: Real> Vec3<R> {
         (length > R::ZERO).then_some(unit)
     }
 
+    /// Of a unit vector: two unit vectors across it and across each other, so that the three are right-handed in the order
+    /// first, second, this. The first leans toward the x axis; if this lies along that, toward y.
+    pub(crate) fn around(self) -> (Self, Self) {
+        let (one, none) = (R::ONE, R::ZERO);
+        let lies_along_x = self.x.abs() > R::from_f32(0.9);
+        let toward = if lies_along_x { Self::new(none, one, none) } else { Self::new(one, none, none) };
+        let first = (toward - self * self.dot(toward)).normalized().unwrap_or(toward);
+        (first, self.cross(first))
+    }
+
     /// The largest absolute value among the coordinates.
     pub fn magnitude(self) -> R {
         self.x.abs().larger(self.y.abs()).larger(self.z.abs())

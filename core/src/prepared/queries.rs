@@ -1,6 +1,7 @@
 //! The two questions that rays ask of a scene: what is hit first, and how much light comes through.
 
 use super::candidates::{Ball, Candidates, Departure, ObjectSet};
+use super::objects::PreparedObject;
 use super::{Hit, PreparedScene};
 use crate::color::LinearRgb;
 use crate::hierarchy::Hierarchy;
@@ -294,7 +295,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             let Some((t, index)) = self.closest_object(ray, range, among) else {
                 return Through::Some(through);
             };
-            through = through * self.transmittance(index);
+            through = through * self.transmittance_at(index, ray, t);
             if let Some(optics) = self.material(index).and_then(PreparedMaterial::optics) {
                 through = through * optics.transmission_color();
                 // Behind the surface there is what the light went through since the one before.
@@ -318,6 +319,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).is_some_and(|object| object.shape.intersect(ray, range).is_some())
     }
 
+    /// The transmittance where a ray meets an object, at distance `t`.
+    #[inline(always)]
+    fn transmittance_at(&self, object: usize, ray: &Ray<R>, t: R) -> R {
+        match self.objects.get(object) {
+            Some(PreparedObject { shape, material }) if !material.maps.is_empty() => {
+                material.mapped(&shape.surface(ray, t), |surface| self.uv(object, surface)).transmittance
+            }
+            _ => self.transmittance(object),
+        }
+    }
+
+    /// The most that an object lets through.
     fn transmittance(&self, object: usize) -> R {
         self.material(object).map_or(R::ZERO, |material| material.transmittance)
     }

@@ -17,18 +17,9 @@
 
 use crate::math::{Product, Real, Scale, Vec3};
 
-/// Two unit vectors across a unit vector, and across each other: where u begins, and counterclockwise from there.
-pub(super) fn around<R: Real>(axis: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
-    let (one, none) = (R::ONE, R::ZERO);
-    let lies_along_x = axis.x.abs() > R::from_f32(0.9);
-    let toward = if lies_along_x { Vec3::new(none, one, none) } else { Vec3::new(one, none, none) };
-    let first = (toward - axis * axis.dot(toward)).normalized().unwrap_or(toward);
-    (first, axis.cross(first))
-}
-
 /// The angle of a vector about an axis, as a share of a turn.
 pub(super) fn angle_about<R: Real>(axis: Vec3<R>, vector: Vec3<R>) -> R {
-    let (first, second) = around(axis);
+    let (first, second) = axis.around();
     R::turn(second.dot(vector), first.dot(vector))
 }
 
@@ -43,13 +34,13 @@ pub(super) fn globe<R: Real>(vector: Vec3<R>) -> [R; 2] {
 
 /// Lengths along a plane of this unit normal, in the scene's units.
 pub(super) fn flat<R: Real>(normal: Vec3<R>, point: Vec3<R>, scale: Scale) -> [R; 2] {
-    let (first, second) = around(normal);
+    let (first, second) = normal.around();
     [first.dot(point), second.dot(point)].map(|length| scale.unscaled(length))
 }
 
 /// Place in the square around a disc.
 pub(super) fn disc<R: Real>(normal: Vec3<R>, from_center: Vec3<R>, radius: R) -> [R; 2] {
-    let (first, second) = around(normal);
+    let (first, second) = normal.around();
     [first.dot(from_center), second.dot(from_center)].map(|length| share(length, radius))
 }
 

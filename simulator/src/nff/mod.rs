@@ -236,6 +236,7 @@ fn material(tokens: &mut Tokens<'_>) -> Result<Material<'static>, NffError> {
         transmittance,
         ior: if transmittance == 0.0 && ior == 0.0 { 1.0 } else { ior },
         optics: None,
+        maps: &[],
     })
 }
 

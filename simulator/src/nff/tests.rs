@@ -79,6 +79,7 @@ fn materials_hold_for_what_follows() {
         transmittance: 0.3,
         ior: 1.5,
         optics: None,
+        maps: &[],
     };
     let matte = Material { shininess: 9.0, ..Material::matte(LinearRgb::WHITE) };
     assert_eq!(import.scene.materials, [glass, matte]);

@@ -12,7 +12,7 @@ use rayline::shape::{
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
-use rayline_tests::{cut_box, each_scene, lamps, meshes, optics, turned_box, with_scene};
+use rayline_tests::{cut_box, each_scene, lamps, maps, meshes, optics, turned_box, with_scene};
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
     let renderer = Renderer::new(scene, settings).unwrap();
@@ -126,9 +126,13 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
 
 fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (0.0f32..1.0, 0.0f32..0.6, prop_oneof![Just(0.0f32), 0.1f32..0.4], 0.6f32..2.0);
-    (shares, [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], optics(&(0.0f32..1.0).boxed()))
-        .prop_map(|((specular, reflectance, transmittance, ior), [r, g, b], optics)| Material {
+    let share = (0.0f32..1.0).boxed();
+    let grays = share.clone().prop_map(LinearRgb::gray).boxed();
+    let maps = maps(&share, &grays);
+    (shares, [share.clone(), share.clone(), share.clone()], optics(&share), maps)
+        .prop_map(|((specular, reflectance, transmittance, ior), [r, g, b], optics, maps)| Material {
             optics,
+            maps,
             specular,
             shininess: 10.0,
             reflectance,

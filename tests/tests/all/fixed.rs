@@ -323,6 +323,7 @@ fn material() -> BoxedStrategy<Material<'static>> {
                     transmittance,
                     ior,
                     optics,
+                    maps: &[],
                 }
             },
         )

@@ -11,7 +11,7 @@ use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
     SceneBuf, SceneError, Settings, Texture, Vec3,
 };
-use rayline_tests::{lamps, optics, shapes, vectors};
+use rayline_tests::{lamps, maps, optics, shapes, textures, vectors};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -282,23 +282,22 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
 fn material() -> BoxedStrategy<Material<'static>> {
     let shares = (share(), share(), share(), share(), share());
     let optics = optics(&share());
-    (light_color(), shares, number(), number(), proptest::option::of((light_color(), vector())), optics)
+    let checker = (light_color(), light_color(), vector()).prop_map(|(even, odd, cells_per_unit)| {
+        Texture::Checker(rayline::Checker { even, odd, cells_per_unit })
+    });
+    let texture = proptest::option::of(prop_oneof![checker, textures(&share(), &light_color())]);
+    (light_color(), shares, number(), number(), texture, (optics, maps(&share(), &light_color())))
         .prop_map(
             |(
                 color,
                 (ambient, diffuse, specular, reflectance, transmittance),
                 shininess,
                 ior,
-                checker,
-                optics,
+                texture,
+                (optics, maps),
             )| {
                 Material {
-                    color: match checker {
-                        None => color.into(),
-                        Some((odd, cells_per_unit)) => {
-                            Texture::Checker(rayline::Checker { even: color, odd, cells_per_unit })
-                        }
-                    },
+                    color: texture.unwrap_or(color.into()),
                     ambient,
                     diffuse,
                     specular,
@@ -307,6 +306,7 @@ fn material() -> BoxedStrategy<Material<'static>> {
                     transmittance,
                     ior,
                     optics,
+                    maps,
                 }
             },
         )

@@ -5,7 +5,7 @@ use super::sample::Path;
 use super::{Grid, Sample};
 use crate::material::PreparedMaterial;
 use crate::math::{Real, Vec3};
-use crate::prepared::PreparedScene;
+use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
 
@@ -86,6 +86,18 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
         })
     }
 
+    /// A number for what the maps of a material show: other normals and coefficients have others.
+    #[inline(never)]
+    fn mapped(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
+        let at = material.mapped(&hit.surface, |surface| self.scene.uv(hit.object, surface));
+        let Vec3 { x, y, z } = hit.surface.shading_normal;
+        let half = R::from_fraction(1 << 15);
+        let normal = [x, y, z].map(|coordinate| coordinate * half + half);
+        let shares = [at.ambient, at.diffuse, at.specular, at.reflectance, at.transmittance];
+        // Sixteenths: between those that differ less, a straight line will do.
+        normal.into_iter().chain(shares).fold(0, |digest, share| fold(digest, share.to_q16() >> 12))
+    }
+
     /// The pixel, whose tone is known in the end.
     pub(super) fn sample(&self, tone: Tone) -> Sample {
         Sample::traced(tone, self.path(), self.shade, self.near_glint)
@@ -121,6 +133,9 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                         material.color.cell(&hit.surface, color, || self.scene.uv(hit.object, &hit.surface))
                     {
                         self.path = fold(self.path, cell);
+                    }
+                    if !material.maps.is_empty() {
+                        self.path = fold(self.path, self.mapped(&hit, material));
                     }
                     self.hit = Some(material);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {

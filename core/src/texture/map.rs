@@ -1,0 +1,299 @@
+//! Textures on coefficients of a material, and bumps (Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978).
+
+use core::marker::PhantomData;
+
+use super::{PreparedTexture, Texture, present};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_coordinate, check_held, check_size};
+use crate::math::{Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// A texture that changes something else than the color. Its own colors count by their brightness: a quarter of red, half
+/// of green and a quarter of blue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Map<'a> {
+    /// What it changes.
+    pub onto: Onto,
+    /// By how much.
+    pub texture: Texture<'a>,
+}
+
+/// What a texture changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Onto {
+    /// The share of ambient light is multiplied by the texture.
+    Ambient,
+    /// As is the share of diffuse light.
+    Diffuse,
+    /// As is the strength of the highlight.
+    Specular,
+    /// As is the share of mirrored light.
+    Reflectance,
+    /// As is the share of light that goes through.
+    Transmittance,
+    /// The surface looks as if it were raised by the texture: shades, not outlines.
+    Bump {
+        /// By how many units of the scene where the texture is white.
+        height: f32,
+        /// Over how many units its slope is measured: so wide are the sides of what has sharp edges.
+        step: f32,
+    },
+}
+
+impl<'a> Map<'a> {
+    /// The most bytes that [`prepare_all`](Self::prepare_all) takes.
+    pub(crate) const fn bytes<R: Real>(mut maps: &[Self]) -> usize {
+        let mut bytes = Arena::bytes::<PreparedMap<'_, R>>(maps.len());
+        while let [map, rest @ ..] = maps {
+            bytes = bytes.saturating_add(map.texture.bytes::<R>());
+            maps = rest;
+        }
+        bytes
+    }
+
+    /// Checks the maps of a material and converts them.
+    pub(crate) fn prepare_all<'m, R: Real>(
+        maps: &[Self],
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedMaps<'m, R>, Fault>
+    where
+        'a: 'm,
+    {
+        if maps.is_empty() {
+            return Ok(PreparedMaps::new(&[]));
+        }
+        present()?;
+        let prepared = memory.try_store_with(maps.len(), |index, memory| {
+            // There is a map for every index; the fault is never seen.
+            let Map { onto, texture } = maps.get(index).ok_or(Fault::NotFinite)?;
+            Ok::<_, Fault>(PreparedMap {
+                onto: onto.prepare(scale)?,
+                texture: texture.prepare(scale, memory)?,
+            })
+        })?;
+        Ok(PreparedMaps::new(prepared))
+    }
+}
+
+impl Onto {
+    fn prepare<R: Real>(self, scale: Scale) -> Result<PreparedOnto<R>, Fault> {
+        Ok(match self {
+            Self::Ambient => PreparedOnto::Ambient,
+            Self::Diffuse => PreparedOnto::Diffuse,
+            Self::Specular => PreparedOnto::Specular,
+            Self::Reflectance => PreparedOnto::Reflectance,
+            Self::Transmittance => PreparedOnto::Transmittance,
+            Self::Bump { height, step } => {
+                check_coordinate(height)?;
+                check_coordinate(step)?;
+                let length: R = scale.length(R::Setup::from_f32(step));
+                if !(step > 0.0) {
+                    return Err(Fault::ZeroLength);
+                }
+                check_size(length)?;
+                let slope = R::Setup::from_f32(height) / R::Setup::from_f32(step);
+                check_held::<R>(slope)?;
+                PreparedOnto::Bump { slope: R::from_setup(slope), step: length }
+            }
+        })
+    }
+}
+
+/// A [`Map`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedMap<'m, R: Real> {
+    onto: PreparedOnto<R>,
+    texture: PreparedTexture<'m, R>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum PreparedOnto<R> {
+    Ambient,
+    Diffuse,
+    Specular,
+    Reflectance,
+    Transmittance,
+    /// The slope between black and white, a step apart.
+    Bump {
+        slope: R,
+        step: R,
+    },
+}
+
+/// All maps of a material. Without the feature `textures` there are none, and they take no memory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedMaps<'m, R: Real> {
+    #[cfg(feature = "textures")]
+    maps: &'m [PreparedMap<'m, R>],
+    none: PhantomData<&'m R>,
+}
+
+/// By what the coefficients of a material are multiplied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shares<R> {
+    pub(crate) ambient: R,
+    pub(crate) diffuse: R,
+    pub(crate) specular: R,
+    pub(crate) reflectance: R,
+    pub(crate) transmittance: R,
+}
+
+impl<'m, R: Real> PreparedMaps<'m, R> {
+    #[cfg_attr(not(feature = "textures"), expect(unused_variables))]
+    fn new(maps: &'m [PreparedMap<'m, R>]) -> Self {
+        Self {
+            #[cfg(feature = "textures")]
+            maps,
+            none: PhantomData,
+        }
+    }
+
+    fn all(&self) -> &'m [PreparedMap<'m, R>] {
+        #[cfg(feature = "textures")]
+        return self.maps;
+        #[cfg(not(feature = "textures"))]
+        &[]
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.all().is_empty()
+    }
+
+    /// By what the coefficients are multiplied at a surface; `uv` tells where on its shape a surface is.
+    pub(crate) fn shares(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Shares<R> {
+        let one = R::ONE;
+        let mut shares =
+            Shares { ambient: one, diffuse: one, specular: one, reflectance: one, transmittance: one };
+        for PreparedMap { onto, texture } in self.all() {
+            let share = match onto {
+                PreparedOnto::Ambient => &mut shares.ambient,
+                PreparedOnto::Diffuse => &mut shares.diffuse,
+                PreparedOnto::Specular => &mut shares.specular,
+                PreparedOnto::Reflectance => &mut shares.reflectance,
+                PreparedOnto::Transmittance => &mut shares.transmittance,
+                PreparedOnto::Bump { .. } => continue,
+            };
+            *share = *share * brightness(texture, surface, &uv);
+        }
+        shares
+    }
+
+    /// The normal to shade with, tilted by bumps, where a ray of direction `incoming` meets the surface.
+    pub(crate) fn bumped(
+        &self,
+        surface: &Surface<R>,
+        incoming: Vec3<R>,
+        uv: impl Fn(&Surface<R>) -> [R; 2],
+    ) -> Vec3<R> {
+        let mut normal = surface.shading_normal;
+        for PreparedMap { onto, texture } in self.all() {
+            let PreparedOnto::Bump { slope, step } = *onto else { continue };
+            let (first, second) = surface.shading_normal.around();
+            let here = brightness(texture, surface, &uv);
+            let rise = |along: Vec3<R>| {
+                let beside = Surface { point: surface.point + along * step, ..*surface };
+                (brightness(texture, &beside, &uv) - here) * slope
+            };
+            normal = normal - first * rise(first) - second * rise(second);
+        }
+        let Some(normal) = normal.normalized() else { return surface.shading_normal };
+        facing_the_same_way(normal, surface.shading_normal, incoming)
+    }
+}
+
+/// A normal that was tilted, but not away from the side that a ray sees: there it would be taken for the other side's.
+fn facing_the_same_way<R: Real>(tilted: Vec3<R>, normal: Vec3<R>, incoming: Vec3<R>) -> Vec3<R> {
+    let (before, after) = (normal.dot(incoming), tilted.dot(incoming));
+    // As steep as 89 degrees, and on the right side even when rounded.
+    let least = R::from_fraction(1 << 10);
+    let least = if before > R::ZERO { least } else { -least };
+    let is_seen = if before > R::ZERO { after >= least } else { after <= least };
+    if is_seen {
+        return tilted;
+    }
+    (tilted + incoming * (least - after)).normalized().unwrap_or(normal)
+}
+
+/// How bright a texture is at a surface: 0 to 1, and exactly what a gray is.
+fn brightness<R: Real>(
+    texture: &PreparedTexture<'_, R>,
+    surface: &Surface<R>,
+    uv: impl Fn(&Surface<R>) -> [R; 2],
+) -> R {
+    let color = texture.color(surface, || uv(surface));
+    (color.r + color.g + color.g + color.b) * R::from_fraction(1 << 14)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Ends, Figure, Gradient, Placed, Placement};
+    use super::*;
+    use crate::arena::Workspace;
+    use crate::color::LinearRgb;
+    use crate::math::Fixed;
+
+    const RAMP: Placed = Placed::new(
+        Figure::Gradient(Gradient { from: LinearRgb::gray(0.0), to: LinearRgb::WHITE, ends: Ends::Repeat }),
+        Placement::in_scene(1.0),
+    );
+
+    fn up<R: Real>(x: f32) -> Surface<R> {
+        let normal = Vec3::new(R::ZERO, R::ONE, R::ZERO);
+        let point = Vec3::new(R::from_f32(x), R::ZERO, R::ZERO);
+        Surface { point, normal, shading_normal: normal, magnitude: R::ONE, part: 0 }
+    }
+
+    fn assert_mapped<R: Real>() {
+        let bump = Onto::Bump { height: 1.0, step: 0.125 };
+        let maps =
+            [bump, Onto::Diffuse, Onto::Diffuse].map(|onto| Map { onto, texture: Texture::Placed(&RAMP) });
+        let mut memory = Workspace::<4096>::new();
+        let memory = &mut Arena::new(memory.lend());
+        let maps = Map::prepare_all::<R>(&maps, Scale::ONE, memory).unwrap();
+        let surface = up::<R>(0.25);
+        let shares = maps.shares(&surface, |_| unreachable!());
+        assert_eq!((shares.diffuse.to_f32(), shares.ambient.to_f32()), (0.0625, 1.0));
+        // As steep as it is long: the normal leans back by 45 degrees.
+        let down = -surface.normal;
+        let normal = maps.bumped(&surface, down, |_| unreachable!());
+        let half = core::f32::consts::FRAC_1_SQRT_2;
+        assert!((normal.to_f32() - Vec3::new(-half, half, 0.0)).magnitude() < 1e-6, "{normal:?}");
+        // From where only its back would be seen, it still faces the ray; from behind as well.
+        let flat = Vec3::new(R::from_f32(-0.9), R::from_f32(-0.3), R::ZERO).normalized().unwrap();
+        for incoming in [flat, -flat] {
+            let normal = maps.bumped(&surface, incoming, |_| unreachable!());
+            let (before, after) = (surface.normal.dot(incoming), normal.dot(incoming));
+            assert!((before > R::ZERO) == (after > R::ZERO) && after.abs() > R::ZERO, "{after:?}");
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "textures")]
+    fn coefficients_are_multiplied_and_normals_tilted() {
+        assert_mapped::<f32>();
+        assert_mapped::<f64>();
+        assert_mapped::<Fixed>();
+    }
+
+    #[test]
+    #[cfg(not(feature = "textures"))]
+    fn without_the_feature_maps_are_refused() {
+        let maps = [Map { onto: Onto::Diffuse, texture: Texture::Placed(&RAMP) }];
+        let mut memory = Workspace::<4096>::new();
+        let refused = Map::prepare_all::<f32>(&maps, Scale::ONE, &mut Arena::new(memory.lend()));
+        assert_eq!(refused.err(), Some(Fault::WithoutFeature { feature: "textures" }));
+    }
+
+    #[test]
+    fn bad_bumps_are_refused() {
+        let refusal = |height, step| Onto::Bump { height, step }.prepare::<Fixed>(Scale::ONE).err();
+        assert_eq!(refusal(0.1, 0.1), None);
+        assert_eq!(refusal(0.1, 0.0), Some(Fault::ZeroLength));
+        assert_eq!(refusal(f32::NAN, 0.1), Some(Fault::NotFinite));
+        assert_eq!(refusal(0.1, 1e-7), Some(Fault::TooSmall));
+        assert_eq!(refusal(100.0, 0.1), Some(Fault::OutOfRange));
+    }
+}
