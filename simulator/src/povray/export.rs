@@ -22,7 +22,8 @@ use core::fmt;
 
 use rayline::shape::{Csg, CsgStep, Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{
-    Camera, Falloff, Lamp, Light, LinearRgb, Material, Object, Optics, Scene, Settings, Texture, Vec3,
+    Camera, Ends, Falloff, Figure, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics, Placed,
+    Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
 };
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -32,7 +33,8 @@ pub enum PovrayError {
     /// The light at this position falls off in a way that POV-Ray does not know: it needs a constant of 1 or more, and no linear
     /// term. Or it is of a kind that was added to the core since. Replace it.
     Light(usize),
-    /// The material at this position has a texture that was added to the core since. Replace it.
+    /// The material at this position has a texture that POV-Ray has not, or has in other forms: noise, marble, wood, bricks,
+    /// images, what lies on surfaces, gradients that end, and maps. Replace it.
     Texture(usize),
     /// The material at this position has optics that POV-Ray has not, or other than these: Fresnel's shares, absorption, colored glass, Blinn's
     /// highlight, fading reflections. Leave them out.
@@ -203,6 +205,9 @@ fn is_known(optics: &Optics) -> bool {
 
 /// A material's colors and finish, under a name that objects refer to.
 fn texture(index: usize, material: &Material) -> Option<String> {
+    if !material.maps.is_empty() {
+        return None;
+    }
     // A surface that lets everything through has no color of its own in POV-Ray, but may have one here.
     let transmit = f64::from(material.transmittance).min(0.999_999);
     let opacity = 1.0 - transmit;
@@ -222,6 +227,7 @@ fn texture(index: usize, material: &Material) -> Option<String> {
                 list(&size)
             )
         }
+        Texture::Placed(placed) => self::placed(placed, transmit)?,
         _ => return None,
     };
     let optics = material.optics.unwrap_or(&Optics::PLAIN);
@@ -237,6 +243,38 @@ fn texture(index: usize, material: &Material) -> Option<String> {
         list(&mirrored),
         rgb(optics.emission),
     ))
+}
+
+/// A figure in space that POV-Ray has as well.
+fn placed(placed: &Placed<'_>, transmit: f64) -> Option<String> {
+    let Placement { space, size, rotation, origin } = placed.placement;
+    if space != Space::Scene {
+        return None;
+    }
+    let map = |stops: &[(f64, LinearRgb)]| {
+        let stops: String =
+            stops.iter().map(|(at, color)| format!(" [{at} {}]", rgbt(*color, transmit))).collect();
+        format!("color_map {{{stops} }}")
+    };
+    let figure = match placed.figure {
+        Figure::Squares(Squares { even, odd }) => {
+            format!("checker {}, {}", rgbt(even, transmit), rgbt(odd, transmit))
+        }
+        Figure::Stripes(Stripes { first, second, width }) => {
+            let width = f64::from(width);
+            format!("gradient x {}", map(&[(0.0, first), (width, first), (width, second), (1.0, second)]))
+        }
+        Figure::Gradient(Gradient { from, to, ends: Ends::Repeat }) => {
+            format!("gradient x {}", map(&[(0.0, from), (1.0, to)]))
+        }
+        // There and back takes two units.
+        Figure::Gradient(Gradient { from, to, ends: Ends::Mirror }) => {
+            format!("gradient x {} scale <2, 1, 1>", map(&[(0.0, from), (0.5, to), (1.0, from)]))
+        }
+        _ => return None,
+    };
+    let degrees = rotation.to::<f64>() * (180.0 / core::f64::consts::PI);
+    Some(format!("{figure} scale {} rotate {} translate {}", point(size), xyz(degrees), point(origin)))
 }
 
 /// All objects with their materials; transparent faces of one material are one object.
@@ -458,6 +496,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 mod tests {
     use super::*;
     use rayline::shape::{Cylinder, Ellipsoid, Polygon, Solid, Torus, Triangle};
+    use rayline::{Map, Onto};
 
     const GLASS: Material = Material {
         transmittance: 0.75,
@@ -600,6 +639,25 @@ union {
         let text = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap();
         assert!(text.contains("0.5 texture { Material0 } interior { ior 2.25 }"), "{text}");
         assert!(text.contains("1 texture { Material0 } interior { ior 1.5 }"), "{text}");
+    }
+
+    #[test]
+    fn figures_in_space_are_written_and_others_refused() {
+        let gradient = Gradient { from: LinearRgb::gray(0.0), to: LinearRgb::WHITE, ends: Ends::Mirror };
+        let placement = Placement::in_scene(0.5).at(UP);
+        let textured = |figure, placement| {
+            let placed = Placed::new(figure, placement);
+            texture(0, &Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) })
+        };
+        let text = textured(Figure::Gradient(gradient), placement).unwrap();
+        let expected = "gradient x color_map { [0 rgbt <0, 0, 0, 0>] [0.5 rgbt <1, 1, 1, 0>] [1 rgbt <0, 0, 0, 0>] } \
+                        scale <2, 1, 1> scale <0.5, 0.5, 0.5> rotate <0, 0, 0> translate <0, 1, 0>";
+        assert!(text.contains(expected), "{text}");
+        assert_eq!(textured(Figure::Gradient(gradient), Placement::SURFACE), None);
+        let ends = Figure::Gradient(Gradient { ends: Ends::Extend, ..gradient });
+        assert_eq!(textured(ends, placement), None);
+        let maps = [Map { onto: Onto::Diffuse, texture: Texture::Solid(LinearRgb::WHITE) }];
+        assert_eq!(texture(0, &Material { maps: &maps, ..Material::matte(LinearRgb::WHITE) }), None);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Light at a surface, and the recursion: Whitted's model with Phong's highlight.
 
-use glam::DVec3;
-use rayline::{Light, Material, Optics, Texture};
+use glam::{DQuat, DVec3};
+use rayline::{Ends, Figure, Light, Material, Optics, Placed, Placement, Space, Texture};
 
 use super::{Ray, Textbook, color, optics, vector};
 
@@ -59,6 +59,7 @@ impl Textbook<'_> {
         normal: DVec3,
         view: DVec3,
     ) -> DVec3 {
+        assert!(material.maps.is_empty(), "the textbook knows no maps");
         let pigment = pigment(&material.color, point);
         let ambient: Vec<DVec3> = (self.scene.lights.iter())
             .filter_map(
@@ -107,7 +108,43 @@ fn pigment(texture: &Texture, point: DVec3) -> DVec3 {
             let even = cell.element_sum().rem_euclid(2.0) < 0.5;
             color(if even { checker.even } else { checker.odd })
         }
+        Texture::Placed(placed) => figure(placed, point),
         _ => panic!("the textbook knows no such texture"),
+    }
+}
+
+/// The color of a plain figure that lies in space.
+fn figure(placed: &Placed<'_>, point: DVec3) -> DVec3 {
+    let Placement { space, size, rotation, origin } = placed.placement;
+    assert_eq!(space, Space::Scene, "the textbook knows no places on surfaces");
+    let turned = DQuat::from_rotation_z(f64::from(rotation.z))
+        * DQuat::from_rotation_y(f64::from(rotation.y))
+        * DQuat::from_rotation_x(f64::from(rotation.x));
+    let at = turned.inverse() * (point - vector(origin)) / vector(size);
+    match placed.figure {
+        Figure::Squares(squares) => {
+            let even = at.floor().element_sum().rem_euclid(2.0) < 0.5;
+            color(if even { squares.even } else { squares.odd })
+        }
+        Figure::Stripes(stripes) => {
+            let is_first = at.x.rem_euclid(1.0) < f64::from(stripes.width);
+            color(if is_first { stripes.first } else { stripes.second })
+        }
+        Figure::Gradient(gradient) => {
+            let share = match gradient.ends {
+                Ends::Repeat => at.x.rem_euclid(1.0),
+                Ends::Mirror => 1.0 - (at.x.rem_euclid(2.0) - 1.0).abs(),
+                Ends::Extend => at.x.clamp(0.0, 1.0),
+            };
+            color(gradient.from).lerp(color(gradient.to), share)
+        }
+        Figure::Brick(wall) => {
+            let shift = at.y.floor().rem_euclid(2.0) / 2.0;
+            let (x, y) = ((at.x + shift).rem_euclid(1.0), at.y.rem_euclid(1.0));
+            let is_mortar = x < f64::from(wall.gap[0]) || y < f64::from(wall.gap[1]);
+            color(if is_mortar { wall.mortar } else { wall.brick })
+        }
+        _ => panic!("the textbook knows no such figure"),
     }
 }
 
