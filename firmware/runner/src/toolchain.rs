@@ -111,7 +111,9 @@ impl Toolchain {
             command.arg("-Zbuild-std=core");
         }
         let mut features = [board.program.features, features].concat();
-        features.extend(picture.scene.scene.features());
+        for feature in picture.scene.scene.features() {
+            features.push(feature);
+        }
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);
         }
