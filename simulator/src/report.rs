@@ -148,7 +148,7 @@ impl Tree<'_> {
             Shape::Quadric(_) => "quadric",
             Shape::Torus(_) => "torus",
             Shape::Cuboid(_) => "box",
-            Shape::Polyhedron(_) => "polyhedron",
+            Shape::ConvexPolyhedron(_) => "polyhedron",
             Shape::Mesh(_) => "mesh",
             Shape::Csg(_) => "solid",
         };

@@ -92,7 +92,7 @@ impl Stats {
 fn scene_bytes(scene: &Scene<'_>) -> usize {
     let outlines = scene.objects.iter().map(|object| match object.shape {
         Shape::Polygon(polygon) => size_of_val(polygon.vertices),
-        Shape::Polyhedron(polyhedron) => size_of_val(polyhedron.planes),
+        Shape::ConvexPolyhedron(polyhedron) => size_of_val(polyhedron.planes),
         _ => 0,
     });
     size_of_val(scene)

@@ -75,7 +75,7 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
             |(center, along, aside, length)| Shape::Cuboid(turned_box(center, along, aside, length))
         ),
         (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..6))
-            .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
+            .prop_map(|(center, half, cuts)| Shape::ConvexPolyhedron(cut_box(center, half, &cuts))),
         meshes(vector, 3..30).prop_map(Shape::Mesh),
         solids_put_together(number),
     ]
@@ -131,7 +131,7 @@ fn solids_put_together(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'stat
         (vector.clone(), vector.clone()).prop_map(|(point, normal)| Solid::Plane(Plane::new(point, normal))),
         (vector.clone(), vector.clone()).prop_map(|(one, other)| Solid::Cuboid(Cuboid::aligned(one, other))),
         (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..3))
-            .prop_map(|(center, half, cuts)| Solid::Polyhedron(cut_box(center, half, &cuts))),
+            .prop_map(|(center, half, cuts)| Solid::ConvexPolyhedron(cut_box(center, half, &cuts))),
         (vector.clone(), vector.clone(), number.clone()).prop_map(|(base, top, radius)| {
             Solid::Cylinder(Cylinder { base, top, radius, capped: true })
         }),

@@ -11,7 +11,7 @@ macro_rules! each_scene {
     ($check:ident) => {
         $crate::each_scene! {
             $check:
-            classic whitted flake prism
+            classic whitted flake prism table
             balls_s1 balls_s2 balls_s3 mount_s1 rings_s1 teapot_s1 teapot_s2 tetra_s1 tetra_s2 tree_s1 tree_s2
         }
     };

@@ -3,11 +3,13 @@
 mod classic;
 mod flake;
 mod prism;
+mod table;
 mod whitted;
 
 pub use classic::CLASSIC;
 pub use flake::{FLAKE, FLAKE_10, FLAKE_820};
 pub use prism::PRISM;
+pub use table::TABLE;
 pub use whitted::WHITTED;
 
 use crate::scene::Scene;
@@ -26,7 +28,7 @@ pub struct Builtin {
 }
 
 /// Scenes to look at.
-pub static ALL: [Builtin; 4] = [
+pub static ALL: [Builtin; 5] = [
     Builtin {
         name: "classic",
         description: "four spheres of ivory, glass, rubber and mirror on a checkered floor",
@@ -45,6 +47,12 @@ pub static ALL: [Builtin; 4] = [
         description: "a glass prism among shapes of each kind",
         scene: &PRISM,
         bounces: 5,
+    },
+    Builtin {
+        name: "table",
+        description: "a die, gold, colored and clear glass, and lacquer under a lamp",
+        scene: &TABLE,
+        bounces: 6,
     },
 ];
 

@@ -186,7 +186,7 @@ crate::shape_set! {
         /// A box, along the axes or not.
         Cuboid(Cuboid),
         /// A convex solid with flat faces.
-        Polyhedron(ConvexPolyhedron<'a>),
+        ConvexPolyhedron(ConvexPolyhedron<'a>),
         /// A mesh of triangles.
         Mesh(Mesh<'a>),
         /// A solid that is made of others.
@@ -203,7 +203,7 @@ impl Shape<'_> {
             Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
             Self::Quadric(_) => Quadric::const_bytes::<R>(),
             Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
-            Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
+            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
             Self::Mesh(mesh) => mesh.const_bytes::<R>(),
             Self::Csg(csg) => csg.const_bytes::<R>(),
             Self::Sphere(_)

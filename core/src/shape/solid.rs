@@ -25,7 +25,7 @@ crate::shape_set! {
         /// A box, along the axes or not.
         Cuboid(Cuboid),
         /// A convex solid with flat faces.
-        Polyhedron(ConvexPolyhedron<'a>),
+        ConvexPolyhedron(ConvexPolyhedron<'a>),
     }
 }
 
@@ -36,7 +36,7 @@ impl Solid<'_> {
             Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
             Self::Quadric(_) => Quadric::const_bytes::<R>(),
             Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
-            Self::Polyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
+            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
             Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) => 0,
         }
     }
@@ -53,7 +53,7 @@ impl<'a> From<Solid<'a>> for Shape<'a> {
             Solid::Quadric(quadric) => Self::Quadric(quadric),
             Solid::Torus(torus) => Self::Torus(torus),
             Solid::Cuboid(cuboid) => Self::Cuboid(cuboid),
-            Solid::Polyhedron(polyhedron) => Self::Polyhedron(polyhedron),
+            Solid::ConvexPolyhedron(polyhedron) => Self::ConvexPolyhedron(polyhedron),
         }
     }
 }

@@ -76,5 +76,5 @@ fn name(shape: &Shape<'_>) -> String {
 
 /// Whether the shape borrows a part of its description.
 fn borrows(shape: &Shape<'_>) -> bool {
-    matches!(shape, Shape::Polygon(_) | Shape::Polyhedron(_) | Shape::Mesh(_) | Shape::Csg(_))
+    matches!(shape, Shape::Polygon(_) | Shape::ConvexPolyhedron(_) | Shape::Mesh(_) | Shape::Csg(_))
 }

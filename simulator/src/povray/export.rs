@@ -22,8 +22,8 @@ use core::fmt;
 
 use rayline::shape::{Csg, CsgStep, Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{
-    Camera, Ends, Falloff, Figure, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics, Placed,
-    Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
+    Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics,
+    Placed, Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
 };
 
 /// A part of a scene that POV-Ray cannot be told.
@@ -36,7 +36,7 @@ pub enum PovrayError {
     /// The material at this position has a texture that POV-Ray has not, or has in other forms: noise, marble, wood, bricks,
     /// images, what lies on surfaces, gradients that end, and maps. Replace it.
     Texture(usize),
-    /// The material at this position has optics that POV-Ray has not, or other than these: Fresnel's shares, absorption, colored glass, Blinn's
+    /// The material at this position has optics that POV-Ray has not, or others than these: Schlick's shares, colored surfaces of glass, Blinn's
     /// highlight, fading reflections. Leave them out.
     Optics(usize),
     /// The object at this position names a material that the scene does not have.
@@ -136,7 +136,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
             vec![cuboid.center + a + b + c, cuboid.center - a - b - c]
         }
         // What its planes enclose may be farther away than these points, or nearer.
-        Shape::Polyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
+        Shape::ConvexPolyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
         Shape::Mesh(mesh) => mesh.vertices.to_vec(),
         Shape::Csg(csg) => {
             let solids = csg.steps.iter().filter_map(|step| match step {
@@ -196,11 +196,11 @@ fn lamp_source(lamp: &Lamp) -> Option<String> {
     Some(format!("light_source {{ {} rgb {}{cone}{fade} }}\n", xyz(lamp.position.to::<f64>()), list(&color)))
 }
 
-/// Whether POV-Ray has these optics: light of the surface's own, and colored mirrors without highlight.
+/// Whether POV-Ray has these optics.
 fn is_known(optics: &Optics) -> bool {
-    let known =
-        Optics { emission: optics.emission, reflection_color: optics.reflection_color, ..Optics::PLAIN };
-    *optics == known
+    let Optics { fresnel, emission, reflection_color, absorption, .. } = *optics;
+    let known = Optics { fresnel, emission, reflection_color, absorption, ..Optics::PLAIN };
+    *optics == known && fresnel != Fresnel::Schlick
 }
 
 /// A material's colors and finish, under a name that objects refer to.
@@ -232,15 +232,21 @@ fn texture(index: usize, material: &Material) -> Option<String> {
     };
     let optics = material.optics.unwrap_or(&Optics::PLAIN);
     let LinearRgb { r, g, b } = optics.reflection_color;
-    let mirrored = [r, g, b].map(|channel| f64::from(channel * material.reflectance));
+    let is_exact = optics.fresnel == Fresnel::Exact;
+    let share = material.reflectance + if is_exact { material.transmittance } else { 0.0 };
+    let mirrored = list(&[r, g, b].map(|channel| f64::from(channel * share)));
+    let reflection = if is_exact {
+        format!("reflection {{ rgb 0 rgb {mirrored} fresnel on }} conserve_energy")
+    } else {
+        format!("reflection rgb {mirrored}")
+    };
     Some(format!(
         "#declare Material{index} = texture {{\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} phong {} \
-         phong_size {} reflection rgb {} emission rgb {} }}\n}}\n",
+         phong_size {} {reflection} emission rgb {} }}\n}}\n",
         f64::from(material.ambient) / opacity,
         f64::from(material.diffuse) / opacity,
         material.specular,
         material.shininess,
-        list(&mirrored),
         rgb(optics.emission),
     ))
 }
@@ -308,13 +314,23 @@ fn is_face(shape: &Shape<'_>) -> bool {
     matches!(shape, Shape::Disc(_) | Shape::Rectangle(_) | Shape::Triangle(_) | Shape::Polygon(_))
 }
 
-/// What lies behind a transparent surface, within a medium of the index `outside`.
+/// What lies behind a surface that lets light through, or that mirrors by its index, within a medium of the index `outside`.
 fn interior(material: &Material, outside: f64) -> String {
-    if material.transmittance == 0.0 {
+    let optics = material.optics.unwrap_or(&Optics::PLAIN);
+    if material.transmittance == 0.0 && optics.fresnel != Fresnel::Exact {
         return String::new();
     }
     let relative = if material.ior == 1.0 { 1.000_001 } else { f64::from(material.ior) };
-    format!(" interior {{ ior {} }}", relative * outside)
+    let LinearRgb { r, g, b } = optics.absorption;
+    let most = f64::from(r.max(g).max(b));
+    // With a power of 1000 or more, exp(-(1 - color) d / distance) is left.
+    let fade = if most > 0.0 {
+        let color = [r, g, b].map(|coefficient| 1.0 - f64::from(coefficient) / most);
+        format!(" fade_power 1001 fade_distance {} fade_color rgb {}", most.recip(), list(&color))
+    } else {
+        String::new()
+    };
+    format!(" interior {{ ior {}{fade} }}", relative * outside)
 }
 
 /// The index of what a sphere lies in: the product over all transparent spheres around it.
@@ -377,7 +393,7 @@ fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
             let [a, b, c] = cuboid.axes;
             ("box", format!("-1, 1 {}", matrix([a, b, c, cuboid.center].map(Vec3::to))))
         }
-        Shape::Polyhedron(polyhedron) => {
+        Shape::ConvexPolyhedron(polyhedron) => {
             let planes = polyhedron.planes.iter().map(|plane| format!("plane {{ {} }}", self::plane(plane)));
             ("intersection", planes.collect::<Vec<_>>().join(" "))
         }
@@ -547,17 +563,17 @@ mod tests {
             text,
             "\
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.25 }
+global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.25 ambient_light rgb <1, 1, 1> }
 background { rgb <0.1, 0.2, 0.3> }
 camera { perspective location <0, 0, 5> direction <0, 0, -1> right <4.000000174845564, 0, 0> up <0, 2.000000087422782, 0> }
 light_source { <0, 500, 0> rgb <1, 1, 1> parallel point_at 0 }
 #declare Material0 = texture {
   pigment { checker rgbt <1, 1, 1, 0>, rgbt <0.5, 0.5, 0.5, 0> translate <0, -0.5, 0> scale <2, 1000000000000, 2> }
-  finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection 0 }
+  finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection rgb <0, 0, 0> emission rgb <0, 0, 0> }
 }
 #declare Material1 = texture {
   pigment { rgbt <1, 1, 1, 0.75> }
-  finish { ambient 0 diffuse 0.5 phong 0 phong_size 0 reflection 0.25 }
+  finish { ambient 0 diffuse 0.5 phong 0 phong_size 0 reflection rgb <0.25, 0.25, 0.25> emission rgb <0, 0, 0> }
 }
 sphere { <0, 0.5, -1>, 0.1 texture { Material0 } }
 smooth_triangle { <0, 0, 0>, <0, 1, 0>, <1, 0, 0>, <0, 1, 0>, <0, 1, 0>, <0, 1, 0> texture { Material0 } }

@@ -36,7 +36,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
             let ways = cuboid.axes.map(vector).into_iter().flat_map(|axis| [-axis, axis]);
             polyhedron(&ways.map(|way| (center + way, way)).collect::<Vec<_>>(), ray)
         }
-        Shape::Polyhedron(polyhedron) => {
+        Shape::ConvexPolyhedron(polyhedron) => {
             let faces = polyhedron.planes.iter().map(|plane| (vector(plane.point), vector(plane.normal)));
             self::polyhedron(&faces.collect::<Vec<_>>(), ray)
         }

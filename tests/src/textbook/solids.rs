@@ -79,7 +79,7 @@ fn holds(solid: &Solid<'_>, point: DVec3) -> bool {
             let from_center = DMat3::from_cols(a, b, c).inverse() * (point - vector(cuboid.center));
             from_center.abs().max_element() < 1.0
         }
-        Solid::Polyhedron(polyhedron) => polyhedron
+        Solid::ConvexPolyhedron(polyhedron) => polyhedron
             .planes
             .iter()
             .all(|plane| (point - vector(plane.point)).dot(vector(plane.normal)) < 0.0),

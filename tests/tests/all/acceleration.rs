@@ -84,7 +84,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         1 => (vector(), vector(), vector(), 0.01f32..2.0)
             .prop_map(|(center, along, aside, length)| Shape::Cuboid(turned_box(center, along, aside, length))),
         1 => (vector(), vector(), proptest::collection::vec(vector(), 0..6))
-            .prop_map(|(center, half, cuts)| Shape::Polyhedron(cut_box(center, half, &cuts))),
+            .prop_map(|(center, half, cuts)| Shape::ConvexPolyhedron(cut_box(center, half, &cuts))),
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..2.0, any::<bool>()).prop_map(
             |(base, top, base_radius, top_radius, capped)| {
                 Shape::Cone(Cone { base, base_radius, top, top_radius, capped })

@@ -72,11 +72,12 @@ fn digests_are_golden() {
     assert_eq!(actual, GOLDEN.map(|(name, digest)| (name, digest.to_owned())));
 }
 
-const GOLDEN: [(&str, &str); 4] = [
+const GOLDEN: [(&str, &str); 5] = [
     ("classic", "0x18f2c441a0b4118d"),
     ("whitted", "0x9a80cfc2cf857c08"),
     ("flake", "0xb4c1cb94710bea98"),
     ("prism", "0x64de824db02b1083"),
+    ("table", "0x5060de1994363738"),
 ];
 
 #[test]
