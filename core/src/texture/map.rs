@@ -240,12 +240,14 @@ mod tests {
         Placement::in_scene(1.0),
     );
 
+    #[cfg(feature = "textures")]
     fn up<R: Real>(x: f32) -> Surface<R> {
         let normal = Vec3::new(R::ZERO, R::ONE, R::ZERO);
         let point = Vec3::new(R::from_f32(x), R::ZERO, R::ZERO);
         Surface { point, normal, shading_normal: normal, magnitude: R::ONE, part: 0 }
     }
 
+    #[cfg(feature = "textures")]
     fn assert_mapped<R: Real>() {
         let bump = Onto::Bump { height: 1.0, step: 0.125 };
         let maps =
