@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::limits::{MAX_COORDINATE, MAX_FACES};
+use crate::limits::{MAX_BLOBS, MAX_COORDINATE, MAX_FACES};
 use crate::math::{Real, Vec3};
 
 /// Why a part of a scene was refused.
@@ -31,6 +31,13 @@ pub enum Fault {
     NoHole,
     /// The axes of a box are not at right angles. Turn them, or make it a convex polyhedron.
     NotAtRightAngles,
+    /// Where they overlap, the strengths of blobs add up to 1/2 or less: there is no surface. Make them stronger, or add blobs.
+    TooWeak,
+    /// Metaballs have more than [`MAX_BLOBS`](crate::limits::MAX_BLOBS) blobs. Make several of them.
+    TooManyBlobs {
+        /// How many they have.
+        given: usize,
+    },
     /// The planes of a polyhedron enclose nothing, or something without end. Turn their normals outward, and add planes
     /// until it is closed on all sides.
     NotEnclosed,
@@ -169,6 +176,10 @@ impl fmt::Display for Fault {
             Self::NoSurface => "the coefficients are zero, but for the last; give it another",
             Self::NoHole => "the torus has no hole; make the minor radius smaller than the major one",
             Self::NotAtRightAngles => "the axes of a box are not at right angles; turn them",
+            Self::TooWeak => "the strengths of the blobs add up to 1/2 or less; make them stronger",
+            Self::TooManyBlobs { given } => {
+                return write!(f, "{given} blobs in one shape are too many; use at most {MAX_BLOBS}");
+            }
             Self::NotEnclosed => {
                 "the planes enclose no space, or one without end; turn their normals outward, or add planes"
             }

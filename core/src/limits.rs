@@ -34,6 +34,14 @@ pub const FEW_OBJECTS: usize = 32;
 /// Twelve where the cuts cost least, and eight more if all [`MAX_COUNT`] objects are still together.
 pub const MAX_HIERARCHY_DEPTH: usize = 20;
 
+/// The most blobs of [`Metaballs`](crate::shape::Metaballs): those that a ray meets take up to a kilobyte of its stack in `f32`.
+pub const MAX_BLOBS: usize = 32;
+
+/// The most steps of a ray through the box around an [implicit surface](crate::shape::Implicit) or
+/// [`Metaballs`](crate::shape::Metaballs): a 512th of a ball's width is what a ray has left inside that passes the middle at
+/// 0.999998 of its radius.
+pub const MAX_TRACE_STEPS: u32 = 512;
+
 /// The most solids that one [`Csg`](crate::shape::Csg) is made of: whether a ray is in each is a bit of a word.
 ///
 /// A ray may enter and leave each twice: a kilobyte of stack in `f32`. A die takes 23: a box, a ball and 21 dots.

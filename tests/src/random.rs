@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use rayline::shape::{
-    Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
-    Rectangle, Shape, Solid, Sphere, Torus, Triangle,
+    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Metaballs, Plane,
+    Polygon, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp, Light,
@@ -76,8 +76,9 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
         ),
         (vector.clone(), vector.clone(), proptest::collection::vec(vector.clone(), 0..6))
             .prop_map(|(center, half, cuts)| Shape::ConvexPolyhedron(cut_box(center, half, &cuts))),
-        meshes(vector, 3..30).prop_map(Shape::Mesh),
+        meshes(vector.clone(), 3..30).prop_map(Shape::Mesh),
         solids_put_together(number),
+        metaballs(vector, number.clone()).prop_map(Shape::Metaballs),
     ]
     .boxed()
 }
@@ -120,6 +121,17 @@ pub fn meshes(
             }
         })
         .boxed()
+}
+
+/// Blobs at such places and of such radii, of which some take away.
+pub fn metaballs(
+    vector: BoxedStrategy<Vec3>,
+    radius: BoxedStrategy<f32>,
+) -> BoxedStrategy<Metaballs<'static>> {
+    let strength = prop_oneof![3 => Just(1.0f32), 1 => radius.clone()];
+    let blob =
+        (vector, radius, strength).prop_map(|(center, radius, strength)| Blob { center, radius, strength });
+    proptest::collection::vec(blob, 1..6).prop_map(|blobs| Metaballs::new(blobs.leak())).boxed()
 }
 
 /// Two or three solids of such coordinates and lengths, put together in any way.

@@ -13,6 +13,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod ellipsoid;
+mod implicit;
 mod mesh;
 mod patch;
 mod plane;
@@ -38,6 +39,7 @@ pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
+pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use mesh::{Mesh, PreparedMesh};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
@@ -191,6 +193,8 @@ crate::shape_set! {
         Mesh(Mesh<'a>),
         /// A solid that is made of others.
         Csg(Csg<'a>),
+        /// Balls that flow into each other.
+        Metaballs(Metaballs<'a>),
     }
 }
 
@@ -206,6 +210,7 @@ impl Shape<'_> {
             Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
             Self::Mesh(mesh) => mesh.const_bytes::<R>(),
             Self::Csg(csg) => csg.const_bytes::<R>(),
+            Self::Metaballs(metaballs) => metaballs.const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

@@ -3,7 +3,7 @@
 //!
 //! | shape | u | v |
 //! |---|---|---|
-//! | sphere, ellipsoid, quadric | longitude about the y axis, from x toward -z: 0 to 1 | latitude, from below to above: 0 to 1 |
+//! | sphere, ellipsoid, quadric, implicit surfaces | longitude about the y axis, from x toward -z: 0 to 1 | latitude, from below to above: 0 to 1 |
 //! | cylinder, cone: side | angle about the axis: 0 to 1 | height, from base to top: 0 to 1 |
 //! | disc, lids | across, in the square around it: 0 to 1 | across that: 0 to 1 |
 //! | torus | angle about the axis: 0 to 1 | angle about the ring, from its outside toward the axis' end: 0 to 1 |

@@ -76,5 +76,12 @@ fn name(shape: &Shape<'_>) -> String {
 
 /// Whether the shape borrows a part of its description.
 fn borrows(shape: &Shape<'_>) -> bool {
-    matches!(shape, Shape::Polygon(_) | Shape::ConvexPolyhedron(_) | Shape::Mesh(_) | Shape::Csg(_))
+    matches!(
+        shape,
+        Shape::Polygon(_)
+            | Shape::ConvexPolyhedron(_)
+            | Shape::Mesh(_)
+            | Shape::Csg(_)
+            | Shape::Metaballs(_)
+    )
 }

@@ -20,7 +20,7 @@
 
 use core::fmt;
 
-use rayline::shape::{Csg, CsgStep, Mesh, Plane, Quadric, Rectangle, Shape, Sphere};
+use rayline::shape::{Blob, Csg, CsgStep, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere};
 use rayline::{
     Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics,
     Placed, Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
@@ -145,6 +145,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
             });
             solids.flatten().collect()
         }
+        Shape::Metaballs(metaballs) => metaballs.blobs.iter().map(|blob| blob.center).collect(),
     }
 }
 
@@ -408,6 +409,7 @@ fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
             ("torus", format!("{}, {} {turned}", torus.major_radius, torus.minor_radius))
         }
         Shape::Csg(csg) => return self::csg(csg),
+        Shape::Metaballs(metaballs) => ("isosurface", self::metaballs(metaballs)),
     })
 }
 
@@ -452,6 +454,36 @@ fn quadric(shape: &Quadric) -> (&'static str, String) {
     } else {
         ("quadric", format!("{equation} clipped_by {{ {corners} }}"))
     }
+}
+
+/// The sum as a function, in the box around all that the blobs reach. POV-Ray's own blobs have another kernel.
+fn metaballs(metaballs: &Metaballs<'_>) -> String {
+    let term = |blob: &Blob| {
+        let Vec3 { x, y, z } = blob.center;
+        let squared = format!("(pow(x - ({x}), 2) + pow(y - ({y}), 2) + pow(z - ({z}), 2))");
+        let share = format!("min(1, {squared} / {})", f64::from(blob.radius).powi(2));
+        format!(" - ({}) * pow(1 - {share}, 2) * (1 - {share} * 4 / 9)", blob.strength)
+    };
+    let terms: String = metaballs.blobs.iter().map(term).collect();
+    let corner = |side: f32| {
+        let reach = |blob: &Blob| blob.center + Vec3::new(1.0, 1.0, 1.0) * (blob.radius * side);
+        let farther = |a: f32, b: f32| if (b - a) * side > 0.0 { b } else { a };
+        let farthest = metaballs
+            .blobs
+            .iter()
+            .map(reach)
+            .reduce(|a, b| Vec3::new(farther(a.x, b.x), farther(a.y, b.y), farther(a.z, b.z)));
+        point(farthest.unwrap_or(Vec3::ZERO))
+    };
+    // The kernel's steepest slope.
+    let gradient: f32 = metaballs.blobs.iter().map(|blob| 1.6 * blob.strength.abs() / blob.radius).sum();
+    // POV-Ray's own accuracy, a thousandth of a unit, turns normals by several levels of a display.
+    let accuracy = metaballs.blobs.iter().map(|blob| blob.radius).fold(1.0, f32::min) * 1e-5;
+    format!(
+        "function {{ 0.5{terms} }} contained_by {{ box {{ {}, {} }} }} accuracy {accuracy} max_gradient {gradient}",
+        corner(-1.0),
+        corner(1.0)
+    )
 }
 
 fn plane(plane: &Plane) -> String {
@@ -605,6 +637,18 @@ union {
         assert_eq!((kind, text), ("intersection", format!("quadric {{ {equation} }} {corners}")));
         let (kind, text) = shape(&Shape::Quadric(Quadric { capped: false, ..bowl })).unwrap();
         assert_eq!((kind, text), ("quadric", format!("{equation} clipped_by {{ {corners} }}")));
+    }
+
+    #[test]
+    fn metaballs_are_a_function() {
+        let blobs = [Blob::new(UP, 2.0), Blob { strength: -0.5, ..Blob::new(Vec3::ZERO, 1.0) }];
+        let (kind, text) = shape(&Shape::Metaballs(Metaballs::new(&blobs))).unwrap();
+        let first = "min(1, (pow(x - (0), 2) + pow(y - (1), 2) + pow(z - (0), 2)) / 4)";
+        let second = "min(1, (pow(x - (0), 2) + pow(y - (0), 2) + pow(z - (0), 2)) / 1)";
+        let first = format!("(1) * pow(1 - {first}, 2) * (1 - {first} * 4 / 9)");
+        let second = format!("(-0.5) * pow(1 - {second}, 2) * (1 - {second} * 4 / 9)");
+        let within = "contained_by { box { <-2, -1, -2>, <2, 3, 2> } } accuracy 0.00001 max_gradient 1.6";
+        assert_eq!((kind, text), ("isosurface", format!("function {{ 0.5 - {first} - {second} }} {within}")));
     }
 
     #[test]

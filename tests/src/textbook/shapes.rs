@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use rayline::Vec3;
-use rayline::shape::{Disc, Mesh, Quadric, Rectangle, Shape, Torus, Triangle};
+use rayline::shape::{Blob, Disc, Mesh, Quadric, Rectangle, Shape, Torus, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -42,7 +42,56 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
         }
         Shape::Mesh(mesh) => triangles(mesh).filter_map(|triangle| self::triangle(&triangle, ray)).collect(),
         Shape::Csg(csg) => super::solids::crossings(csg.steps, ray),
+        Shape::Metaballs(metaballs) => self::metaballs(metaballs.blobs, ray),
     }
+}
+
+/// What the blobs add up to at a point, and its gradient: Wyvill's polynomial in the squared distance.
+fn blobs_at(blobs: &[Blob], point: DVec3) -> (f64, DVec3) {
+    let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
+    for blob in blobs {
+        let (way, radius) = (point - vector(blob.center), f64::from(blob.radius));
+        let (q, strength) = (way.length_squared() / (radius * radius), f64::from(blob.strength));
+        if q < 1.0 {
+            sum += strength * (1.0 - 22.0 / 9.0 * q + 17.0 / 9.0 * q * q - 4.0 / 9.0 * q * q * q);
+            let slope = -22.0 / 9.0 + 34.0 / 9.0 * q - 12.0 / 9.0 * q * q;
+            gradient += way * (2.0 / (radius * radius) * strength * slope);
+        }
+    }
+    (sum, gradient)
+}
+
+/// Where the sum becomes larger or smaller than 1/2: looked for in small steps through each blob, then by halves.
+fn metaballs(blobs: &[Blob], ray: Ray) -> Vec<Crossing> {
+    const STEPS: u32 = 600;
+    let at = |t: f64| ray.origin + ray.direction * t;
+    let is_inside = |t: f64| blobs_at(blobs, at(t)).0 > 0.5;
+    let ends: Vec<f64> = blobs
+        .iter()
+        .flat_map(|blob| sphere(vector(blob.center), f64::from(blob.radius), ray))
+        .map(|end| end.t)
+        .collect();
+    let (first, last) = (
+        ends.iter().copied().fold(f64::INFINITY, f64::min),
+        ends.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let place = |step: u32| first + (last - first) * f64::from(step) / f64::from(STEPS);
+    let mut crossings = vec![];
+    for (mut before, mut after) in (0..STEPS).map(|step| (place(step), place(step + 1))) {
+        if is_inside(before) == is_inside(after) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = (before + after) / 2.0;
+            if is_inside(middle) == is_inside(before) {
+                before = middle;
+            } else {
+                after = middle;
+            }
+        }
+        crossings.push(flat(before, -blobs_at(blobs, at(before)).1.normalize()));
+    }
+    crossings
 }
 
 fn flat(t: f64, normal: DVec3) -> Crossing {

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Plane, Quadric, Shape, Solid, Sphere, Torus,
+    Blob, Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Metaballs, Plane, Quadric, Shape, Solid, Sphere,
+    Torus,
 };
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Texture, Vec3};
 use rayline_tests::textbook::Textbook;
@@ -119,6 +120,32 @@ fn tori() {
             (ring(Vec3::new(1.4, -0.3, 2.0), Vec3::new(0.2, 1.0, 0.5), 0.6, 0.35), 3),
             (ring(Vec3::new(1.5, 0.2, -1.5), Vec3::new(1.0, 0.0, 0.7), 1.1, 0.03), 1),
             (ring(Vec3::new(-2.0, -0.1, -2.0), Vec3::new(0.1, 0.9, 0.7), 0.45, 0.44), 1),
+        ],
+    );
+}
+
+#[test]
+fn metaballs() {
+    let drop = |x: f32, y: f32, z: f32, radius: f32| Blob::new(Vec3::new(x, y, z), radius);
+    let bitten = [
+        drop(-2.2, 0.0, -0.5, 1.4),
+        drop(-1.2, 0.2, -0.2, 1.3),
+        drop(-0.4, -0.1, -0.7, 1.5),
+        Blob { strength: -0.8, ..drop(-0.6, 0.0, 0.3, 0.8) },
+    ];
+    let glass = [drop(1.2, -0.4, 1.8, 1.0), drop(1.8, -0.2, 1.9, 0.9)];
+    let necklace: Vec<Blob> = (0..16u8)
+        .map(|bead| {
+            let (sine, cosine) = (f32::from(bead) * core::f32::consts::TAU / 16.0).sin_cos();
+            drop(2.0 + cosine, 0.3 * sine, sine - 1.8, 0.5)
+        })
+        .collect();
+    check(
+        "metaballs",
+        &[
+            (Shape::Metaballs(Metaballs::new(&bitten)), 0),
+            (Shape::Metaballs(Metaballs::new(&glass)), 3),
+            (Shape::Metaballs(Metaballs::new(&necklace)), 1),
         ],
     );
 }

@@ -1,0 +1,303 @@
+//! Metaballs: a level set of a sum of smooth kernels (Wyvill, McPheeters and Wyvill, "Data structure for soft objects", The Visual
+//! Computer, 1986), found by sphere tracing.
+//!
+//! # The bound
+//! A blob of strength s and radius R adds s (1 - q)² (1 - 4q/9) at the distance r = R √q: the paper's
+//! 1 - 22/9 q + 17/9 q² - 4/9 q³, of which neither value nor slope is left at r = R. Its slope along r is 4/9 s (1 - q) (11 - 6q) √q / R, which is largest where
+//! 60 q² - 102 q + 22 = 0, at q = 0.2535: 1.5835 s / R. Along a ray the sum of what the blobs add
+//! therefore changes no faster than the sum of these, over the blobs that the ray is in.
+
+use super::super::{Geometry, Intersect, uv};
+use super::Room;
+use super::trace::Line;
+use crate::arena::Arena;
+use crate::fault::{Fault, check_coordinate, check_held, check_point, check_radius, check_size};
+use crate::limits::MAX_BLOBS;
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+
+/// The steepest slope of a kernel of radius and strength 1 is 1.5835. The rest is room for rounding.
+const STEEPEST: f32 = 1.6;
+
+/// The value of the sum at the surface.
+const LEVEL: f32 = 0.5;
+
+/// The box is so much larger than what it must hold: one that touched the surface would cut it open.
+const MARGIN: f32 = 1.0 + 1.0 / 128.0;
+
+/// One of the blobs that [`Metaballs`] are the sum of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blob {
+    /// Where it is strongest.
+    pub center: Vec3,
+    /// How far it reaches: more than 0. By itself, with strength 1, it is a ball of half this radius.
+    pub radius: f32,
+    /// What it adds at its center: the surface is where the sum is 1/2. One that is negative takes away.
+    pub strength: f32,
+}
+
+impl Blob {
+    /// The blob that is, by itself, half as large as it reaches.
+    pub const fn new(center: Vec3, radius: f32) -> Self {
+        Self { center, radius, strength: 1.0 }
+    }
+}
+
+/// Balls that flow into each other.
+///
+/// What is thinner than a [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS)th of a ray's way through the box around them may be
+/// missed. The shape is not [solid](Geometry::is_solid).
+///
+/// Its coordinates u and v are longitude and latitude, as seen from the middle of that box.
+///
+/// ```
+/// use rayline::Vec3;
+/// use rayline::shape::{Blob, Metaballs, Shape};
+///
+/// static DROPS: [Blob; 2] =
+///     [Blob::new(Vec3::ZERO, 1.0), Blob::new(Vec3::new(0.75, 0.25, 0.0), 0.75)];
+/// static WATER: Shape = Shape::Metaballs(Metaballs::new(&DROPS));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metaballs<'a> {
+    /// At most [`MAX_BLOBS`].
+    pub blobs: &'a [Blob],
+}
+
+impl<'a> Metaballs<'a> {
+    /// The sum of these blobs.
+    pub const fn new(blobs: &'a [Blob]) -> Self {
+        Self { blobs }
+    }
+
+    pub(in crate::shape) const fn const_bytes<R: Real>(&self) -> usize {
+        Arena::bytes::<PreparedBlob<R>>(self.blobs.len()).saturating_add(Arena::bytes::<Body<'_, R>>(1))
+    }
+
+    /// A box around the surface. At each of its points some blob adds at least its share of 1/2, of all that reach there: the
+    /// point is no farther from that blob than where the kernel is as large.
+    fn bounds<S: Real>(&self) -> Option<Aabb<S>> {
+        let ball = |blob: &Blob| {
+            let (center, radius) = (blob.center.to::<S>(), S::from_f32(blob.radius));
+            let overlaps = |other: &Blob| {
+                (other.center.to::<S>() - center).length() < radius + S::from_f32(other.radius)
+            };
+            let strengths = self.blobs.iter().filter(|other| other.strength > 0.0 && overlaps(other));
+            let sum = strengths.fold(S::ZERO, |sum, other| sum + S::from_f32(other.strength));
+            let reach = radius * reach_of(S::from_f32(LEVEL) / sum)? * S::from_f32(MARGIN);
+            Some(Aabb::around(center, Vec3::new(reach, reach, reach)))
+        };
+        self.blobs.iter().filter(|blob| blob.strength > 0.0).filter_map(ball).reduce(Aabb::union)
+    }
+}
+
+/// How far out a kernel of radius and strength 1 is at least so large; `None` where it is nowhere.
+fn reach_of<S: Real>(value: S) -> Option<S> {
+    if !(value < S::ONE) {
+        return None;
+    }
+    let half = S::from_f32(0.5);
+    let (mut within, mut beyond) = (S::ZERO, S::ONE);
+    for _ in 0..30 {
+        let q = (within + beyond) * half;
+        if kernel(q) > value {
+            within = q;
+        } else {
+            beyond = q;
+        }
+    }
+    Some(beyond.sqrt())
+}
+
+/// What a blob of strength 1 adds, by the squared share of its radius: less than 1.
+fn kernel<R: Real>(q: R) -> R {
+    let rest = R::ONE - q;
+    rest * rest * (R::ONE - q * R::from_f32(4.0 / 9.0))
+}
+
+impl Geometry for Metaballs<'_> {
+    type Prepared<'m, R: Real>
+        = PreparedMetaballs<'m, R>
+    where
+        Self: 'm;
+
+    fn bytes<R: Real>(&self) -> usize {
+        self.const_bytes::<R>()
+    }
+
+    fn extent(&self) -> Extent {
+        // Also of what takes away: it is computed with as well.
+        let reach = |blob: &Blob| blob.center.magnitude() + blob.radius.abs();
+        Extent::solid(self.blobs.iter().map(reach).fold(0.0, Real::larger))
+    }
+
+    fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedMetaballs<'m, R>, Fault>
+    where
+        Self: 'm,
+    {
+        if self.blobs.len() > MAX_BLOBS {
+            return Err(Fault::TooManyBlobs { given: self.blobs.len() });
+        }
+        let (mut unit, mut sum) = (R::Setup::from_f32(f32::MAX), R::Setup::ZERO);
+        for blob in self.blobs {
+            check_point(blob.center)?;
+            check_radius(blob.radius)?;
+            check_coordinate(blob.strength)?;
+            let radius = R::Setup::from_f32(blob.radius);
+            unit = if radius < unit { radius } else { unit };
+            sum = sum + R::Setup::from_f32(blob.strength).abs();
+        }
+        check_size(scale.length::<R>(unit))?;
+        // In fixed point slopes of 1.6 times as much are below 95, and so do their squares fit.
+        check_held::<R>(sum)?;
+        let bounds = self.bounds::<R::Setup>().ok_or(Fault::TooWeak)?;
+        let room = Room::new(bounds, scale)?;
+        let middle = bounds.center();
+        let blobs = memory.try_store_with(self.blobs.len(), |index, _| {
+            let blob = self.blobs.get(index).ok_or(Fault::TooWeak)?;
+            let strength = R::Setup::from_f32(blob.strength);
+            let radius: R = scale.length(R::Setup::from_f32(blob.radius));
+            let slope = strength * unit / R::Setup::from_f32(blob.radius);
+            Ok::<_, Fault>(PreparedBlob {
+                center: scale.point(blob.center.to() - middle),
+                radius,
+                radius_squared: radius.times(radius),
+                strength: R::from_setup(strength),
+                slope: R::from_setup(slope),
+                steepest: R::from_setup(slope.abs() * R::Setup::from_f32(STEEPEST)) + R::offset(R::ZERO),
+            })
+        })?;
+        memory.store(Body { blobs, room, unit: scale.length(unit) }).map(PreparedMetaballs)
+    }
+}
+
+/// One of the blobs, prepared: all are taken from the middle of the box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PreparedBlob<R: Real> {
+    center: Vec3<R>,
+    radius: R,
+    radius_squared: R::Product,
+    strength: R,
+    /// Strength over radius, where the smallest radius is 1.
+    slope: R,
+    /// It adds no more than this along the smallest radius.
+    steepest: R,
+}
+
+/// What a ray meets of a blob.
+#[derive(Clone, Copy, Debug)]
+struct Part<'m, R: Real> {
+    blob: &'m PreparedBlob<R>,
+    /// Where along the line it is nearest, and how near, squared.
+    middle: R,
+    distance: R::Product,
+    /// Where the line enters and leaves it.
+    inside: Interval<R>,
+}
+
+impl<R: Real> PreparedBlob<R> {
+    fn part(&self, line: &Line<R>) -> Option<Part<'_, R>> {
+        let middle = line.along(self.center);
+        let nearest = line.at(middle) - self.center;
+        let distance = nearest.dot_wide(nearest);
+        let rest = self.radius_squared - distance;
+        (rest > R::Product::ZERO).then(|| {
+            let half = rest.sqrt();
+            Part { blob: self, middle, distance, inside: Interval { min: middle - half, max: middle + half } }
+        })
+    }
+
+    /// The squared share of its radius, at this squared distance; `None` beyond it.
+    fn share(&self, distance: R::Product) -> Option<R> {
+        (distance < self.radius_squared).then(|| distance.share(self.radius_squared))
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Body<'m, R: Real> {
+    blobs: &'m [PreparedBlob<R>],
+    room: Room<R>,
+    /// The smallest radius.
+    unit: R,
+}
+
+impl<R: Real> Body<'_, R> {
+    /// How much the sum is below that of the surface, and how far it surely remains so, or above.
+    fn look(&self, parts: &[Option<Part<'_, R>>], t: R) -> (R, R) {
+        let (mut value, mut steepest, mut next) = (R::from_f32(LEVEL), R::ZERO, R::FARTHEST);
+        for part in parts.iter().map_while(Option::as_ref) {
+            let Part { blob, middle, distance, inside } = part;
+            if t < inside.min {
+                next = if inside.min - t < next { inside.min - t } else { next };
+            } else if t < inside.max {
+                steepest = steepest + blob.steepest;
+                let along = t - *middle;
+                if let Some(q) = blob.share(*distance + along.times(along)) {
+                    value = value - blob.strength * kernel(q);
+                }
+            }
+        }
+        let step = if steepest > R::ZERO { value.abs() / steepest * self.unit } else { next };
+        (value, if step < next { step } else { next })
+    }
+}
+
+/// [`Metaballs`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedMetaballs<'m, R: Real>(&'m Body<'m, R>);
+
+impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let Self(body) = self;
+        let line = Line::new(ray, body.room.middle, body.room.radius)?;
+        let mut parts = [None; MAX_BLOBS];
+        let met = body.blobs.iter().filter_map(|blob| blob.part(&line));
+        parts.iter_mut().zip(met).for_each(|(slot, part)| *slot = Some(part));
+        line.first_crossing(body.room.half, range, body.room.tolerance(), |t| body.look(&parts, t))
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        Some(self.0.room.bounds())
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let Body { blobs, room, unit } = *self.0;
+        let at = ray.at(t) - room.middle;
+        let (mut value, mut gradient) = (R::from_f32(LEVEL), Vec3::ZERO);
+        for blob in blobs {
+            let from_center = at - blob.center;
+            if let Some(q) = blob.share(from_center.dot_wide(from_center)) {
+                value = value - blob.strength * kernel(q);
+                // See the top of this file: 11 - 6q.
+                let rest = R::from_u16(11) - q * R::from_u16(6);
+                let share = (R::ONE - q) * rest * R::from_f32(4.0 / 9.0);
+                let Vec3 { x, y, z } = from_center;
+                let out = Vec3::new(x / blob.radius, y / blob.radius, z / blob.radius);
+                // In this order: no product is larger than 1.6 times the strength.
+                gradient = gradient + out * share * blob.slope;
+            }
+        }
+        let (normal, length) = gradient.polar();
+        let is_sloped = length > R::ZERO;
+        let normal = if is_sloped { normal } else { -ray.direction };
+        let distance = if is_sloped { value / length * unit } else { R::ZERO };
+        Surface {
+            point: room.middle + at - normal * room.step_back(distance),
+            normal,
+            shading_normal: normal,
+            magnitude: room.magnitude,
+            part: 0,
+        }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::globe(surface.point - self.0.room.middle)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,152 @@
+//! Implicit surfaces: where a function of space is zero. A ray finds them by sphere tracing (Hart, "Sphere Tracing: A Geometric
+//! Method for the Antialiased Ray Tracing of Implicit Surfaces", The Visual Computer, 1996; see [`trace`]).
+
+mod field;
+mod metaballs;
+mod trace;
+
+use super::{Geometry, Intersect, uv};
+use crate::arena::Arena;
+use crate::fault::{Fault, check_point, check_size};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::surface::Surface;
+use trace::Line;
+
+pub use field::{Distance, DistanceField};
+pub use metaballs::{Blob, Metaballs, PreparedMetaballs};
+
+/// The surface of a distance field, as far as it lies in a box.
+///
+/// A ray takes at most [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS) steps through the box, and what is thinner than such a
+/// share of its way may be missed: make the box tight, but let it not touch the surface. Where the box cuts the surface it is open.
+/// Its normals are differences over a 256th of the box: edges look as if they were rounded by so much, and a ray that leaves
+/// there may meet the surface again. The shape is not [solid](Geometry::is_solid).
+///
+/// Its coordinates u and v are longitude and latitude, as seen from the middle of the box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Implicit<F> {
+    /// Where it is zero is the surface.
+    pub field: F,
+    /// The corner of the box with the smallest coordinates.
+    pub min: Vec3,
+    /// The corner with the largest.
+    pub max: Vec3,
+}
+
+impl<F: DistanceField> Geometry for Implicit<F> {
+    type Prepared<'m, R: Real>
+        = PreparedImplicit<F::Prepared<R>, R>
+    where
+        Self: 'm;
+
+    fn extent(&self) -> Extent {
+        Extent::solid(self.min.magnitude().larger(self.max.magnitude()))
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<Self::Prepared<'m, R>, Fault>
+    where
+        Self: 'm,
+    {
+        check_point(self.min)?;
+        check_point(self.max)?;
+        let room = Room::new(Aabb { min: self.min.to(), max: self.max.to() }, scale)?;
+        Ok(PreparedImplicit { field: self.field.prepare(scale)?, room })
+    }
+}
+
+/// A box, by its middle, with what follows from its size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Room<R> {
+    middle: Vec3<R>,
+    half: Vec3<R>,
+    /// From the middle to the corners.
+    radius: R,
+    /// The largest coordinate.
+    magnitude: R,
+}
+
+impl<R: Real> Room<R> {
+    fn new(bounds: Aabb<R::Setup>, scale: Scale) -> Result<Self, Fault> {
+        let half = (bounds.max - bounds.min) * R::Setup::from_f32(0.5);
+        for reach in [half.x, half.y, half.z] {
+            if !(reach > R::Setup::ZERO) {
+                return Err(Fault::NoVolume);
+            }
+            check_size(scale.length::<R>(reach))?;
+        }
+        Ok(Self {
+            middle: scale.point(bounds.center()),
+            half: scale.point(half),
+            radius: scale.length(half.length()),
+            magnitude: scale.length(bounds.magnitude()),
+        })
+    }
+
+    fn bounds(&self) -> Aabb<R> {
+        Aabb::around(self.middle, self.half).padded(R::offset(self.magnitude))
+    }
+
+    /// How exactly a hit is looked for: well above rounding, and well below what a spawned ray leaves by.
+    fn tolerance(&self) -> R {
+        R::offset(self.magnitude) * R::from_fraction(1 << 12)
+    }
+
+    /// The step back from a hit to the surface, at this distance along the normal. One that is longer than the rounding of a hit
+    /// would lead astray.
+    fn step_back(&self, distance: R) -> R {
+        let longest = R::offset(self.magnitude) * R::from_fraction(1 << 15);
+        if distance.abs() <= longest { distance } else { R::ZERO }
+    }
+}
+
+/// An [`Implicit`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedImplicit<D, R> {
+    field: D,
+    room: Room<R>,
+}
+
+impl<D: Distance<R>, R: Real> PreparedImplicit<D, R> {
+    /// The slope of the field: central differences over a 256th of the box, or 16 times what rounding may be.
+    fn normal(&self, point: Vec3<R>) -> Option<Vec3<R>> {
+        let share = self.room.radius * R::from_fraction(1 << 8);
+        let step = share.larger(R::offset(self.room.magnitude) * R::from_u16(4));
+        let (none, field) = (R::ZERO, &self.field);
+        let across = |step: Vec3<R>| field.distance(point + step) - field.distance(point - step);
+        let difference = Vec3::new(
+            across(Vec3::new(step, none, none)),
+            across(Vec3::new(none, step, none)),
+            across(Vec3::new(none, none, step)),
+        );
+        difference.normalized()
+    }
+}
+
+impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let Room { middle, half, radius, .. } = self.room;
+        let line = Line::new(ray, middle, radius)?;
+        line.first_crossing(half, range, self.room.tolerance(), |t| {
+            let distance = self.field.distance(middle + line.at(t));
+            (distance, distance.abs())
+        })
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        Some(self.room.bounds())
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let at = ray.at(t);
+        let normal = self.normal(at).unwrap_or(-ray.direction);
+        let point = at - normal * self.room.step_back(self.field.distance(at));
+        Surface { point, normal, shading_normal: normal, magnitude: self.room.magnitude, part: 0 }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::globe(surface.point - self.room.middle)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,173 @@
+use super::super::testing::*;
+use super::*;
+use crate::math::Fixed;
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ball {
+    center: Vec3,
+    radius: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct PreparedBall<R> {
+    center: Vec3<R>,
+    radius: R,
+}
+
+impl DistanceField for Ball {
+    type Prepared<R: Real> = PreparedBall<R>;
+
+    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBall<R>, Fault> {
+        crate::fault::check_radius(self.radius)?;
+        let radius = scale.length(R::Setup::from_f32(self.radius));
+        Ok(PreparedBall { center: scale.point(self.center.to()), radius })
+    }
+}
+
+impl<R: Real> Distance<R> for PreparedBall<R> {
+    fn distance(&self, point: Vec3<R>) -> R {
+        (point - self.center).length() - self.radius
+    }
+}
+
+/// A box, by its middle, and what is no farther from it than `rounding`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Block {
+    center: Vec3,
+    half: Vec3,
+    rounding: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct PreparedBlock<R> {
+    center: Vec3<R>,
+    half: Vec3<R>,
+    rounding: R,
+}
+
+impl DistanceField for Block {
+    type Prepared<R: Real> = PreparedBlock<R>;
+
+    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBlock<R>, Fault> {
+        let rounding = scale.length(R::Setup::from_f32(self.rounding));
+        Ok(PreparedBlock {
+            center: scale.point(self.center.to()),
+            half: scale.point(self.half.to()),
+            rounding,
+        })
+    }
+}
+
+impl<R: Real> Distance<R> for PreparedBlock<R> {
+    fn distance(&self, point: Vec3<R>) -> R {
+        let Vec3 { x, y, z } = point - self.center;
+        let beyond = Vec3::new(x.abs() - self.half.x, y.abs() - self.half.y, z.abs() - self.half.z);
+        let most = beyond.x.larger(beyond.y).larger(beyond.z);
+        let positive = |x: R| x.larger(R::ZERO);
+        let outside = Vec3::new(positive(beyond.x), positive(beyond.y), positive(beyond.z));
+        (if most < R::ZERO { most } else { outside.length() }) - self.rounding
+    }
+}
+
+const CENTER: Vec3 = Vec3::new(1.0, 2.0, 3.0);
+const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
+
+fn ball(center: Vec3, radius: f32) -> Implicit<Ball> {
+    let reach = Vec3::new(radius, radius, radius) * 1.25;
+    Implicit { field: Ball { center, radius }, min: center - reach, max: center + reach }
+}
+
+fn block(center: Vec3, half: Vec3) -> Implicit<Block> {
+    Implicit {
+        field: Block { center, half, rounding: 0.0 },
+        min: center - half * 1.25,
+        max: center + half * 1.25,
+    }
+}
+
+#[test]
+fn met_from_outside_and_from_inside() {
+    let ball = ball(CENTER, 2.0);
+    assert_meets(ball, Vec3::new(1.0, 2.0, 10.0), DOWN, 5.0, [0.0, 0.0, 1.0]);
+    assert_meets(ball, Vec3::new(1.0, 2.0, 4.5), DOWN, 3.5, [0.0, 0.0, -1.0]);
+    assert_misses(ball, Vec3::new(1.0, 2.0, 10.0), -DOWN);
+    assert_misses(ball, Vec3::new(1.0, 4.01, 10.0), DOWN);
+    assert_uv(ball, Vec3::new(1.0, 2.0, 10.0), DOWN, [0.75, 0.5]);
+}
+
+#[test]
+fn open_where_the_box_ends() {
+    let bowl = Implicit { max: Vec3::new(9.0, 9.0, 3.0), ..ball(CENTER, 2.0) };
+    assert_meets(bowl, Vec3::new(1.0, 2.0, 10.0), DOWN, 9.0, [0.0, 0.0, -1.0]);
+}
+
+/// Fires rays at both: they must meet them in the same places, and with the same normals but within a 256th of an
+/// edge.
+fn assert_same<R: Real>(one: impl Geometry, other: impl Geometry) {
+    let (mut memory, mut others) = (Memory::new(), Memory::new());
+    let scale = Scale::new::<R>(one.extent().union(other.extent()), CENTER * 2.0);
+    let one = one.prepare::<R>(scale, &mut Arena::new(memory.lend())).unwrap();
+    let other = other.prepare::<R>(scale, &mut Arena::new(others.lend())).unwrap();
+    let tolerance = R::from_f32(2e-5 * scale.to_f32());
+    let (mut random, mut met, mut turned, mut lost) = (Random(9), 0, 0, 0);
+    for _ in 0..3_000 {
+        let origin = CENTER + random.direction() * 6.0;
+        let Some(direction) = (CENTER + random.vector() * 2.0 - origin).normalized() else { continue };
+        let ray = Ray { origin: scale.point(origin.to()), direction: Vec3::from_setup(direction.to()) };
+        let hits = (one.intersect(&ray, Interval::AHEAD), other.intersect(&ray, Interval::AHEAD));
+        match hits {
+            (Some(t), Some(same)) => {
+                met += 1;
+                // Where a ray grazes a surface, the same error in its distance is a longer way.
+                let (surface, normal) = (one.surface(&ray, t), other.surface(&ray, same).normal);
+                let slope = normal.dot(ray.direction).abs().larger(R::from_f32(0.02));
+                assert!((t - same).abs() * slope < tolerance, "{ray:?}: {t:?}, not {same:?}");
+                turned += usize::from((surface.normal - normal).magnitude() > R::from_f32(1e-3));
+            }
+            (None, None) => {}
+            // Next to an outline or an edge, where less than a step is inside.
+            _ => lost += 1,
+        }
+    }
+    assert!(met > 500 && turned < met / 20 && lost < met / 200, "{met} {turned} {lost}");
+}
+
+#[test]
+fn the_field_of_a_shape_is_the_shape() {
+    let half = Vec3::new(1.0, 2.0, 0.5);
+    let cuboid = crate::shape::Cuboid::aligned(CENTER - half, CENTER + half);
+    let sphere = crate::shape::Sphere::new(CENTER, 2.0);
+    assert_same::<f32>(block(CENTER, half), cuboid);
+    assert_same::<f64>(block(CENTER, half), cuboid);
+    assert_same::<Fixed>(block(CENTER, half), cuboid);
+    assert_same::<f32>(ball(CENTER, 2.0), sphere);
+    assert_same::<f64>(ball(CENTER, 2.0), sphere);
+    assert_same::<Fixed>(ball(CENTER, 2.0), sphere);
+}
+
+#[test]
+fn spawned_rays_do_not_meet_their_own_surface() {
+    for extent in EXTENTS {
+        for center in [Vec3::ZERO, Vec3::new(3.0, -2.0, 1.0) * extent] {
+            assert_no_self_hits(ball(center, extent), center, extent, 5_000);
+            let half = Vec3::new(0.5, 1.0, 0.75) * extent;
+            // Normals next to a sharp edge are between those of its faces.
+            let sharp = block(center, half);
+            let pebble = Implicit { field: Block { rounding: 0.1 * extent, ..sharp.field }, ..sharp };
+            assert_no_self_hits(pebble, center, extent, 5_000);
+        }
+    }
+}
+
+#[test]
+fn bad_boxes_are_refused() {
+    let ball = ball(CENTER, 2.0);
+    assert_eq!(refusal(Implicit { min: ball.max, ..ball }), Fault::NoVolume);
+    assert_eq!(refusal(Implicit { max: Vec3::new(f32::NAN, 9.0, 9.0), ..ball }), Fault::NotFinite);
+    assert_eq!(refusal(Implicit { min: Vec3::new(-2e6, 0.0, 0.0), ..ball }), Fault::TooFar);
+    assert_eq!(
+        refusal(Implicit { field: Ball { radius: 0.0, ..ball.field }, ..ball }),
+        Fault::RadiusNotPositive
+    );
+}
