@@ -34,12 +34,12 @@ pub const FEW_OBJECTS: usize = 32;
 /// Twelve where the cuts cost least, and eight more if all [`MAX_COUNT`] objects are still together.
 pub const MAX_HIERARCHY_DEPTH: usize = 20;
 
-/// The most blobs of [`Metaballs`](crate::shape::Metaballs): those that a ray meets take up to a kilobyte of its stack in `f32`.
+/// The most blobs of [`Metaballs`](crate::shape::Metaballs): those that a ray meets take up to a kilobyte of its stack.
 pub const MAX_BLOBS: usize = 32;
 
 /// The most steps of a ray through the box around an [implicit surface](crate::shape::Implicit) or
-/// [`Metaballs`](crate::shape::Metaballs): a 512th of a ball's width is what a ray has left inside that passes the middle at
-/// 0.999998 of its radius.
+/// [`Metaballs`](crate::shape::Metaballs). No part of the surface is missed where a ray runs inside for a 512th of its way through
+/// the box, and of a ball as wide as the box a ray does so up to 0.999998 of the radius.
 pub const MAX_TRACE_STEPS: u32 = 512;
 
 /// The most solids that one [`Csg`](crate::shape::Csg) is made of: whether a ray is in each is a bit of a word.

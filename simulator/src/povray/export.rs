@@ -475,10 +475,14 @@ fn metaballs(metaballs: &Metaballs<'_>) -> String {
             .reduce(|a, b| Vec3::new(farther(a.x, b.x), farther(a.y, b.y), farther(a.z, b.z)));
         point(farthest.unwrap_or(Vec3::ZERO))
     };
-    // The kernel's steepest slope.
-    let gradient: f32 = metaballs.blobs.iter().map(|blob| 1.6 * blob.strength.abs() / blob.radius).sum();
+    // The kernel's steepest slope, of all that can be around one point: these overlap with each of them.
+    let steepest = |at: &Blob| -> f32 {
+        let overlaps = |blob: &&Blob| (blob.center - at.center).length() < blob.radius + at.radius;
+        metaballs.blobs.iter().filter(overlaps).map(|blob| 1.6 * blob.strength.abs() / blob.radius).sum()
+    };
+    let gradient = metaballs.blobs.iter().map(steepest).fold(0.0, f32::max);
     // POV-Ray's own accuracy, a thousandth of a unit, turns normals by several levels of a display.
-    let accuracy = metaballs.blobs.iter().map(|blob| blob.radius).fold(1.0, f32::min) * 1e-5;
+    let accuracy = metaballs.blobs.iter().map(|blob| blob.radius).fold(1.0, f32::min) * 1e-4;
     format!(
         "function {{ 0.5{terms} }} contained_by {{ box {{ {}, {} }} }} accuracy {accuracy} max_gradient {gradient}",
         corner(-1.0),
@@ -647,7 +651,7 @@ union {
         let second = "min(1, (pow(x - (0), 2) + pow(y - (0), 2) + pow(z - (0), 2)) / 1)";
         let first = format!("(1) * pow(1 - {first}, 2) * (1 - {first} * 4 / 9)");
         let second = format!("(-0.5) * pow(1 - {second}, 2) * (1 - {second} * 4 / 9)");
-        let within = "contained_by { box { <-2, -1, -2>, <2, 3, 2> } } accuracy 0.00001 max_gradient 1.6";
+        let within = "contained_by { box { <-2, -1, -2>, <2, 3, 2> } } accuracy 0.0001 max_gradient 1.6";
         assert_eq!((kind, text), ("isosurface", format!("function {{ 0.5 - {first} - {second} }} {within}")));
     }
 

@@ -5,7 +5,8 @@ use std::mem::MaybeUninit;
 use proptest::prelude::*;
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::shape::{
-    Cone, Csg, CsgStep, Cylinder, Ellipsoid, Plane, Polygon, Quadric, Shape, Solid, Sphere, Torus, Triangle,
+    Blob, Cone, Csg, CsgStep, Cylinder, Ellipsoid, Metaballs, Plane, Polygon, Quadric, Shape, Solid, Sphere,
+    Torus, Triangle,
 };
 use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
@@ -110,6 +111,11 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 max: point,
                 capped: true,
             }),
+            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
+            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
+                Blob::new(Vec3::ZERO, 1.0),
+                Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
+            ])))),
         ]
         .into_iter()
         .enumerate()
@@ -165,6 +171,7 @@ fn degenerate_shapes_are_refused() {
     refused(Shape::Polygon(Polygon::new(&LINE)), Fault::NoArea);
     refused(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::ZERO)), Fault::ZeroLength);
     refused(Shape::Csg(Csg::new(&[CsgStep::Union])), Fault::NotOneSolid);
+    refused(Shape::Metaballs(Metaballs::new(&[])), Fault::TooWeak);
 }
 
 #[test]

@@ -3,6 +3,8 @@
 
 mod field;
 mod metaballs;
+#[cfg(test)]
+mod tests;
 mod trace;
 
 use super::{Geometry, Intersect, uv};
@@ -123,6 +125,8 @@ impl<D: Distance<R>, R: Real> PreparedImplicit<D, R> {
 }
 
 impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
+    // Much code, and many rays never come here.
+    #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let Room { middle, half, radius, .. } = self.room;
         let line = Line::new(ray, middle, radius)?;
@@ -147,6 +151,3 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
         uv::globe(surface.point - self.room.middle)
     }
 }
-
-#[cfg(test)]
-mod tests;

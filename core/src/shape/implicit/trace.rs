@@ -9,8 +9,7 @@
 //! Rejected: to call it a hit where the value is small. A ray that was spawned on the surface begins where it is small.
 
 use crate::limits::MAX_TRACE_STEPS;
-use crate::math::Ray;
-use crate::math::{Interval, Real, Vec3};
+use crate::math::{Interval, Ray, Real, Vec3};
 use crate::shape::chord::Chord;
 
 /// The most steps to a root that lies between two places: three are common.
@@ -88,7 +87,7 @@ impl<R: Real> Line<R> {
             }
             let (next_value, next_step) = look(next);
             if (value < R::ZERO) != (next_value < R::ZERO) {
-                let root = root_between((t, value), (next, next_value), tolerance, |t| look(t).0);
+                let root = root_by_secants((t, value), (next, next_value), tolerance, |t| look(t).0);
                 let hit = self.advance + root;
                 if range.contains(hit) {
                     return Some(hit);
@@ -100,9 +99,9 @@ impl<R: Real> Line<R> {
     }
 }
 
-/// The root between two places where a function has different signs, by secants; of an end that stays, half its value
+/// The root between two places where a function of unknown slope has different signs, by secants; of an end that stays, half its value
 /// counts (the Illinois method: Dowell and Jarratt, "A Modified Regula Falsi Method", BIT, 1971).
-fn root_between<R: Real>(mut from: (R, R), mut to: (R, R), tolerance: R, value: impl Fn(R) -> R) -> R {
+fn root_by_secants<R: Real>(mut from: (R, R), mut to: (R, R), tolerance: R, value: impl Fn(R) -> R) -> R {
     let half = R::from_fraction(1 << 15);
     let from_is_negative = from.1 < R::ZERO;
     let (mut at, mut moved_from) = (from.0, None);

@@ -1,4 +1,5 @@
 use super::super::super::testing::*;
+use super::kernel::{kernel, slope};
 use super::*;
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
@@ -58,10 +59,11 @@ fn drops(center: Vec3, extent: f32) -> [Blob; 6] {
 }
 
 #[test]
-fn the_bound_of_the_slope_holds() {
+fn the_slope_of_the_kernel_is_known_and_bounded() {
     for step in 0..10_000u16 {
         let (r, next) = (f64::from(step) / 1e4, f64::from(step + 1) / 1e4);
-        assert!(kernel(r * r) - kernel(next * next) < 1.5836e-4);
+        let (fall, middle) = (kernel(r * r) - kernel(next * next), (r + next) / 2.0);
+        assert!(fall < 1.5836e-4 && (fall - slope(middle * middle) * middle * 1e-4).abs() < 1e-10);
     }
 }
 

@@ -1,26 +1,22 @@
 //! Metaballs: a level set of a sum of smooth kernels (Wyvill, McPheeters and Wyvill, "Data structure for soft objects", The Visual
-//! Computer, 1986), found by sphere tracing.
-//!
-//! # The bound
-//! A blob of strength s and radius R adds s (1 - q)² (1 - 4q/9) at the distance r = R √q: the paper's
-//! 1 - 22/9 q + 17/9 q² - 4/9 q³, of which neither value nor slope is left at r = R. Its slope along r is 4/9 s (1 - q) (11 - 6q) √q / R, which is largest where
-//! 60 q² - 102 q + 22 = 0, at q = 0.2535: 1.5835 s / R. Along a ray the sum of what the blobs add
-//! therefore changes no faster than the sum of these, over the blobs that the ray is in.
+//! Computer, 1986; see [`kernel`]), found by sphere tracing (see [`sum`]).
+
+mod kernel;
+mod sum;
+#[cfg(test)]
+mod tests;
 
 use super::super::{Geometry, Intersect, uv};
 use super::Room;
 use super::trace::Line;
+use kernel::{LEVEL, STEEPEST, reach_of};
+use sum::{Body, PreparedBlob};
+
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_radius, check_size};
 use crate::limits::MAX_BLOBS;
-use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
-
-/// The steepest slope of a kernel of radius and strength 1 is 1.5835. The rest is room for rounding.
-const STEEPEST: f32 = 1.6;
-
-/// The value of the sum at the surface.
-const LEVEL: f32 = 0.5;
 
 /// The box is so much larger than what it must hold: one that touched the surface would cut it open.
 const MARGIN: f32 = 1.0 + 1.0 / 128.0;
@@ -91,30 +87,6 @@ impl<'a> Metaballs<'a> {
     }
 }
 
-/// How far out a kernel of radius and strength 1 is at least so large; `None` where it is nowhere.
-fn reach_of<S: Real>(value: S) -> Option<S> {
-    if !(value < S::ONE) {
-        return None;
-    }
-    let half = S::from_f32(0.5);
-    let (mut within, mut beyond) = (S::ZERO, S::ONE);
-    for _ in 0..30 {
-        let q = (within + beyond) * half;
-        if kernel(q) > value {
-            within = q;
-        } else {
-            beyond = q;
-        }
-    }
-    Some(beyond.sqrt())
-}
-
-/// What a blob of strength 1 adds, by the squared share of its radius: less than 1.
-fn kernel<R: Real>(q: R) -> R {
-    let rest = R::ONE - q;
-    rest * rest * (R::ONE - q * R::from_f32(4.0 / 9.0))
-}
-
 impl Geometry for Metaballs<'_> {
     type Prepared<'m, R: Real>
         = PreparedMetaballs<'m, R>
@@ -175,82 +147,13 @@ impl Geometry for Metaballs<'_> {
     }
 }
 
-/// One of the blobs, prepared: all are taken from the middle of the box.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct PreparedBlob<R: Real> {
-    center: Vec3<R>,
-    radius: R,
-    radius_squared: R::Product,
-    strength: R,
-    /// Strength over radius, where the smallest radius is 1.
-    slope: R,
-    /// It adds no more than this along the smallest radius.
-    steepest: R,
-}
-
-/// What a ray meets of a blob.
-#[derive(Clone, Copy, Debug)]
-struct Part<'m, R: Real> {
-    blob: &'m PreparedBlob<R>,
-    /// Where along the line it is nearest, and how near, squared.
-    middle: R,
-    distance: R::Product,
-    /// Where the line enters and leaves it.
-    inside: Interval<R>,
-}
-
-impl<R: Real> PreparedBlob<R> {
-    fn part(&self, line: &Line<R>) -> Option<Part<'_, R>> {
-        let middle = line.along(self.center);
-        let nearest = line.at(middle) - self.center;
-        let distance = nearest.dot_wide(nearest);
-        let rest = self.radius_squared - distance;
-        (rest > R::Product::ZERO).then(|| {
-            let half = rest.sqrt();
-            Part { blob: self, middle, distance, inside: Interval { min: middle - half, max: middle + half } }
-        })
-    }
-
-    /// The squared share of its radius, at this squared distance; `None` beyond it.
-    fn share(&self, distance: R::Product) -> Option<R> {
-        (distance < self.radius_squared).then(|| distance.share(self.radius_squared))
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Body<'m, R: Real> {
-    blobs: &'m [PreparedBlob<R>],
-    room: Room<R>,
-    /// The smallest radius.
-    unit: R,
-}
-
-impl<R: Real> Body<'_, R> {
-    /// How much the sum is below that of the surface, and how far it surely remains so, or above.
-    fn look(&self, parts: &[Option<Part<'_, R>>], t: R) -> (R, R) {
-        let (mut value, mut steepest, mut next) = (R::from_f32(LEVEL), R::ZERO, R::FARTHEST);
-        for part in parts.iter().map_while(Option::as_ref) {
-            let Part { blob, middle, distance, inside } = part;
-            if t < inside.min {
-                next = if inside.min - t < next { inside.min - t } else { next };
-            } else if t < inside.max {
-                steepest = steepest + blob.steepest;
-                let along = t - *middle;
-                if let Some(q) = blob.share(*distance + along.times(along)) {
-                    value = value - blob.strength * kernel(q);
-                }
-            }
-        }
-        let step = if steepest > R::ZERO { value.abs() / steepest * self.unit } else { next };
-        (value, if step < next { step } else { next })
-    }
-}
-
 /// [`Metaballs`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedMetaballs<'m, R: Real>(&'m Body<'m, R>);
 
 impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
+    // What it meets of all blobs takes most of a kilobyte: on no stack but its own.
+    #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let Self(body) = self;
         let line = Line::new(ray, body.room.middle, body.room.radius)?;
@@ -265,22 +168,9 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let Body { blobs, room, unit } = *self.0;
+        let Body { room, unit, .. } = *self.0;
         let at = ray.at(t) - room.middle;
-        let (mut value, mut gradient) = (R::from_f32(LEVEL), Vec3::ZERO);
-        for blob in blobs {
-            let from_center = at - blob.center;
-            if let Some(q) = blob.share(from_center.dot_wide(from_center)) {
-                value = value - blob.strength * kernel(q);
-                // See the top of this file: 11 - 6q.
-                let rest = R::from_u16(11) - q * R::from_u16(6);
-                let share = (R::ONE - q) * rest * R::from_f32(4.0 / 9.0);
-                let Vec3 { x, y, z } = from_center;
-                let out = Vec3::new(x / blob.radius, y / blob.radius, z / blob.radius);
-                // In this order: no product is larger than 1.6 times the strength.
-                gradient = gradient + out * share * blob.slope;
-            }
-        }
+        let (value, gradient) = self.0.slope(at);
         let (normal, length) = gradient.polar();
         let is_sloped = length > R::ZERO;
         let normal = if is_sloped { normal } else { -ray.direction };
@@ -298,6 +188,3 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
         uv::globe(surface.point - self.0.room.middle)
     }
 }
-
-#[cfg(test)]
-mod tests;
