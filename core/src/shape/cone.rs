@@ -2,8 +2,7 @@
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
 
-use super::disc::reach_across;
-use super::{Geometry, Intersect, Spans, Spine, uv};
+use super::{Geometry, Intersect, Spans, Spine, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};

@@ -1,10 +1,10 @@
 //! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Form, Geometry, Intersect, PreparedPlane, uv};
+use super::{Form, Geometry, Intersect, PreparedPlane, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
-use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A flat disc, or a ring.
@@ -98,14 +98,6 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::disc(self.plane.normal, surface.point - self.center, self.radius)
     }
-}
-
-/// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.
-pub(super) fn reach_across<R: Real>(normal: Vec3<R>) -> Vec3<R> {
-    // √(y² + z²) is √(1 - x²), but not rounded to 0 where the normal lies almost along x.
-    let hypotenuse = |a: R, b: R| (a.times(a) + b.times(b)).sqrt();
-    let Vec3 { x, y, z } = normal;
-    Vec3::new(hypotenuse(y, z), hypotenuse(z, x), hypotenuse(x, y))
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ pub use triangle::{PreparedTriangle, Triangle};
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// The description of a shape: plain `f32` data, `Copy` and small.
@@ -231,4 +231,12 @@ fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.
 fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
     point - normal * (normal.dot(point) - distance)
+}
+
+/// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.
+fn reach_across<R: Real>(normal: Vec3<R>) -> Vec3<R> {
+    // √(y² + z²) is √(1 - x²), but not rounded to 0 where the normal lies almost along x.
+    let hypotenuse = |a: R, b: R| (a.times(a) + b.times(b)).sqrt();
+    let Vec3 { x, y, z } = normal;
+    Vec3::new(hypotenuse(y, z), hypotenuse(z, x), hypotenuse(x, y))
 }

@@ -6,7 +6,7 @@
 //! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
 //! not lose a thin tube in its squares.
 
-use super::{Geometry, Intersect, Spans, uv};
+use super::{Geometry, Intersect, Spans, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -173,9 +173,8 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        // The circle reaches r √(1 - a²) along a coordinate axis.
-        let reach = |a: R| (R::ONE - a * a).larger(R::ZERO).sqrt() * self.major + self.minor;
-        let reach = Vec3::new(reach(self.axis.x), reach(self.axis.y), reach(self.axis.z));
+        let tube = Vec3::new(self.minor, self.minor, self.minor);
+        let reach = reach_across(self.axis) * self.major + tube;
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
@@ -327,6 +326,23 @@ mod tests {
         // From the middle outward: the inside of the ring.
         assert_uv(RING, Vec3::new(1.0, 2.0, 3.0), LEFT, [0.5, 0.5]);
         assert_uv(RING, Vec3::new(1.0, -9.0, 6.0), -DOWN, [0.75, 0.75]);
+    }
+
+    #[test]
+    fn bounds_hold_one_whose_axis_lies_almost_along_a_coordinate_axis() {
+        let tilted = Torus {
+            center: Vec3::ZERO,
+            axis: Vec3::new(1.0, 2e-4, 0.0),
+            major_radius: 3.0,
+            minor_radius: 0.1,
+        };
+        let mut memory = Memory::new();
+        let tilted = prepared::<_, f32>(tilted, &mut memory).unwrap();
+        // Down onto the top of the tube, where the circle leans over by 3 · 2e-4.
+        let ray = Ray { origin: Vec3::new(9.0, -3.0, 0.0), direction: LEFT };
+        let t = tilted.intersect(&ray, Interval::AHEAD).unwrap();
+        assert!((t - (8.9 - 3.0 * 2e-4)).abs() < 1e-5, "{t}");
+        assert!(tilted.bounds().unwrap().contains(ray.at(t)));
     }
 
     #[test]
