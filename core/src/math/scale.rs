@@ -24,6 +24,11 @@ impl Extent {
         Self { solid: 0.0, flat: magnitude, plane: None }
     }
 
+    /// Something flat between these points.
+    pub(crate) fn flat_between(points: impl IntoIterator<Item = Vec3>) -> Self {
+        Self::flat(points.into_iter().fold(0.0, |most: f32, point| most.larger(point.magnitude())))
+    }
+
     /// An infinite plane, at a distance from the origin.
     pub const fn plane(distance: f32) -> Self {
         Self { solid: 0.0, flat: 0.0, plane: Some(distance) }

@@ -41,7 +41,7 @@ impl Geometry for Polygon<'_> {
     }
 
     fn extent(&self) -> Extent {
-        Extent::flat(self.vertices.iter().fold(0.0, |most: f32, vertex| most.larger(vertex.magnitude())))
+        Extent::flat_between(self.vertices.iter().copied())
     }
 
     fn prepare<'m, R: Real>(

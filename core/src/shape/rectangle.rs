@@ -34,8 +34,7 @@ impl Geometry for Rectangle {
     type Prepared<'m, R: Real> = PreparedRectangle<R>;
 
     fn extent(&self) -> Extent {
-        let corners = Self::corners(self.corner, self.right, self.up);
-        Extent::flat(corners.into_iter().fold(0.0, |most: f32, corner| most.larger(corner.magnitude())))
+        Extent::flat_between(Self::corners(self.corner, self.right, self.up))
     }
 
     fn prepare<'m, R: Real>(&self, scale: Scale, _: &mut Arena<'m>) -> Result<PreparedRectangle<R>, Fault>

@@ -35,8 +35,7 @@ impl Geometry for Triangle {
     }
 
     fn extent(&self) -> Extent {
-        let [a, b, c] = self.vertices.map(Vec3::magnitude);
-        Extent::flat(a.larger(b).larger(c))
+        Extent::flat_between(self.vertices)
     }
 
     fn prepare<'m, R: Real>(
