@@ -39,6 +39,11 @@ pub enum Light {
 }
 
 impl Light {
+    /// Whether it asks for the feature `optics`.
+    pub(crate) const fn needs_optics(&self) -> bool {
+        matches!(self, Self::Lamp(_) | Self::Ambient { .. })
+    }
+
     /// The most bytes that the light takes from the memory that the caller lends, beyond what each does.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
         if matches!(self, Self::Lamp(_)) { Arena::bytes::<PreparedLamp<R>>(1) } else { 0 }
@@ -55,7 +60,7 @@ impl Light {
         scale: Scale,
         memory: &mut Arena<'m>,
     ) -> Result<PreparedLight<'m, R>, Fault> {
-        if !cfg!(feature = "optics") && matches!(self, Self::Lamp(_) | Self::Ambient { .. }) {
+        if !cfg!(feature = "optics") && self.needs_optics() {
             return Err(Fault::WithoutFeature { feature: "optics" });
         }
         let mut prepared_lamp = None;

@@ -64,6 +64,11 @@ impl<'a> Material<'a> {
         }
     }
 
+    /// Whether it asks for the feature `optics`.
+    pub(crate) const fn needs_optics(&self) -> bool {
+        self.optics.is_some()
+    }
+
     /// Whether it asks for the feature `textures`.
     pub(crate) const fn needs_textures(&self) -> bool {
         matches!(self.color, Texture::Placed(_)) || !self.maps.is_empty()
@@ -71,7 +76,7 @@ impl<'a> Material<'a> {
 
     /// The most bytes that the material takes from the memory that the caller lends, beyond what each does.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
-        let optics = if self.optics.is_some() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 };
+        let optics = if self.needs_optics() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 };
         optics.saturating_add(self.color.bytes::<R>()).saturating_add(Map::bytes::<R>(self.maps))
     }
 
@@ -104,9 +109,11 @@ impl<'a> Material<'a> {
         let ior = R::Setup::from_f32(self.ior);
         check_held::<R>(ior * ior)?;
         check_held::<R>((ior * ior).recip())?;
+        if !cfg!(feature = "optics") && self.needs_optics() {
+            return Err(Fault::WithoutFeature { feature: "optics" });
+        }
         let optics = match self.optics {
             None => None,
-            Some(_) if !cfg!(feature = "optics") => return Err(Fault::WithoutFeature { feature: "optics" }),
             Some(optics) => Some(memory.store(optics.prepare(ior, scale)?)?),
         };
         Ok(PreparedMaterial {

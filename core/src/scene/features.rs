@@ -9,13 +9,12 @@ impl<S> Scene<'_, S> {
     /// The features of this crate that the scene needs, or that make it faster: a program that draws nothing else can leave out the
     /// others, and the flash that they take.
     pub fn features(&self) -> impl Iterator<Item = &'static str> {
-        let has_lamps =
-            self.lights.iter().any(|light| matches!(light, Light::Lamp(_) | Light::Ambient { .. }));
-        let has_optics = self.materials.iter().any(|material| material.optics.is_some());
+        let has_optics =
+            self.lights.iter().any(Light::needs_optics) || self.materials.iter().any(Material::needs_optics);
         let has_textures = self.materials.iter().any(Material::needs_textures);
         let all = [
             ("hierarchy", self.objects.len() > FEW_OBJECTS),
-            ("optics", has_lamps || has_optics),
+            ("optics", has_optics),
             ("textures", has_textures),
         ];
         all.into_iter().filter_map(|(feature, is_needed)| is_needed.then_some(feature))
