@@ -52,9 +52,7 @@ impl<R: Real> LinearRgb<R> {
     pub fn to_f32(self) -> LinearRgb {
         LinearRgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
     }
-}
 
-impl<R: Real> LinearRgb<R> {
     /// The same in all three channels.
     pub(crate) fn even(value: R) -> Self {
         Self::new(value, value, value)
@@ -63,14 +61,17 @@ impl<R: Real> LinearRgb<R> {
 
 /// Refuses emitted light that is negative or not finite; it may be above 1.
 pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
-    for value in [color.r, color.g, color.b] {
-        check_coordinate(value)?;
-        if value < 0.0 {
-            return Err(Fault::NegativeColor);
-        }
-        check_held::<R>(R::Setup::from_f32(value))?;
+    for channel in color.channels() {
+        check_channel(channel)?;
+        check_held::<R>(R::Setup::from_f32(channel))?;
     }
     Ok(())
+}
+
+/// Refuses a channel that is negative or not finite.
+pub(crate) fn check_channel(channel: f32) -> Result<(), Fault> {
+    check_coordinate(channel)?;
+    if channel < 0.0 { Err(Fault::NegativeColor) } else { Ok(()) }
 }
 
 impl<R: Real> Add for LinearRgb<R> {

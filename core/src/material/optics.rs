@@ -3,9 +3,9 @@
 
 use super::Fresnel;
 use super::fresnel::{exact, schlick};
-use crate::color::{LinearRgb, check_emission};
+use crate::color::{LinearRgb, check_channel, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
-use crate::fault::{Fault, check_coordinate, check_share};
+use crate::fault::{Fault, check_share};
 use crate::math::{Product, Real, Scale, Vec3};
 use crate::share::Share;
 
@@ -94,12 +94,7 @@ impl Optics {
             check_share(share)?;
         }
         check_emission::<R>(emission)?;
-        for coefficient in absorption.channels() {
-            check_coordinate(coefficient)?;
-            if coefficient < 0.0 {
-                return Err(Fault::NegativeColor);
-            }
-        }
+        absorption.channels().into_iter().try_for_each(check_channel)?;
         // Where less than 2⁻¹²⁰ is left on a unit of the kernel, less is left on any way that shows.
         let per_unit = core::f32::consts::LOG2_E / scale.to_f32();
         let halvings = |coefficient: f32| R::from_f32((coefficient * per_unit).min(120.0));

@@ -35,8 +35,8 @@ pub use stripes::Stripes;
 pub use wood::Wood;
 
 use crate::arena::Arena;
-use crate::color::LinearRgb;
-use crate::fault::{Fault, check_coordinate, check_share};
+use crate::color::{LinearRgb, check_channel};
+use crate::fault::{Fault, check_share};
 use crate::math::{Real, Scale};
 use crate::surface::Surface;
 use checker::PreparedChecker;
@@ -95,12 +95,9 @@ impl From<LinearRgb> for Texture<'_> {
 
 /// Refuses what is no share of light.
 fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> {
-    for value in [color.r, color.g, color.b] {
-        check_coordinate(value)?;
-        if value < 0.0 {
-            return Err(Fault::NegativeColor);
-        }
-        if value > 1.0 {
+    for channel in color.channels() {
+        check_channel(channel)?;
+        if channel > 1.0 {
             return Err(Fault::OutsideUnit);
         }
     }
