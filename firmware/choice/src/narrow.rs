@@ -1,24 +1,20 @@
 //! The scene with a set of just the shapes that it names, so that the program links no others.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use rayline::Scene;
 use rayline::shape::Shape;
 
 /// Rust code that defines `Shapes`, the set; `SCENE`, the scene `BUILTIN` in it; and `PREPARED_BYTES`, the memory that it takes.
 pub(crate) fn scene(scene: &Scene<'_>) -> String {
-    let names: BTreeSet<String> = scene.objects.iter().map(|object| name(&object.shape)).collect();
-    let borrows = scene.objects.iter().any(|object| borrows(&object.shape));
-    let declared = if borrows { "<'a>" } else { "" };
-    let used = if borrows { "<'static>" } else { "" };
+    let named: BTreeMap<String, bool> =
+        scene.objects.iter().map(|object| (name(&object.shape), borrows(&object.shape))).collect();
+    let lifetime = |borrows, lifetime| if borrows { lifetime } else { "" };
+    let any_borrows = named.values().any(|borrows| *borrows);
+    let (declared, used) = (lifetime(any_borrows, "<'a>"), lifetime(any_borrows, "<'static>"));
     let (mut variants, mut arms) = (String::new(), String::new());
-    for name in &names {
-        let borrowed =
-            if scene.objects.iter().any(|o| self::name(&o.shape) == *name && self::borrows(&o.shape)) {
-                "<'a>"
-            } else {
-                ""
-            };
+    for (name, borrows) in named {
+        let borrowed = lifetime(borrows, "<'a>");
         variants += &format!("/// From the library.\n{name}(rayline::shape::{name}{borrowed}),\n");
         arms += &format!("rayline::shape::Shape::{name}(shape) => Shapes::{name}(shape),\n");
     }
