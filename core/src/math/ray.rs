@@ -17,6 +17,14 @@ impl<R: Real> Ray<R> {
         self.origin + self.direction * t
     }
 
+    /// The point of the whole line that is nearest to a place, as seen from there, and how far along the ray it is. What a shape computes
+    /// from that point stays of the shape's own size, however far away the ray begins.
+    #[inline(always)]
+    pub(crate) fn nearest_to(&self, place: Vec3<R>) -> (Vec3<R>, R) {
+        let advance = (place - self.origin).dot(self.direction);
+        (self.at(advance) - place, advance)
+    }
+
     /// A ray that leaves a surface and does not hit it again.
     ///
     /// The origin is moved off the surface along the geometric `normal`, to the side that `direction` goes

@@ -87,9 +87,13 @@ pub struct PreparedCone<R> {
     capped: bool,
 }
 
-/// A line's way through a cone of infinite length, and its mirror image.
+/// A line's way through a cone of infinite length, and its mirror image, from its point nearest to the base.
 struct Passage<R: Real> {
-    /// Height of the line's start, and by how much it rises with each unit.
+    /// That point, as seen from the base, and how far along the ray it is.
+    from_base: Vec3<R>,
+    advance: R,
+    direction: Vec3<R>,
+    /// Its height, and by how much the line rises with each unit.
     height: R,
     climb: R,
     /// Distance from the axis, squared, less the cone's radius there, squared: a t² + 2 b t + c.
@@ -137,25 +141,14 @@ impl<R: Real> Passage<R> {
 }
 
 impl<R: Real> PreparedCone<R> {
-    /// The point of a ray nearest to the base, and its distance from the origin: computed from there, the coefficients
-    /// stay of the cone's own size, however far away the ray begins. `None` where the ray passes by so far away that they
-    /// would be out of range.
+    /// `None` where the ray passes by so far away that the coefficients would be out of range.
     #[inline(always)]
-    fn nearest_to_base(&self, ray: &Ray<R>) -> Option<(Vec3<R>, R)> {
-        let advance = (self.base - ray.origin).dot(ray.direction);
-        let start = ray.at(advance);
-        if R::REACH.is_some() {
-            let from_base = start - self.base;
-            if from_base.dot_wide(from_base) > self.size.times(self.size) {
-                return None;
-            }
+    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+        let (from_base, advance) = ray.nearest_to(self.base);
+        if R::REACH.is_some() && from_base.dot_wide(from_base) > self.size.times(self.size) {
+            return None;
         }
-        Some((start, advance))
-    }
-
-    #[inline(always)]
-    fn passage(&self, start: Vec3<R>, direction: Vec3<R>) -> Passage<R> {
-        let from_base = start - self.base;
+        let direction = ray.direction;
         let height = from_base.dot(self.axis);
         let climb = direction.dot(self.axis);
         let radius = self.base_radius + self.slope * height;
@@ -163,18 +156,12 @@ impl<R: Real> PreparedCone<R> {
         let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
         let across = from_base - self.axis * height;
         let c = across.dot_wide(across) - radius.times(radius);
-        Passage { height, climb, a, b, c, discriminant: b.times(b) - c.times(a) }
+        let discriminant = b.times(b) - c.times(a);
+        Some(Passage { from_base, advance, direction, height, climb, a, b, c, discriminant })
     }
 
-    /// The nearest hit of the side. `start` lies on the ray at distance `advance` from its origin.
-    fn intersect_side(
-        &self,
-        start: Vec3<R>,
-        advance: R,
-        direction: Vec3<R>,
-        range: Interval<R>,
-    ) -> Option<R> {
-        let passage = self.passage(start, direction);
+    /// The nearest hit of the side.
+    fn intersect_side(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
         if !(passage.discriminant > R::Product::ZERO) {
             return None;
         }
@@ -187,39 +174,33 @@ impl<R: Real> PreparedCone<R> {
         let mut nearest = None;
         let mut range = range;
         for t in [one, other] {
-            if on_side(t) && range.contains(t + advance) {
-                range.max = t + advance;
-                nearest = Some(t + advance);
+            let hit = t + passage.advance;
+            if on_side(t) && range.contains(hit) {
+                range.max = hit;
+                nearest = Some(hit);
             }
         }
         nearest
     }
 
     /// The nearest hit of the discs at the ends.
-    fn intersect_caps(
-        &self,
-        start: Vec3<R>,
-        advance: R,
-        direction: Vec3<R>,
-        range: Interval<R>,
-    ) -> Option<R> {
-        let climb = direction.dot(self.axis);
+    fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
+        let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
             return None;
         }
-        let from_base = start - self.base;
-        let height = from_base.dot(self.axis);
         let mut nearest = None;
         let mut range = range;
         for end in [R::ZERO, self.length] {
             // Compare before dividing: a disc that is many units away for a ray along it is not met.
             let t = (end - height) / climb;
-            if range.contains(t + advance) {
+            let hit = t + advance;
+            if range.contains(hit) {
                 let across = from_base + direction * t - self.axis * end;
                 let radius = self.base_radius + self.slope * end;
                 if across.dot_wide(across) < radius.times(radius) {
-                    range.max = t + advance;
-                    nearest = Some(t + advance);
+                    range.max = hit;
+                    nearest = Some(hit);
                 }
             }
         }
@@ -229,13 +210,13 @@ impl<R: Real> PreparedCone<R> {
 
 impl<R: Real> Intersect<R> for PreparedCone<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let (start, advance) = self.nearest_to_base(ray)?;
-        let side = self.intersect_side(start, advance, ray.direction, range);
+        let passage = self.passage(ray)?;
+        let side = self.intersect_side(&passage, range);
         if !self.capped {
             return side;
         }
         let range = Interval { max: side.unwrap_or(range.max), ..range };
-        self.intersect_caps(start, advance, ray.direction, range).or(side)
+        self.intersect_caps(&passage, range).or(side)
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -257,10 +238,9 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        let (true, Some((start, advance))) = (self.capped, self.nearest_to_base(ray)) else {
+        let (true, Some(passage)) = (self.capped, self.passage(ray)) else {
             return Spans::NONE;
         };
-        let passage = self.passage(start, ray.direction);
         // Between the planes of the ends the radius is positive, so that the mirror image has no part there.
         let (mut from, mut to) = passage.inside(self.slope, self.size);
         let (to_base, to_top) = (-passage.height, self.length - passage.height);
@@ -274,7 +254,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             from = from.larger(enters);
             to = if leaves < to { leaves } else { to };
         }
-        Spans::one(from + advance, to + advance)
+        Spans::one(from + passage.advance, to + passage.advance)
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

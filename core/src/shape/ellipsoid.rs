@@ -149,9 +149,7 @@ impl<R: Real> Body<R> {
 
     /// Where the whole line of a ray enters and leaves.
     fn crossings(&self, ray: &Ray<R>) -> Option<(R, R)> {
-        // Start from the point of the ray nearest to the center: what is mapped stays of the ellipsoid's own size.
-        let advance = (self.center - ray.origin).dot(ray.direction);
-        let from_center = ray.at(advance) - self.center;
+        let (from_center, advance) = ray.nearest_to(self.center);
         if from_center.dot_wide(from_center) > self.size.times(self.size) {
             return None;
         }

@@ -27,8 +27,7 @@ pub(super) struct Line<R> {
 impl<R: Real> Line<R> {
     /// The line, unless it passes by the ball of this radius around the middle.
     pub(super) fn new(ray: &Ray<R>, middle: Vec3<R>, radius: R) -> Option<Self> {
-        let advance = (middle - ray.origin).dot(ray.direction);
-        let from_middle = ray.at(advance) - middle;
+        let (from_middle, advance) = ray.nearest_to(middle);
         // Once more: a long way rounds.
         let rest = -from_middle.dot(ray.direction);
         let start = from_middle + ray.direction * rest;

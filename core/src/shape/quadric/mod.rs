@@ -122,8 +122,7 @@ struct Passage<R> {
 
 impl<R: Real> Body<R> {
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
-        let advance = (self.middle - ray.origin).dot(ray.direction);
-        let from_middle = ray.at(advance) - self.middle;
+        let (from_middle, advance) = ray.nearest_to(self.middle);
         if from_middle.dot_wide(from_middle) > self.length.times(self.length) {
             return None;
         }
