@@ -185,6 +185,10 @@ impl<R: Real> PreparedCone<R> {
 
     /// The nearest hit of the discs at the ends.
     fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
+        // In fixed point, t is saturated for a ray almost along a disc, and a hit wraps where |t + advance| exceeds 128. No such hit is
+        // taken: `advance` is below 116, so that |t| is above 12; the point is |t| from the one nearest to the base, which with the
+        // disc lies within √3 + 1/2 of the base (solids lie within 1/2 of the origin), so that it is more than 7 from the middle
+        // of a disc whose radius is 1/2 at most. A coordinate of `across` wraps only where it is beyond 123, and 123 squared fits.
         let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
             return None;
@@ -253,6 +257,10 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             let (enters, leaves) = if base < top { (base, top) } else { (top, base) };
             from = from.larger(enters);
             to = if leaves < to { leaves } else { to };
+        }
+        // Where nothing is left, an end may be saturated, and a sum with it would wrap.
+        if !(from < to) {
+            return Spans::NONE;
         }
         Spans::one(from + passage.advance, to + passage.advance)
     }
@@ -397,6 +405,18 @@ mod tests {
         assert_spans(can, Vec3::new(1.5, 5.0, 0.5), DOWN, &[]);
         assert_spans(can, Vec3::new(5.0, 1.0, 0.0), LEFT, &[(4.0, 6.0)]);
         assert_spans(can, Vec3::new(1.5, -0.5, 0.0), Vec3::new(-1.0, 1.0, 0.0), &[(0.5 * unit, 2.5 * unit)]);
+    }
+
+    #[test]
+    fn rays_almost_along_its_lids_pass_by() {
+        let can = super::super::Cylinder { base: Vec3::ZERO, top: -DOWN * 2.0, radius: 1.0, capped: true };
+        for z in [5.0, -5.0] {
+            for (height, climb) in [(2.2, 1e-4), (2.2, -1e-4), (-0.2, 1e-4), (-0.2, -1e-4)] {
+                let (origin, toward) = (Vec3::new(0.0, height, z), Vec3::new(0.0, climb, -1.0));
+                assert_spans(can, origin, toward, &[]);
+                assert_misses(can, origin, toward);
+            }
+        }
     }
 
     #[test]

@@ -165,7 +165,12 @@ impl<R: Real> Body<R> {
             return Spans::NONE;
         };
         let mut spans = Spans::NONE;
-        let mut push = |from: R, to: R| spans.push(advance + from * self.unit, advance + to * self.unit);
+        let mut push = |from: R, to: R| {
+            // Where the box leaves nothing, a root may be saturated, and a sum with it would wrap.
+            if from < to {
+                spans.push(advance + from * self.unit, advance + to * self.unit);
+            }
+        };
         match roots {
             Roots::AllInside => push(min, max),
             Roots::AllOutside => {}

@@ -162,3 +162,19 @@ fn bad_quadrics_are_refused() {
     assert_eq!(refusal(Quadric { max: -ball.max, ..ball }), Fault::NoVolume);
     assert_eq!(refusal(Quadric { max: ball.max * 1e6, ..ball }), Fault::TooFar);
 }
+
+#[test]
+fn rays_almost_along_a_plane_pass_by() {
+    // y = 0 in a box, as an equation of first degree: below is inside.
+    let mut coefficients = [0.0; 10];
+    coefficients[7] = 1.0;
+    let unit = Vec3::new(1.0, 1.0, 1.0);
+    let half = Quadric { center: Vec3::ZERO, coefficients, min: -unit, max: unit, capped: true };
+    for z in [5.0, -5.0] {
+        for climb in [1e-4, -1e-4] {
+            let (origin, toward) = (Vec3::new(0.0, 0.2, z), Vec3::new(0.0, climb, -1.0));
+            assert_spans(half, origin, toward, &[]);
+            assert_misses(half, origin, toward);
+        }
+    }
+}
