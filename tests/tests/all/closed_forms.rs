@@ -9,14 +9,15 @@ use rayline::{
 };
 
 /// Looks down the negative z axis from (0, 0, 5).
-const CAMERA: Camera = Camera {
+pub(super) const CAMERA: Camera = Camera {
     eye: Vec3::new(0.0, 0.0, 5.0),
     target: Vec3::ZERO,
     up: Vec3::new(0.0, 1.0, 0.0),
     vertical_fov: 0.5,
 };
 
-const DARK: Material = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
+/// Shows no light of its own surface.
+pub(super) const DARK: Material = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
 const GLASS: Material = Material { transmittance: 1.0, ior: 1.5, ..DARK };
 
 fn scene<'a>(
@@ -58,7 +59,7 @@ fn sphere(center: Vec3, radius: f32, material: u16) -> Object<Shape<'static>> {
 }
 
 /// A wall through (0, 0, z), across the line of sight turned by `degrees` around the y axis.
-fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
+pub(super) fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, 0.0, z), Vec3::new(sin, 0.0, cos))), material)
 }

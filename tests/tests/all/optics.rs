@@ -13,23 +13,11 @@ use rayline::{
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{assert_alike, core_picture};
 
-/// Looks down the negative z axis from (0, 0, 5).
-const CAMERA: Camera = Camera {
-    eye: Vec3::new(0.0, 0.0, 5.0),
-    target: Vec3::ZERO,
-    up: Vec3::new(0.0, 1.0, 0.0),
-    vertical_fov: 0.5,
-};
-const DARK: Material = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
+use super::closed_forms::{CAMERA, DARK, wall};
+
 /// Gives off light by itself.
 const LAMP: Material = Material { optics: Some(&Optics { emission: WARM, ..Optics::PLAIN }), ..DARK };
 const WARM: LinearRgb = LinearRgb::new(0.8, 0.6, 0.4);
-
-/// A wall through (0, 0, z), across the line of sight turned by `degrees` around the y axis.
-fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, 0.0, z), Vec3::new(sin, 0.0, cos))), material)
-}
 
 fn ball(z: f32, radius: f32, material: u16) -> Object<Shape<'static>> {
     Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, z), radius)), material)
