@@ -19,7 +19,9 @@ pub use core_picture::{core_picture, ray_counts};
 pub use counted::{Counted, Operations, operations_of};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
-pub use random::{cut_box, lamps, maps, meshes, metaballs, optics, shapes, textures, turned_box, vectors};
+pub use random::{
+    cut_box, lamps, lights, maps, meshes, metaballs, numbers, optics, shapes, textures, turned_box, vectors,
+};
 pub use scenes::{scene_names, settings, with_scene};
 pub use screen::{Screen, Unplugged};
 

@@ -11,6 +11,16 @@ use rayline::{
     Stripes, Texture, Vec3, Wood,
 };
 
+/// Coordinates and lengths: mostly near, a few as far away as may be, and those that often are special.
+pub fn numbers() -> BoxedStrategy<f32> {
+    prop_oneof![
+        20 => -10.0f32..10.0,
+        2 => -1e6f32..1e6,
+        2 => prop_oneof![Just(0.0f32), Just(1.0), Just(-1.0), Just(1e6), Just(-1e6), Just(1e-20), Just(1e-6)],
+    ]
+    .boxed()
+}
+
 /// Points and directions of such coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
     [number.clone(), number.clone(), number.clone()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
@@ -198,6 +208,17 @@ fn falloffs(number: &BoxedStrategy<f32>) -> BoxedStrategy<Falloff> {
     let some = [number.clone(), number.clone(), number.clone()]
         .prop_map(|[constant, linear, quadratic]| Falloff { constant, linear, quadratic });
     prop_oneof![1 => Just(Falloff::NONE), 1 => some].boxed()
+}
+
+/// Lights of all kinds, of such coordinates and colors; not all are legal.
+pub fn lights(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> BoxedStrategy<Light> {
+    let vector = vectors(number);
+    prop_oneof![
+        (vector.clone(), color.clone()).prop_map(|(position, color)| Light::Point { position, color }),
+        (vector, color.clone()).prop_map(|(direction, color)| Light::Directional { direction, color }),
+        lamps(number, color),
+    ]
+    .boxed()
 }
 
 /// Lamps with falloffs, cones or both, and ambient lights.

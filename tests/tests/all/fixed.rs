@@ -14,7 +14,7 @@ use rayline::{
     Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer,
     Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
-use rayline_tests::{Picture, core_picture, lamps, optics, shapes, vectors};
+use rayline_tests::{Picture, core_picture, lights, numbers, optics, shapes, vectors};
 
 /// What pictures in fixed point are held to.
 const BAR_DB: f64 = 40.0;
@@ -266,26 +266,8 @@ fn many_samples_keep_their_mean() {
     assert!((light.g.to_f32() - 0.75).abs() < 1e-3, "{light:?}");
 }
 
-/// Coordinates and lengths, mostly near.
-fn number() -> BoxedStrategy<f32> {
-    prop_oneof![
-        20 => -10.0f32..10.0,
-        2 => -1e6f32..1e6,
-        2 => prop_oneof![Just(0.0f32), Just(1.0), Just(-1.0), Just(1e6), Just(-1e6), Just(1e-20), Just(1e-6)],
-    ]
-    .boxed()
-}
-
-fn vector() -> BoxedStrategy<Vec3> {
-    vectors(&number())
-}
-
 fn color() -> BoxedStrategy<LinearRgb> {
     [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0].prop_map(|[r, g, b]| LinearRgb::new(r, g, b)).boxed()
-}
-
-fn shape() -> BoxedStrategy<Shape<'static>> {
-    shapes(&number())
 }
 
 fn material() -> BoxedStrategy<Material<'static>> {
@@ -297,7 +279,7 @@ fn material() -> BoxedStrategy<Material<'static>> {
         shares,
         shininess,
         ior,
-        proptest::option::of((color(), vector())),
+        proptest::option::of((color(), vectors(&numbers()))),
         optics(&(0.0f32..1.0).boxed()),
     )
         .prop_map(
@@ -333,12 +315,7 @@ fn material() -> BoxedStrategy<Material<'static>> {
 
 fn light() -> BoxedStrategy<Light> {
     let color = (color(), 0.0f32..59.0).prop_map(|(color, strength)| color * strength).boxed();
-    prop_oneof![
-        (vector(), color.clone()).prop_map(|(position, color)| Light::Point { position, color }),
-        (vector(), color.clone()).prop_map(|(direction, color)| Light::Directional { direction, color }),
-        lamps(&number(), &color),
-    ]
-    .boxed()
+    lights(&numbers(), &color)
 }
 
 /// Light in each of some pixels of a scene, or the fault.
@@ -359,9 +336,9 @@ proptest! {
     /// With the overflow checks of the profile that tests are built with.
     #[test]
     fn any_scene_is_refused_or_renders_light(
-        eye_and_target in (vector(), vector()),
+        eye_and_target in (vectors(&numbers()), vectors(&numbers())),
         fov in 0.001f32..3.1,
-        shapes in proptest::collection::vec((shape(), 0..2u16), 0..5),
+        shapes in proptest::collection::vec((shapes(&numbers()), 0..2u16), 0..5),
         materials in proptest::collection::vec(material(), 2),
         lights in proptest::collection::vec(light(), 0..3),
     ) {
