@@ -6,7 +6,7 @@ use super::{Hit, PreparedScene};
 use crate::color::LinearRgb;
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_SHADOW_LAYERS;
-use crate::material::PreparedMaterial;
+use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
 use crate::shape::{Form, Geometry, Intersect, Spine};
 use crate::share::Share;
@@ -295,18 +295,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             let Some((t, index)) = self.closest_object(ray, range, among) else {
                 return Through::Some(through);
             };
-            through = through * self.transmittance_at(index, ray, t);
-            if let Some(optics) = self.material(index).and_then(PreparedMaterial::optics) {
-                through = through * optics.transmission_color();
-                // Behind the surface there is what the light went through since the one before.
-                if optics.absorbs()
-                    && let Some(object) = self.objects.get(index)
-                    && object.shape.surface(ray, t).normal.dot(ray.direction) > R::ZERO
-                    && let Some(left) = optics.left_after(t - range.min)
-                {
-                    through = through * left;
-                }
-            }
+            through = self.let_through(through, index, ray, Interval { max: t, ..range });
             range.min = t;
         }
         match self.closest_object(ray, range, among) {
@@ -319,14 +308,31 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).is_some_and(|object| object.shape.intersect(ray, range).is_some())
     }
 
-    /// The transmittance where a ray meets an object, at distance `t`.
+    /// What is left of light behind an object that a ray meets at the end of this part of it, which begins at the one before.
     #[inline(always)]
-    fn transmittance_at(&self, object: usize, ray: &Ray<R>, t: R) -> R {
-        match self.objects.get(object) {
-            Some(PreparedObject { shape, material }) if !material.maps.is_empty() => {
-                material.mapped(&shape.surface(ray, t), |surface| self.uv(object, surface)).transmittance
+    fn let_through(&self, light: Share<R>, object: usize, ray: &Ray<R>, part: Interval<R>) -> Share<R> {
+        let Some(PreparedObject { shape, material }) = self.objects.get(object) else {
+            return Share::even(R::ZERO);
+        };
+        let (optics, is_mapped) = (material.optics(), !material.maps.is_empty());
+        // Most surfaces let the same through everywhere, and either way.
+        let is_asked = is_mapped || optics.is_some_and(PreparedOptics::absorbs);
+        let surface = is_asked.then(|| shape.surface(ray, part.max));
+        let transmittance = match &surface {
+            Some(surface) if is_mapped => {
+                material.mapped(surface, |surface| self.uv(object, surface)).transmittance
             }
-            _ => self.transmittance(object),
+            _ => material.transmittance,
+        };
+        let light = light * transmittance;
+        let Some(optics) = optics else { return light };
+        let light = light * optics.transmission_color();
+        // From behind, light went through what absorbs it since the surface before.
+        match surface {
+            Some(surface) if surface.normal.dot(ray.direction) > R::ZERO => {
+                optics.left_after(part.max - part.min).map_or(light, |left| light * left)
+            }
+            _ => light,
         }
     }
 
