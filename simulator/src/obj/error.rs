@@ -38,9 +38,9 @@ pub enum ObjFault {
         /// How it is written.
         found: String,
     },
-    /// A face names a vertex or a normal that no line before it defines. Define it or name another.
+    /// A face names a vertex, a texture coordinate or a normal that no line before it defines. Define it or name another.
     Unknown {
-        /// Whether it is a vertex or a normal.
+        /// Which of these it is.
         what: &'static str,
         /// How it is written.
         found: String,

@@ -6,11 +6,12 @@
 //! | in the file | in the scene |
 //! |---|---|
 //! | `v`, `vn` | vertices; normals, where all corners of a mesh have one, make it smooth |
+//! | `vt` | the first two numbers are u and v, where all corners of a mesh have them and none is beyond ±59 |
 //! | `f` | triangles; of more corners, the fan around the first |
 //! | `o`, `g`, `usemtl` | each stretch of one of these is a mesh; one of more than 65535 vertices or triangles, several |
 //! | `mtllib` | the materials of that file |
 //!
-//! Texture coordinates, smoothing groups, lines, points and free-form surfaces are left out. There is no camera in such a file and no
+//! Smoothing groups, lines, points and free-form surfaces are left out. There is no camera in such a file and no
 //! light, so they are added. [`Import::notes`] say what was added and left out.
 //!
 //! # Materials
@@ -45,8 +46,11 @@ use rayline::{LinearRgb, Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
 pub use error::{ObjError, ObjFault};
-use pieces::{has_area, pieces};
+use pieces::{Piece, has_area, pieces};
 use statements::Statements;
+
+/// Texture coordinates beyond this fixed point cannot compute with.
+const FARTHEST_UV: f32 = 59.0;
 
 /// A scene that was read from a file.
 #[derive(Clone, Debug)]
@@ -118,27 +122,33 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
             notes
                 .push(format!("`{}`: not all of its corners have a normal; it is flat", name.escape_debug()));
         }
+        let (uvs, _) = mesh.texcoords.as_chunks::<2>();
+        let is_far = |uv: &[f32; 2]| uv.iter().any(|coordinate| coordinate.abs() > FARTHEST_UV);
+        let flaw = if uvs.len() != vertices.len() {
+            Some("not all of its corners have them")
+        } else if uvs.iter().any(is_far) {
+            Some("some are beyond ±59")
+        } else {
+            None
+        };
+        if let Some(flaw) = flaw
+            && !uvs.is_empty()
+        {
+            notes.push(format!("`{}`: texture coordinates are left out: {flaw}", name.escape_debug()));
+        }
         let (triangles, _) = mesh.indices.as_chunks::<3>();
         for piece in pieces(triangles, vertices.len(), MAX_COUNT) {
-            let pick = |from: &[Vec3]| {
-                arena.alloc_slice_fill_iter(
-                    piece
-                        .vertices
-                        .iter()
-                        .map(|index| from.get(*index as usize).copied().unwrap_or(Vec3::ZERO)),
-                )
-            };
-            let vertices: &[Vec3] = pick(&vertices);
+            let vertices = pick(arena, &piece, &vertices, Vec3::ZERO);
             if !piece.triangles.iter().any(|triangle| has_area(triangle, vertices)) {
                 continue;
             }
-            let normals = if is_smooth { Some(&*pick(&normals)) } else { None };
+            let normals = is_smooth.then(|| pick(arena, &piece, &normals, Vec3::ZERO));
+            let uvs = flaw.is_none().then(|| pick(arena, &piece, uvs, [0.0; 2]));
             let triangles = arena.alloc_slice_copy(&piece.triangles);
             let material = mesh.material_id.unwrap_or(materials.len().saturating_sub(1));
             let material = u16::try_from(material)
                 .map_err(|_| error(ObjFault::TooManyMaterials { given: materials.len(), most: MAX_COUNT }))?;
-            objects
-                .push(Object::new(Shape::Mesh(Mesh { vertices, triangles, normals, uvs: None }), material));
+            objects.push(Object::new(Shape::Mesh(Mesh { vertices, triangles, normals, uvs }), material));
             names.push(name.clone());
         }
     }
@@ -152,6 +162,12 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
         lights: &view::LIGHTS,
     };
     Ok(Import { scene, resolution: view::SIZE, notes, names })
+}
+
+/// What belongs to the vertices of a piece, out of what belongs to those of its mesh.
+fn pick<'a, T: Copy>(arena: &'a Bump, piece: &Piece, from: &[T], missing: T) -> &'a [T] {
+    let indices = piece.vertices.iter();
+    arena.alloc_slice_fill_iter(indices.map(|index| from.get(*index as usize).copied().unwrap_or(missing)))
 }
 
 /// The text of a file.

@@ -1,7 +1,7 @@
 //! The lines of an OBJ file, checked one by one, and written anew for `tobj`.
 //!
-//! `tobj` tells no lines, takes polylines for faces, and splits vertices at the seams of textures, which nothing asks for. So what
-//! it gets to read is only what it is to make meshes of: numbers that are numbers, and indices that count from the first line.
+//! `tobj` tells no lines and takes polylines for faces. So what it gets to read is only what it is to make meshes of: numbers that
+//! are numbers, and indices that count from the first line.
 
 use core::fmt::Write;
 use std::collections::BTreeMap;
@@ -24,6 +24,14 @@ pub(super) struct Statements {
     pub(super) left_out: BTreeMap<&'static str, usize>,
 }
 
+/// How many there are so far of what faces name.
+#[derive(Clone, Copy, Debug, Default)]
+struct Counts {
+    vertices: usize,
+    uvs: usize,
+    normals: usize,
+}
+
 /// Shapes that are none of faces.
 const LEFT_OUT: [&str; 6] = ["p", "l", "curv", "curv2", "surf", "call"];
 
@@ -32,21 +40,14 @@ impl Statements {
     pub(super) fn new(text: &str) -> Result<Self, LineError> {
         // One library of all materials, that has any name.
         let mut statements = Self { text: "mtllib materials\n".to_owned(), ..Self::default() };
-        let (mut vertices, mut normals) = (0, 0);
+        let mut counts = Counts::default();
         for (line, statement) in lines(text) {
-            let read = statements.read(line, &statement, &mut vertices, &mut normals);
-            read.map_err(|fault| LineError { line, fault })?;
+            statements.read(line, &statement, &mut counts).map_err(|fault| LineError { line, fault })?;
         }
         Ok(statements)
     }
 
-    fn read(
-        &mut self,
-        line: usize,
-        statement: &str,
-        vertices: &mut usize,
-        normals: &mut usize,
-    ) -> Result<(), ObjFault> {
+    fn read(&mut self, line: usize, statement: &str, counts: &mut Counts) -> Result<(), ObjFault> {
         let mut words = statement.split_whitespace();
         let keyword = words.next().unwrap_or_default();
         let rest = statement.trim_start().get(keyword.len()..).unwrap_or_default().trim();
@@ -63,15 +64,23 @@ impl Statements {
                 if place.into_iter().any(|coordinate| !(coordinate.abs() <= MAX_COORDINATE)) {
                     return Err(ObjFault::OutOfRange { meaning: "a coordinate", found: rest.to_owned() });
                 }
-                *vertices += 1;
+                counts.vertices += 1;
                 self.vector("v", place);
+            }
+            "vt" => {
+                let expected = "a texture coordinate";
+                let u = number(words.next(), expected)?;
+                // A third is for solid textures.
+                let v = words.next().map_or(Ok(0.0), |word| number(Some(word), expected))?;
+                counts.uvs += 1;
+                self.text += &format!("vt {u} {v}\n");
             }
             "vn" => {
                 let normal = numbers(&mut words, "a coordinate of the normal")?;
-                *normals += 1;
+                counts.normals += 1;
                 self.vector("vn", normal);
             }
-            "f" => self.face(words, *vertices, *normals)?,
+            "f" => self.face(words, counts)?,
             "o" | "g" => self.text += &format!("g {rest}\n"),
             "usemtl" => {
                 let name = named(rest, "the name of a material")?;
@@ -93,22 +102,22 @@ impl Statements {
         debug_assert!(written.is_ok(), "strings take any text");
     }
 
-    fn face<'w>(
-        &mut self,
-        corners: impl Iterator<Item = &'w str>,
-        vertices: usize,
-        normals: usize,
-    ) -> Result<(), ObjFault> {
+    fn face<'w>(&mut self, corners: impl Iterator<Item = &'w str>, counts: &Counts) -> Result<(), ObjFault> {
         let mut face = "f".to_owned();
         let mut given = 0;
         for corner in corners {
             // Vertex, texture and normal; all but the first may be missing.
             let mut parts = corner.split('/');
             let vertex = parts.next().unwrap_or_default();
-            let normal = parts.nth(1).filter(|normal| !normal.is_empty());
-            face += &format!(" {}", index(vertex, "vertex", vertices)?);
+            let mut next = || parts.next().filter(|part| !part.is_empty());
+            let (uv, normal) = (next(), next());
+            face += &format!(" {}", index(vertex, "vertex", counts.vertices)?);
+            if let Some(uv) = uv {
+                face += &format!("/{}", index(uv, "texture coordinate", counts.uvs)?);
+            }
             if let Some(normal) = normal {
-                face += &format!("//{}", index(normal, "normal", normals)?);
+                let slashes = if uv.is_some() { "/" } else { "//" };
+                face += &format!("{slashes}{}", index(normal, "normal", counts.normals)?);
             }
             given += 1;
         }
@@ -163,8 +172,8 @@ fn named(name: &str, expected: &'static str) -> Result<String, ObjFault> {
 /// An index that counts from the first, whichever way it is written.
 fn index(word: &str, what: &'static str, count: usize) -> Result<usize, ObjFault> {
     let found = || word.to_owned();
-    let number = i64::from_str(word)
-        .map_err(|_| ObjFault::Expected { expected: "the number of a vertex or a normal", found: found() })?;
+    let expected = "the number of a vertex, a texture coordinate or a normal";
+    let number = i64::from_str(word).map_err(|_| ObjFault::Expected { expected, found: found() })?;
     // The last one is -1.
     let index = if number < 0 { number.saturating_add(count as i64).saturating_add(1) } else { number };
     usize::try_from(index).ok().filter(|index| (1..=count).contains(index)).ok_or_else(|| ObjFault::Unknown {

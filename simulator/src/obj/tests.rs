@@ -9,7 +9,7 @@ use rayline::{Material, PreparedScene};
 
 use super::*;
 
-/// A pyramid on a square, of two materials; the square's corners have textures, and each face its own of them.
+/// A pyramid on a square, of two materials; the square's corners have texture coordinates.
 const PYRAMID: &str = "\
 # a comment
 mtllib colors.mtl
@@ -27,7 +27,7 @@ g roof
 usemtl glass
 f -1 -2 \\
   -3
-f 5/2 3/1 2/2
+f 5 3 2
 f 5 2 1
 f 5 1 4
 ";
@@ -77,10 +77,13 @@ fn groups_are_meshes_that_share_their_vertices() {
         let import = import.unwrap();
         assert_eq!(import.scene.objects.len(), 2);
         let (base, roof) = (mesh(&import, 0), mesh(&import, 1));
-        // Neither the seams of a texture nor relative numbers make more of the five.
+        // Relative numbers do not make more of the five.
         assert_eq!((base.vertices.len(), base.triangles), (4, &[[0, 1, 2], [0, 2, 3]][..]));
         assert_eq!((roof.vertices.len(), roof.triangles.len()), (5, 4));
         assert_eq!(roof.vertices[0], Vec3::new(0.0, 2.0, 0.0));
+        // Where the second coordinate is missing, it is 0.
+        assert_eq!(base.uvs, Some(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0]][..]));
+        assert_eq!((roof.uvs, roof.normals), (None, None));
         assert_eq!(roof.triangles[..2], [[0, 1, 2], [0, 2, 3]]);
         assert_eq!(import.name_of(Part::Object(1)), Some("roof"));
         assert_eq!(import.notes.len(), 1, "{:?}", import.notes);
@@ -145,6 +148,34 @@ fn normals_are_kept_where_all_corners_have_one() {
 }
 
 #[test]
+fn texture_coordinates_are_kept_where_all_corners_have_some() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvt 0 0.5\nvt 1 -2.5 7\nvt 59 3\n";
+    with_files(&format!("{corners}f 1/1/1 2/2/1 3/1/1\nf 3/-3/1 2/-1/1 4/1/1"), "", |import| {
+        let import = import.unwrap();
+        let mesh = mesh(&import, 0);
+        // At the seam, the second vertex is there twice.
+        assert_eq!(mesh.triangles, [[0, 1, 2], [2, 3, 4]]);
+        assert_eq!(mesh.vertices[1], mesh.vertices[3]);
+        let (first, second) = ([0.0, 0.5], [1.0, -2.5]);
+        assert_eq!(mesh.uvs.unwrap(), [first, second, first, [59.0, 3.0], first]);
+        assert!(mesh.normals.is_some());
+        assert_eq!(import.notes.len(), 1, "{:?}", import.notes);
+    });
+    let left_out = |faces: &str, expected: &str| {
+        with_files(&format!("{corners}vt 60\n{faces}"), "", |import| {
+            let import = import.unwrap();
+            assert_eq!(mesh(&import, 0).uvs, None);
+            assert!(import.notes[0].ends_with(expected), "{:?}", import.notes);
+        });
+    };
+    left_out(
+        "f 1/1 2/2 3/1\nf 3 2 4",
+        ": texture coordinates are left out: not all of its corners have them",
+    );
+    left_out("f 1/1 2/2 3/4", ": texture coordinates are left out: some are beyond ±59");
+}
+
+#[test]
 fn what_is_left_out_is_said() {
     let obj = PYRAMID.replace("colors.mtl", "missing.mtl").replace("g roof", "l 1 2 3\nl 2 3\np 1");
     with_files(&obj, "", |import| {
@@ -154,8 +185,10 @@ fn what_is_left_out_is_said() {
         assert_eq!(notes[2], "model.obj:16: there is no material `glass`; it is gray");
         assert_eq!(notes[3], "model.obj:13: `l` is left out, here and below");
         assert_eq!(notes[4], "model.obj:15: `p` is left out, here and below");
-        assert!(notes[5].starts_with("model.obj: no camera and no light in such a file; "), "{notes:?}");
-        assert_eq!(notes.len(), 6);
+        // Neither a group nor a material parts the roof from the base.
+        assert_eq!(notes[5], "`base`: texture coordinates are left out: not all of its corners have them");
+        assert!(notes[6].starts_with("model.obj: no camera and no light in such a file; "), "{notes:?}");
+        assert_eq!(notes.len(), 7);
     });
     with_files(PYRAMID, "newmtl red\nmap_Kd red.png\nmap_Ks red.png\nnewmtl glass", |import| {
         assert_eq!(import.unwrap().notes[0], "colors.mtl:2: textures are left out, here and below");
@@ -196,7 +229,18 @@ fn bad_files_are_refused_with_the_line() {
             "f 5 2 0",
             "model.obj:18: there is no vertex `0`: there are 5 so far, counted from 1; define it or name another",
         ),
-        ("f 5 2 1", "f 5 a 1", "model.obj:18: expected the number of a vertex or a normal, found `a`"),
+        (
+            "f 5 2 1",
+            "f 5/3 2 1",
+            "model.obj:18: there is no texture coordinate `3`: there are 2 so far, counted from 1; define it or name another",
+        ),
+        (
+            "f 5 2 1",
+            "f 5 a 1",
+            "model.obj:18: expected the number of a vertex, a texture coordinate or a normal, found `a`",
+        ),
+        ("vt 1\n", "vt\n", "model.obj:9: the line ends where a texture coordinate must follow"),
+        ("vt 1\n", "vt 1 b\n", "model.obj:9: expected a texture coordinate, found `b`"),
         ("f 5 2 1", "f 5 2", "model.obj:18: a face of 2 corners; remove it or give it three or more"),
         ("usemtl red", "usemtl", "model.obj:11: the line ends where the name of a material must follow"),
     ] {
