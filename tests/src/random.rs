@@ -109,25 +109,26 @@ pub fn cut_box(center: Vec3, half: Vec3, cuts: &[Vec3]) -> ConvexPolyhedron<'sta
     ConvexPolyhedron::new(planes.leak())
 }
 
-/// Meshes of such vertices and so many triangles, with and without normals; some of the triangles have no area.
+/// Meshes of such vertices and so many triangles, with and without normals and texture coordinates; some of the triangles have no
+/// area.
 pub fn meshes(
     vector: BoxedStrategy<Vec3>,
     triangles: std::ops::Range<usize>,
 ) -> BoxedStrategy<Mesh<'static>> {
     let corner = || 0..8u16;
     (
-        proptest::collection::vec((vector.clone(), vector), 8),
+        proptest::collection::vec(((vector.clone(), vector), [-2.0f32..2.0, -2.0f32..2.0]), 8),
         proptest::collection::vec([corner(), corner(), corner()], triangles),
-        any::<bool>(),
+        [any::<bool>(), any::<bool>()],
     )
-        .prop_map(|(vertices, triangles, smooth)| {
-            let (vertices, normals): (Vec<_>, Vec<_>) = vertices.into_iter().unzip();
-            let normals: &[_] = normals.leak();
+        .prop_map(|(vertices, triangles, [is_smooth, has_uvs])| {
+            let ((vertices, normals), uvs): ((Vec<_>, Vec<_>), Vec<_>) = vertices.into_iter().unzip();
+            let (normals, uvs): (&[_], &[_]) = (normals.leak(), uvs.leak());
             Mesh {
                 vertices: vertices.leak(),
                 triangles: triangles.leak(),
-                normals: smooth.then_some(normals),
-                uvs: None,
+                normals: is_smooth.then_some(normals),
+                uvs: has_uvs.then_some(uvs),
             }
         })
         .boxed()
