@@ -130,18 +130,22 @@ impl Statements {
     }
 }
 
-/// The lines of a file, counted from 1, without comments; one that ends in a backslash goes on in the next.
+/// The lines of a file, counted from 1, without comments; one that ends in a backslash goes on in the next. A comment does not: it may
+/// end in the name of a folder.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, String)> {
     let mut rest = text.lines().enumerate();
     core::iter::from_fn(move || {
         let (number, first) = rest.next()?;
-        let mut line = first.to_owned();
+        let mut line = without_comment(first).to_owned();
         while let Some(before) = line.trim_end().strip_suffix('\\') {
-            line = format!("{before} {}", rest.next().map_or("", |(_, next)| next));
+            line = format!("{before} {}", rest.next().map_or("", |(_, next)| without_comment(next)));
         }
-        let statement = line.split('#').next().unwrap_or_default();
-        Some((number + 1, statement.to_owned()))
+        Some((number + 1, line))
     })
+}
+
+fn without_comment(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default()
 }
 
 /// A number that is finite.

@@ -90,6 +90,15 @@ fn groups_are_meshes_that_share_their_vertices() {
     });
 }
 
+#[test]
+fn a_comment_that_ends_in_a_backslash_ends_there() {
+    with_files(&PYRAMID.replace("# a comment", "# from C:\\models\\"), COLORS, |import| {
+        let import = import.unwrap();
+        assert_eq!(import.notes.len(), 1, "{:?}", import.notes);
+        assert_eq!(import.scene.materials.len(), 3);
+    });
+}
+
 /// The first material of an MTL file that says nothing but a color.
 fn plain(color: LinearRgb) -> Material<'static> {
     Material { ambient: 0.1, ..Material::matte(color) }
