@@ -20,7 +20,9 @@
 
 use core::fmt;
 
-use rayline::shape::{Blob, Csg, CsgStep, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere};
+use rayline::shape::{
+    Blob, Cone, Csg, CsgStep, Cylinder, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere,
+};
 use rayline::{
     Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics,
     Placed, Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
@@ -126,11 +128,13 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
         Shape::Rectangle(rectangle) => corners(&rectangle).to_vec(),
         Shape::Triangle(triangle) => triangle.vertices.to_vec(),
         Shape::Polygon(polygon) => polygon.vertices.to_vec(),
-        Shape::Cylinder(cylinder) => vec![cylinder.base, cylinder.top],
-        Shape::Cone(cone) => vec![cone.base, cone.top],
+        Shape::Cylinder(Cylinder { base, top, radius, .. }) => vec![base, top, Vec3::new(radius, 0.0, 0.0)],
+        Shape::Cone(Cone { base, base_radius, top, top_radius, .. }) => {
+            vec![base, top, Vec3::new(base_radius, top_radius, 0.0)]
+        }
         Shape::Ellipsoid(shape) => shape.axes.iter().map(|axis| shape.center + *axis).collect(),
         Shape::Quadric(shape) => vec![shape.center + shape.min, shape.center + shape.max],
-        Shape::Torus(torus) => vec![torus.center],
+        Shape::Torus(torus) => vec![torus.center, Vec3::new(torus.major_radius, torus.minor_radius, 0.0)],
         Shape::Cuboid(cuboid) => {
             let [a, b, c] = cuboid.axes;
             vec![cuboid.center + a + b + c, cuboid.center - a - b - c]
@@ -547,7 +551,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Cylinder, Ellipsoid, Polygon, Solid, Torus, Triangle};
+    use rayline::shape::{Ellipsoid, Polygon, Solid, Torus, Triangle};
     use rayline::{Map, Onto};
 
     const GLASS: Material = Material {
@@ -661,6 +665,26 @@ union {
         let ring = Torus { center: UP, axis, major_radius: 2.0, minor_radius: 0.5 };
         let (kind, text) = shape(&Shape::Torus(ring)).unwrap();
         assert_eq!((kind, text.as_str()), ("torus", "2, 0.5 matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0>"));
+    }
+
+    #[test]
+    fn the_sun_stands_outside_of_wide_shapes() {
+        let shapes = [
+            Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: UP, radius: 900.0, capped: true }),
+            Shape::Cone(Cone {
+                base: Vec3::ZERO,
+                base_radius: 1.0,
+                top: UP,
+                top_radius: 900.0,
+                capped: true,
+            }),
+            Shape::Torus(Torus { center: Vec3::ZERO, axis: UP, major_radius: 900.0, minor_radius: 1.0 }),
+        ];
+        let sun = Light::Directional { direction: -UP, color: LinearRgb::WHITE };
+        for shape in shapes {
+            let text = to_povray(&scene(&[Object::new(shape, 0)], &[GLASS], &[sun]), &Settings::new(8, 8));
+            assert!(text.unwrap().contains("light_source { <0, 90000, 0>"), "{shape:?}");
+        }
     }
 
     #[test]
