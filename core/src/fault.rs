@@ -84,6 +84,10 @@ pub enum Fault {
         /// How many it has.
         given: usize,
     },
+    /// There is no place for an instance. Give it one or more.
+    NoPoses,
+    /// The size of instances is smaller than [`MIN_SIZE`](crate::limits::MIN_SIZE), zero or negative. It is 1 for that of the model.
+    InstanceSize,
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -213,6 +217,8 @@ impl fmt::Display for Fault {
             Self::TooManySolids { given } => {
                 return write!(f, "{given} solids in one are too many; use at most 32");
             }
+            Self::NoPoses => "there is no place for an instance; give it one or more",
+            Self::InstanceSize => "the size of instances is smaller than 1e-6; it is 1 for that of the model",
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",

@@ -15,6 +15,9 @@ pub const MAX_SHADOW_LAYERS: u8 = 8;
 /// 1/16 of a unit.
 pub const MAX_COORDINATE: f32 = 1e6;
 
+/// The smallest size of [instances](crate::shape::Instances): of the largest model a unit is left.
+pub const MIN_SIZE: f32 = 1e-6;
+
 /// The most objects, materials or lights in a scene: they are numbered by `u16`.
 pub const MAX_COUNT: usize = 65_535;
 

@@ -15,5 +15,5 @@ pub struct Surface<R> {
     /// last place of this.
     pub magnitude: R,
     /// Which part of the shape this is, where it has parts that differ in more than their place: a face, a triangle.
-    pub part: u16,
+    pub part: u32,
 }

@@ -152,6 +152,7 @@ impl Tree<'_> {
             Shape::Mesh(_) => "mesh",
             Shape::Csg(_) => "solid",
             Shape::Metaballs(_) => "metaballs",
+            Shape::Instances(_) => "instances",
         };
         let line = self.loaded.line_of_object(index).map(|line| format!(", line {line}")).unwrap_or_default();
         format!("object {index} ({kind}, material {}{line})", object.material.0)

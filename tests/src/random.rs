@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use rayline::shape::{
-    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Metaballs, Plane,
-    Polygon, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
+    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh,
+    Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp, Light,
@@ -88,7 +88,8 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
             .prop_map(|(center, half, cuts)| Shape::ConvexPolyhedron(cut_box(center, half, &cuts))),
         meshes(vector.clone(), 3..30).prop_map(Shape::Mesh),
         solids_put_together(number),
-        metaballs(vector, number.clone()).prop_map(Shape::Metaballs),
+        metaballs(vector.clone(), number.clone()).prop_map(Shape::Metaballs),
+        instances(vector, number.clone()).prop_map(Shape::Instances),
     ]
     .boxed()
 }
@@ -143,6 +144,30 @@ pub fn metaballs(
     let blob =
         (vector, radius, strength).prop_map(|(center, radius, strength)| Blob { center, radius, strength });
     proptest::collection::vec(blob, 1..6).prop_map(|blobs| Metaballs::new(blobs.leak())).boxed()
+}
+
+/// Models of such coordinates in such a size, at up to six such places and turned by such angles.
+pub fn instances(
+    vector: BoxedStrategy<Vec3>,
+    number: BoxedStrategy<f32>,
+) -> BoxedStrategy<Instances<'static>> {
+    let model = prop_oneof![
+        meshes(vector.clone(), 1..30).prop_map(Model::Mesh),
+        metaballs(vector.clone(), number.clone()).prop_map(Model::Metaballs),
+        (vector.clone(), vector.clone()).prop_map(|(center, half)| Model::ConvexPolyhedron(cut_box(
+            center,
+            half,
+            &[]
+        ))),
+        (vector.clone(), number.clone()).prop_map(|(center, radius)| {
+            let ball = CsgStep::Solid(Solid::Sphere(Sphere::new(center, radius)));
+            Model::Csg(Csg::new(Box::leak(Box::new([ball]))))
+        }),
+    ];
+    let pose = (vector.clone(), vector).prop_map(|(rotation, origin)| Pose { rotation, origin });
+    (model, number, proptest::collection::vec(pose, 1..7))
+        .prop_map(|(model, size, poses)| Instances::new(Box::leak(Box::new(model)), poses.leak()).sized(size))
+        .boxed()
 }
 
 /// Two or three solids of such coordinates and lengths, put together in any way.

@@ -8,6 +8,7 @@ mod interval;
 mod ray;
 mod real;
 mod roots;
+mod rotation;
 mod scale;
 mod vec3;
 
@@ -18,5 +19,6 @@ pub use interval::Interval;
 pub use ray::Ray;
 pub use real::{FloatLinear, Linear, Product, Real};
 pub(crate) use roots::{cubic_roots, root_between};
+pub(crate) use rotation::{Rotation, turned};
 pub use scale::{Extent, Scale};
 pub use vec3::Vec3;

@@ -99,6 +99,11 @@ impl Scale {
         self.0
     }
 
+    /// For what is larger by this factor.
+    pub(crate) fn enlarged(self, factor: f32) -> Self {
+        Self(self.0 * factor)
+    }
+
     /// A length or coordinate.
     pub fn length<R: Real>(self, length: R::Setup) -> R {
         R::from_setup(self.setup::<R>(length))

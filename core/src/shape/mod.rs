@@ -14,6 +14,7 @@ mod cylinder;
 mod disc;
 mod ellipsoid;
 mod implicit;
+mod instances;
 mod mesh;
 mod patch;
 mod plane;
@@ -40,6 +41,7 @@ pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
+pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
 pub use mesh::{Mesh, PreparedMesh};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
@@ -195,6 +197,8 @@ crate::shape_set! {
         Csg(Csg<'a>),
         /// Balls that flow into each other.
         Metaballs(Metaballs<'a>),
+        /// One of some of these shapes, in several places.
+        Instances(Instances<'a>),
     }
 }
 
@@ -211,6 +215,7 @@ impl Shape<'_> {
             Self::Mesh(mesh) => mesh.const_bytes::<R>(),
             Self::Csg(csg) => csg.const_bytes::<R>(),
             Self::Metaballs(metaballs) => metaballs.const_bytes::<R>(),
+            Self::Instances(instances) => instances.const_bytes::<R>(),
             Self::Sphere(_)
             | Self::Plane(_)
             | Self::Disc(_)

@@ -216,8 +216,8 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
         let point = ray.at(t);
         // The hit belongs to the face that it is the least behind of.
         let height = |plane: &PreparedPlane<R>| plane.normal.dot(point) - plane.distance;
-        let mut nearest: Option<(R, u16, &PreparedPlane<R>)> = None;
-        for (part, plane) in (0..=u16::MAX).zip(self.planes) {
+        let mut nearest: Option<(R, u32, &PreparedPlane<R>)> = None;
+        for (part, plane) in (0..).zip(self.planes) {
             let height = height(plane);
             if nearest.is_none_or(|(most, ..)| height > most) {
                 nearest = Some((height, part, plane));

@@ -1,7 +1,7 @@
 //! Where a pattern lies, and how large it is.
 
 use crate::fault::{Fault, check_coordinate, check_held, check_point};
-use crate::math::{Cell, Linear, Real, Scale, Vec3, float};
+use crate::math::{Cell, Linear, Real, Scale, Vec3, float, turned};
 
 /// What a pattern varies over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,16 +67,12 @@ impl Placement {
 
     /// A vector of the pattern, turned into space.
     fn rotated<S: Real>(&self, vector: Vec3<S>) -> Vec3<S> {
-        let turn = |angle: f32, a: S, b: S| {
+        let cosine_and_sine = |angle: f32| {
             let (sine, cosine) = float::set_up_sin_cos(angle);
-            let (sine, cosine) = (S::from_f32(sine), S::from_f32(cosine));
-            (a * cosine - b * sine, a * sine + b * cosine)
+            (S::from_f32(cosine), S::from_f32(sine))
         };
-        let Vec3 { x, y, z } = vector;
-        let (y, z) = turn(self.rotation.x, y, z);
-        let (z, x) = turn(self.rotation.y, z, x);
-        let (x, y) = turn(self.rotation.z, x, y);
-        Vec3::new(x, y, z)
+        let Vec3 { x, y, z } = self.rotation;
+        turned(vector, [x, y, z].map(cosine_and_sine))
     }
 
     pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedPlacement<R>, Fault> {

@@ -79,5 +79,6 @@ fn borrows(shape: &Shape<'_>) -> bool {
             | Shape::Mesh(_)
             | Shape::Csg(_)
             | Shape::Metaballs(_)
+            | Shape::Instances(_)
     )
 }

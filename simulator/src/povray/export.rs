@@ -21,7 +21,7 @@
 use core::fmt;
 
 use rayline::shape::{
-    Blob, Cone, Csg, CsgStep, Cylinder, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere,
+    Blob, Cone, Csg, CsgStep, Cylinder, Instances, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere,
 };
 use rayline::{
     Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics,
@@ -150,6 +150,12 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
             solids.flatten().collect()
         }
         Shape::Metaballs(metaballs) => metaballs.blobs.iter().map(|blob| blob.center).collect(),
+        Shape::Instances(instances) => {
+            let model = places(&Shape::from(*instances.model));
+            let reach = model.iter().map(|place| place.length()).fold(0.0, f32::max) * instances.size;
+            let aside = Vec3::new(reach, reach, reach);
+            instances.poses.iter().flat_map(|pose| [pose.origin - aside, pose.origin + aside]).collect()
+        }
     }
 }
 
@@ -414,6 +420,7 @@ fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
         }
         Shape::Csg(csg) => return self::csg(csg),
         Shape::Metaballs(metaballs) => ("isosurface", self::metaballs(metaballs)),
+        Shape::Instances(instances) => return self::instances(instances),
     })
 }
 
@@ -422,6 +429,19 @@ fn matrix(images: [Vec3<f64>; 4]) -> String {
     let rows =
         images.map(|image| [image.x, image.y, image.z].map(|number| (number + 0.0).to_string()).join(", "));
     format!("matrix <{}>", rows.join(", "))
+}
+
+/// The model, over and over again.
+fn instances(instances: &Instances<'_>) -> Option<(&'static str, String)> {
+    let (kind, model) = shape(&Shape::from(*instances.model))?;
+    let mut all = instances.poses.iter().map(|pose| {
+        let degrees = pose.rotation.to::<f64>() * (180.0 / core::f64::consts::PI);
+        format!("{model} scale {} rotate {} translate {}", instances.size, xyz(degrees), point(pose.origin))
+    });
+    if instances.poses.len() == 1 {
+        return all.next().map(|only| (kind, only));
+    }
+    Some(("union", all.map(|one| format!("{kind} {{ {one} }}")).collect::<Vec<_>>().join("\n  ")))
 }
 
 /// The steps carried out on pieces of text.
@@ -551,7 +571,7 @@ fn list<T: fmt::Display>(numbers: &[T]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Ellipsoid, Polygon, Solid, Torus, Triangle};
+    use rayline::shape::{Ellipsoid, Model, Polygon, Pose, Solid, Torus, Triangle};
     use rayline::{Map, Onto};
 
     const GLASS: Material = Material {
@@ -657,6 +677,21 @@ union {
         let second = format!("(-0.5) * pow(1 - {second}, 2) * (1 - {second} * 4 / 9)");
         let within = "contained_by { box { <-2, -1, -2>, <2, 3, 2> } } accuracy 0.0001 max_gradient 1.6";
         assert_eq!((kind, text), ("isosurface", format!("function {{ 0.5 - {first} - {second} }} {within}")));
+    }
+
+    #[test]
+    fn instances_are_enlarged_turned_and_moved() {
+        let blobs = [Blob::new(Vec3::ZERO, 2.0)];
+        let model = Model::Metaballs(Metaballs::new(&blobs));
+        let (_, ball) = shape(&Shape::from(model)).unwrap();
+        let places = [Pose::at(UP).turned(Vec3::new(0.0, core::f32::consts::PI, 0.0)), Pose::at(Vec3::ZERO)];
+        let pair = Instances::new(&model, &places).sized(0.5);
+        let first = format!("{ball} scale 0.5 rotate <0, 180.00000500895632, 0> translate <0, 1, 0>");
+        let second = format!("{ball} scale 0.5 rotate <0, 0, 0> translate <0, 0, 0>");
+        let all = format!("isosurface {{ {first} }}\n  isosurface {{ {second} }}");
+        assert_eq!(shape(&Shape::Instances(pair)), Some(("union", all)));
+        let alone = Instances { poses: &places[..1], ..pair };
+        assert_eq!(shape(&Shape::Instances(alone)), Some(("isosurface", first)));
     }
 
     #[test]

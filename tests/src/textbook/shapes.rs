@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use rayline::Vec3;
-use rayline::shape::{Blob, Disc, Mesh, Quadric, Rectangle, Shape, Torus, Triangle};
+use rayline::shape::{Blob, Disc, Instances, Mesh, Quadric, Rectangle, Shape, Torus, Triangle};
 
 use super::{Crossing, Ray, vector};
 
@@ -43,7 +43,26 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
         Shape::Mesh(mesh) => triangles(mesh).filter_map(|triangle| self::triangle(&triangle, ray)).collect(),
         Shape::Csg(csg) => super::solids::crossings(csg.steps, ray),
         Shape::Metaballs(metaballs) => self::metaballs(metaballs.blobs, ray),
+        Shape::Instances(shape) => instances(&shape, ray),
     }
+}
+
+/// The crossings of the model with the ray where it is, brought to each place.
+fn instances(instances: &Instances<'_>, ray: Ray) -> Vec<Crossing> {
+    let (model, size) = (Shape::from(*instances.model), f64::from(instances.size));
+    let places = instances.poses.iter().flat_map(|pose| {
+        let DVec3 { x, y, z } = vector(pose.rotation);
+        let turn = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
+        let back = turn.inverse();
+        let origin = back * (ray.origin - vector(pose.origin)) / size;
+        let there = Ray { origin, direction: back * ray.direction };
+        crossings(&model, there).into_iter().map(move |crossing| Crossing {
+            t: crossing.t * size,
+            geometric: turn * crossing.geometric,
+            normal: turn * crossing.normal,
+        })
+    });
+    places.collect()
 }
 
 /// What the blobs add up to at a point, and its gradient: Wyvill's polynomial in the squared distance.

@@ -12,7 +12,9 @@ use rayline::shape::{
 use rayline::{
     Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
 };
-use rayline_tests::{cut_box, each_scene, lamps, maps, meshes, metaballs, optics, turned_box, with_scene};
+use rayline_tests::{
+    cut_box, each_scene, instances, lamps, maps, meshes, metaballs, optics, turned_box, with_scene,
+};
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
     let renderer = Renderer::new(scene, settings).unwrap();
@@ -107,6 +109,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         ),
         1 => meshes(vector(), 1..30).prop_map(Shape::Mesh),
         1 => metaballs(vector(), (0.1f32..3.0).boxed()).prop_map(Shape::Metaballs),
+        1 => instances(vector(), (0.1f32..1.5).boxed()).prop_map(Shape::Instances),
         1 => (vector(), vector(), 0.1f32..3.0, 0.1f32..3.0, vector(), 0..3usize).prop_map(
             |(center, aside, radius, other_radius, normal, operator)| {
                 // Near enough to each other that something is left.

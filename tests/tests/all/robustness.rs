@@ -5,8 +5,8 @@ use std::mem::MaybeUninit;
 use proptest::prelude::*;
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::shape::{
-    Blob, Cone, Csg, CsgStep, Cylinder, Ellipsoid, Metaballs, Plane, Polygon, Quadric, Shape, Solid, Sphere,
-    Torus, Triangle,
+    Blob, Cone, Csg, CsgStep, Cylinder, Ellipsoid, Instances, Metaballs, Model, Plane, Polygon, Pose,
+    Quadric, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
@@ -65,6 +65,13 @@ const BAD: [(f32, Fault); 5] = [
     (-3e38, Fault::TooFar),
 ];
 
+/// Something to have instances of.
+static TILE: Model = Model::Polygon(Polygon::new(&[
+    Vec3::new(0.0, 0.0, 0.0),
+    Vec3::new(1.0, 0.0, 0.0),
+    Vec3::new(0.0, 1.0, 0.0),
+]));
+
 #[test]
 fn numbers_out_of_range_are_refused_with_kind_and_index() {
     for (bad, fault) in BAD {
@@ -116,6 +123,11 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 Blob::new(Vec3::ZERO, 1.0),
                 Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
             ])))),
+            Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
+            Shape::Instances(Instances::new(
+                &TILE,
+                Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])),
+            )),
         ]
         .into_iter()
         .enumerate()
@@ -172,6 +184,7 @@ fn degenerate_shapes_are_refused() {
     refused(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::ZERO)), Fault::ZeroLength);
     refused(Shape::Csg(Csg::new(&[CsgStep::Union])), Fault::NotOneSolid);
     refused(Shape::Metaballs(Metaballs::new(&[])), Fault::TooWeak);
+    refused(Shape::Instances(Instances::new(&TILE, &[])), Fault::NoPoses);
 }
 
 #[test]

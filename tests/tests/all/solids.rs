@@ -5,8 +5,8 @@ use std::path::Path;
 
 use rayline::math::Fixed;
 use rayline::shape::{
-    Blob, Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Metaballs, Plane, Quadric, Shape, Solid, Sphere,
-    Torus,
+    Blob, Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Instances, Mesh, Metaballs, Model, Plane, Pose,
+    Quadric, Shape, Solid, Sphere, Torus,
 };
 use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 use rayline_tests::textbook::Textbook;
@@ -153,6 +153,52 @@ fn metaballs() {
             (Shape::Metaballs(Metaballs::new(&bitten)), 0),
             (Shape::Metaballs(Metaballs::new(&glass)), 3),
             (Shape::Metaballs(Metaballs::new(&ring)), 1),
+        ],
+    );
+}
+
+#[test]
+fn instances() {
+    // An arrow that points along x, with smooth sides and flat ends.
+    let vertices = [
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(-0.5, 0.4, 0.4),
+        Vec3::new(-0.5, -0.4, 0.4),
+        Vec3::new(-0.5, -0.4, -0.4),
+        Vec3::new(-0.5, 0.4, -0.4),
+    ];
+    let triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [1, 4, 3], [1, 3, 2]];
+    let arrow = Model::Mesh(Mesh { vertices: &vertices, triangles: &triangles, normals: None, uvs: None });
+    let around: Vec<Pose> = (0..7u8)
+        .map(|index| {
+            let angle = f32::from(index) * core::f32::consts::TAU / 7.0;
+            let origin = Vec3::new(3.0 * angle.cos(), 0.1 * f32::from(index), -3.0 * angle.sin());
+            Pose::at(origin).turned(Vec3::new(0.4 * f32::from(index), angle, 0.2))
+        })
+        .collect();
+    let steps = [
+        CsgStep::Solid(Solid::Sphere(Sphere::new(Vec3::ZERO, 1.0))),
+        CsgStep::Solid(Solid::Cylinder(Cylinder {
+            base: Vec3::new(0.0, -2.0, 0.0),
+            top: Vec3::new(0.0, 2.0, 0.0),
+            radius: 0.5,
+            capped: true,
+        })),
+        CsgStep::Difference,
+    ];
+    let bead = Model::Csg(Csg::new(&steps));
+    let beads = [
+        Pose::at(Vec3::new(-1.0, -0.2, 0.5)).turned(Vec3::new(0.0, 0.0, 0.5)),
+        Pose::at(Vec3::new(1.0, -0.2, 0.5)).turned(Vec3::new(1.2, 0.5, 0.0)),
+    ];
+    let saddle = Model::Quadric(waisted(Vec3::ZERO, true));
+    let lying = [Pose::at(Vec3::new(0.2, 0.0, -1.0)).turned(Vec3::new(0.0, 0.3, 1.5))];
+    check(
+        "instances",
+        &[
+            (Shape::Instances(Instances::new(&arrow, &around).sized(0.8)), 1),
+            (Shape::Instances(Instances::new(&bead, &beads).sized(0.7)), 3),
+            (Shape::Instances(Instances::new(&saddle, &lying).sized(0.5)), 0),
         ],
     );
 }

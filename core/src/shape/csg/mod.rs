@@ -185,7 +185,7 @@ fn common<R: Real>(a: Aabb<R>, b: Aabb<R>) -> Aabb<R> {
 /// Of the number of a part of the surface, the lower bits are that of the solid's, the upper ones number the solids.
 const PART_BITS: u32 = 8;
 /// What is above is not told apart.
-const MOST_PARTS: u16 = (1 << PART_BITS) - 1;
+const MOST_PARTS: u32 = (1 << PART_BITS) - 1;
 
 /// A [`Csg`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -275,7 +275,7 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
             let point = ray.at(t);
             return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
         };
-        let part = u16::from(solid) << PART_BITS | surface.part.min(MOST_PARTS);
+        let part = u32::from(solid) << PART_BITS | surface.part.min(MOST_PARTS);
         self.turned(solid, Surface { part, ..surface })
     }
 
@@ -284,6 +284,6 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         let solid = surface.part >> PART_BITS;
         let part = surface.part & MOST_PARTS;
         let surface = self.turned(solid as u8, Surface { part, ..*surface });
-        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
+        self.solids.get(solid as usize).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
     }
 }

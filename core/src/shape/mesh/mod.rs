@@ -334,13 +334,14 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
             normal,
             shading_normal: self.0.shading_normal(triangle, meeting).unwrap_or(normal),
             magnitude: a.magnitude().larger(b.magnitude()).larger(c.magnitude()),
-            part: triangle,
+            part: triangle.into(),
         }
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        let Some(corners) = self.0.corners(surface.part) else { return [R::ZERO; 2] };
+        let triangle = surface.part as u16;
+        let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };
         let (b, c) = weights(corners, surface.point);
-        self.0.interpolated_uv(surface.part, b, c).unwrap_or([b, c])
+        self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
     }
 }

@@ -1,0 +1,52 @@
+//! The set of all built-in shapes that are worth having instances of.
+
+use super::super::{ConvexPolyhedron, Csg, Mesh, Metaballs, Polygon, Quadric, Shape};
+use crate::math::Real;
+
+crate::shape_set! {
+    /// What [`Instances`](super::Instances) are of, unless you name a set of your own: all built-in shapes that borrow their
+    /// description, and quadrics, which cannot be turned. Any other is as well described once more, elsewhere.
+    pub enum Model<'a>;
+    /// [`Model`] as the kernel sees it.
+    pub enum PreparedModel {
+        /// A planar polygon.
+        Polygon(Polygon<'a>),
+        /// A quadric in a box, open or capped.
+        Quadric(Quadric),
+        /// A convex solid with flat faces.
+        ConvexPolyhedron(ConvexPolyhedron<'a>),
+        /// A mesh of triangles.
+        Mesh(Mesh<'a>),
+        /// A solid that is made of others.
+        Csg(Csg<'a>),
+        /// Balls that flow into each other.
+        Metaballs(Metaballs<'a>),
+    }
+}
+
+impl Model<'_> {
+    /// [`Geometry::bytes`](super::Geometry::bytes), usable in constants.
+    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+        match self {
+            Self::Polygon(polygon) => polygon.const_bytes::<R>(),
+            Self::Quadric(_) => Quadric::const_bytes::<R>(),
+            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
+            Self::Mesh(mesh) => mesh.const_bytes::<R>(),
+            Self::Csg(csg) => csg.const_bytes::<R>(),
+            Self::Metaballs(metaballs) => metaballs.const_bytes::<R>(),
+        }
+    }
+}
+
+impl<'a> From<Model<'a>> for Shape<'a> {
+    fn from(model: Model<'a>) -> Self {
+        match model {
+            Model::Polygon(polygon) => Self::Polygon(polygon),
+            Model::Quadric(quadric) => Self::Quadric(quadric),
+            Model::ConvexPolyhedron(polyhedron) => Self::ConvexPolyhedron(polyhedron),
+            Model::Mesh(mesh) => Self::Mesh(mesh),
+            Model::Csg(csg) => Self::Csg(csg),
+            Model::Metaballs(metaballs) => Self::Metaballs(metaballs),
+        }
+    }
+}
