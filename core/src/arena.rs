@@ -44,7 +44,7 @@ impl<'m> Arena<'m> {
     }
 
     /// The most bytes that `count` values of `T` take, wherever the memory before them ends.
-    pub(crate) const fn bytes<T>(count: usize) -> usize {
+    pub const fn bytes<T>(count: usize) -> usize {
         if count == 0 {
             return 0;
         }

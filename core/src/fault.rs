@@ -88,6 +88,11 @@ pub enum Fault {
     NoPoses,
     /// The size of instances is smaller than [`MIN_SIZE`](crate::limits::MIN_SIZE), zero or negative. It is 1 for that of the model.
     InstanceSize,
+    /// A shape that is not of this crate refuses its numbers. Do what it says.
+    Own {
+        /// What is wrong, and what to do.
+        why: &'static str,
+    },
     /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
     ZeroLength,
     /// A component of a color is negative. Use 0 or more.
@@ -219,6 +224,7 @@ impl fmt::Display for Fault {
             }
             Self::NoPoses => "there is no place for an instance; give it one or more",
             Self::InstanceSize => "the size of instances is smaller than 1e-6; it is 1 for that of the model",
+            Self::Own { why } => why,
             Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
             Self::NegativeColor => "a color is negative; use 0 or more",
             Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",

@@ -20,7 +20,7 @@ impl<R: Real> Ray<R> {
     /// The point of the whole line that is nearest to a place, as seen from there, and how far along the ray it is. What a shape computes
     /// from that point stays of the shape's own size, however far away the ray begins.
     #[inline(always)]
-    pub(crate) fn nearest_to(&self, place: Vec3<R>) -> (Vec3<R>, R) {
+    pub fn nearest_to(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let advance = (place - self.origin).dot(self.direction);
         (self.at(advance) - place, advance)
     }

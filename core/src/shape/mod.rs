@@ -5,7 +5,103 @@
 //! contains the code of just the shapes that a scene's type names: a `Scene<Sphere>` links no polygon.
 //! [`shape_set!`](crate::shape_set) makes a closed set out of any shapes, yours among them; [`Shape`] is
 //! the set of all that are built in.
-
+//!
+//! # A shape of your own
+//! Write its two types and name the first in a set: the kernel makes no difference between them and those of this crate.
+//!
+//! ```
+//! use rayline::math::{Aabb, Extent, Interval, Ray, Scale};
+//! use rayline::shape::{Geometry, Intersect, Plane, PreparedSphere, Sphere};
+//! use rayline::{Arena, Fault, Object, Real, Surface, Vec3};
+//!
+//! /// The lower half of a sphere.
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! pub struct Bowl(Sphere);
+//!
+//! /// [`Bowl`], prepared.
+//! #[derive(Clone, Copy, Debug)]
+//! pub struct PreparedBowl<R: Real> {
+//!     sphere: PreparedSphere<R>,
+//!     rim: R,
+//! }
+//!
+//! impl Geometry for Bowl {
+//!     type Prepared<'m, R: Real> = PreparedBowl<R>;
+//!
+//!     fn extent(&self) -> Extent {
+//!         self.0.extent()
+//!     }
+//!
+//!     fn prepare<'m, R: Real>(&self, scale: Scale, memory: &mut Arena<'m>) -> Result<PreparedBowl<R>, Fault>
+//!     where
+//!         Self: 'm,
+//!     {
+//!         // The sphere checks the numbers of both.
+//!         let sphere = self.0.prepare(scale, memory)?;
+//!         Ok(PreparedBowl { sphere, rim: scale.length(R::Setup::from_f32(self.0.center.y)) })
+//!     }
+//! }
+//!
+//! impl<R: Real> Intersect<R> for PreparedBowl<R> {
+//!     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+//!         let inside = self.sphere.spans(ray);
+//!         let ends = inside.as_slice().iter().flat_map(|part| [part.min, part.max]);
+//!         ends.filter(|t| range.contains(*t)).find(|t| ray.at(*t).y < self.rim)
+//!     }
+//!
+//!     fn bounds(&self) -> Option<Aabb<R>> {
+//!         let Aabb { min, max } = self.sphere.bounds()?;
+//!         let rim = self.rim + R::offset(max.magnitude());
+//!         Some(Aabb { min, max: Vec3::new(max.x, rim, max.z) })
+//!     }
+//!
+//!     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+//!         self.sphere.surface(ray, t)
+//!     }
+//!
+//!     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+//!         self.sphere.uv(surface, scale)
+//!     }
+//! }
+//!
+//! rayline::shape_set! {
+//!     /// Bowls on a table.
+//!     pub enum Table;
+//!     /// `Table`, prepared.
+//!     pub enum PreparedTable {
+//!         /// A bowl.
+//!         Bowl(Bowl),
+//!         /// The table.
+//!         Top(Plane),
+//!     }
+//! }
+//!
+//! // As always from here on: see the crate's page.
+//! static OBJECTS: [Object<Table>; 2] = [
+//!     Object::new(Table::Bowl(Bowl(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0))), 0),
+//!     Object::new(Table::Top(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 1),
+//! ];
+//! # let camera = rayline::Camera {
+//! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! # };
+//! # let white = rayline::LinearRgb::WHITE;
+//! # let materials = [rayline::Material::matte(white); 2];
+//! # let scene = rayline::Scene { camera, background: white, objects: &OBJECTS, materials: &materials, lights: &[] };
+//! # let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
+//! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
+//! ```
+//!
+//! What it owes the kernel:
+//!
+//! - [`prepare`](Geometry::prepare) refuses what could fail later, with [`Fault::Own`] where no other fault says it. What is large
+//!   goes into the [`Arena`], and [`bytes`](Geometry::bytes) tells how much that is ([`Arena::bytes`]).
+//! - [`intersect`](Intersect::intersect) computes from the point of the ray that is nearest to the shape ([`Ray::nearest_to`]), in steps
+//!   whose number is bounded, and gives the same distance whatever the range is.
+//! - [`bounds`](Intersect::bounds) hold all that it gives; what is left out of them is not seen.
+//! - [`surface`](Intersect::surface) moves the point back onto the shape, and tells the largest number that it was computed from: a ray
+//!   that leaves there must not meet the shape at once.
+//! - For [`Fixed`](crate::math::Fixed) no sum or product may exceed 128, where the scene was scaled so that curved shapes lie within 1/2.
+//!
 mod chord;
 mod cone;
 mod csg;

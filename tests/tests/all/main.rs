@@ -13,6 +13,7 @@ mod fixed;
 mod goldens;
 mod operations;
 mod optics;
+mod own_shape;
 mod povray;
 mod realtime;
 mod reference;
