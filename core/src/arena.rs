@@ -80,14 +80,16 @@ impl<'m> Arena<'m> {
         count: usize,
         mut value: impl FnMut(usize, &mut Self) -> Result<T, E>,
     ) -> Result<&'m mut [T], E> {
-        let slots = self.take(count)?;
-        for (index, slot) in slots.iter_mut().enumerate() {
-            slot.write(value(index, self)?);
+        let mut room = self.room(count)?;
+        for index in 0..count {
+            room.push(value(index, self)?)?;
         }
-        // SAFETY: all `count` slots were written just above, or an error has returned.
-        #[allow(unsafe_code)]
-        let values = unsafe { &mut *(core::ptr::from_mut(slots) as *mut [T]) };
-        Ok(values)
+        Ok(room.filled())
+    }
+
+    /// Sets room for `count` values aside.
+    pub(crate) fn room<T: Copy>(&mut self, count: usize) -> Result<Room<'m, T>, Fault> {
+        Ok(Room { slots: self.take(count)?, len: 0 })
     }
 
     /// Cuts room for `count` values off the front of what is free.
@@ -118,6 +120,36 @@ impl<'m> Arena<'m> {
         #[allow(unsafe_code)]
         let slots = unsafe { core::slice::from_raw_parts_mut(room.as_mut_ptr().cast(), count) };
         Ok(slots)
+    }
+}
+
+/// Room for values, filled from front to back.
+pub(crate) struct Room<'m, T> {
+    slots: &'m mut [MaybeUninit<T>],
+    /// So many of the slots were written.
+    len: usize,
+}
+
+impl<'m, T: Copy> Room<'m, T> {
+    /// Writes the next value.
+    ///
+    /// # Errors
+    /// [`Fault::Memory`] where all room is filled.
+    pub(crate) fn push(&mut self, value: T) -> Result<(), Fault> {
+        let full = Fault::Memory { needed: size_of::<T>(), lent: 0 };
+        self.slots.get_mut(self.len).ok_or(full)?.write(value);
+        self.len += 1;
+        Ok(())
+    }
+
+    /// What was written.
+    pub(crate) fn filled(self) -> &'m mut [T] {
+        let filled = self.slots.get_mut(..self.len).unwrap_or_default();
+        // SAFETY: the first `len` slots were written, one by one, by `push`.
+        #[allow(unsafe_code)]
+        unsafe {
+            &mut *(core::ptr::from_mut(filled) as *mut [T])
+        }
     }
 }
 

@@ -5,6 +5,7 @@ use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Camera {
     /// Where the camera is.
     pub eye: Vec3,
@@ -16,6 +17,9 @@ pub struct Camera {
     /// one follows from the picture's shape.
     pub vertical_fov: f32,
 }
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Camera);
 
 /// A camera's orthonormal frame, checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,6 +18,11 @@ pub struct LinearRgb<R = f32> {
     pub b: R,
 }
 
+#[cfg(feature = "serde")]
+crate::math::triple!(LinearRgb { r, g, b });
+#[cfg(feature = "serde")]
+crate::read::plain!(LinearRgb);
+
 impl<R> LinearRgb<R> {
     /// The color (r, g, b).
     pub const fn new(r: R, g: R, b: R) -> Self {

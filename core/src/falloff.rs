@@ -6,6 +6,11 @@ use crate::math::{Real, Scale};
 /// How light fades with distance d: to 1 / (constant + linear d + quadratic d²), but never to more than it was (Hall and Greenberg,
 /// "A Testbed for Realistic Image Synthesis", IEEE CG&A 1983).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
 pub struct Falloff {
     /// 0 or more, and so the others; one of the three is more.
     pub constant: f32,
@@ -54,6 +59,12 @@ impl Falloff {
         let brightness =
             if R::holds(largest.recip()) { R::from_setup(largest.recip()) } else { return Ok(None) };
         Ok(Some(PreparedFalloff { constant: part(c), linear: part(l), quadratic: part(q), brightness }))
+    }
+}
+
+impl Default for Falloff {
+    fn default() -> Self {
+        Self::NONE
     }
 }
 

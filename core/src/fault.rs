@@ -162,6 +162,11 @@ pub enum Fault {
         /// How many there are.
         given: usize,
     },
+    /// An array of fixed size is full. Raise its size.
+    Full {
+        /// There is room for so many.
+        room: usize,
+    },
     /// The lent memory is too small. Lend as much as [`Scene::bytes`](crate::Scene::bytes) says.
     Memory {
         /// Bytes that the scene needs.
@@ -272,8 +277,11 @@ impl fmt::Display for Fault {
                 );
             }
             Self::TooMany { given } => return write!(f, "{given} are too many; use at most 65535"),
+            Self::Full { room } => {
+                return write!(f, "there is room for {room} of a kind; raise the capacity");
+            }
             Self::Memory { needed, lent } => {
-                return write!(f, "preparing needs {needed} bytes and {lent} were lent; lend more");
+                return write!(f, "the scene needs {needed} bytes and {lent} were lent; lend more");
             }
         })
     }

@@ -42,9 +42,9 @@
 //! | radiance | how much light comes along a ray | `integrator` |
 //! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
 //!
-//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `hierarchy`, `color`,
+//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`, `color`,
 //! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
-//! `render`, `builtin`.
+//! `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
@@ -86,12 +86,16 @@
 //!   and cones, ambient light. Without it a scene that has one of them is refused.
 //! - `textures`, on unless left out: patterns and images. Without it there are solid colors and checkers in space; a
 //!   scene that has more is refused.
+//! - `serde`: scenes from files and to files, see [`read`]; on a device from bytes in flash, [`SceneBuf::from_bytes`].
+//! - `bake`: scenes as Rust source, for build scripts: see [`bake`].
 //! - `std`: the standard library's square root. Changes no byte.
 //! - `micromath`: micromath's square roots and powers for `f32`, refined: faster without an FPU, other bytes.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 
 mod arena;
+#[cfg(feature = "bake")]
+pub mod bake;
 pub mod builtin;
 mod camera;
 mod color;
@@ -105,6 +109,8 @@ mod material;
 pub mod math;
 mod prepared;
 mod probe;
+#[cfg(feature = "serde")]
+pub mod read;
 mod render;
 mod sampler;
 mod scene;
@@ -128,6 +134,8 @@ pub use render::{
     Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Tone,
     Transfer,
 };
+#[cfg(feature = "serde")]
+pub use scene::BytesError;
 pub use scene::{MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
 pub use texture::{

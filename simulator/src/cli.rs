@@ -28,6 +28,15 @@ pub(crate) enum Command {
     Scenes,
     /// Tell everything that happened to one pixel: rays, hits, lights, colors
     Pixel(Pixel),
+    /// Write a scene in another format
+    ///
+    /// Its name tells which: .ron is Rayline's own, for people; .rayline the same in bytes, for SceneBuf::from_bytes; .pov
+    /// is for POV-Ray; .rs is Rust source, as by `bake`.
+    Convert(Convert),
+    /// Write a scene as Rust source for a program's flash
+    ///
+    /// It defines SCENE, in a set of just the shapes that the scene has, so that nothing else is linked; take it in by include!.
+    Bake(Convert),
     /// Show a scene in a window: arrow keys orbit, + and - come closer and go away, S saves, Q quits
     Window(Window),
     /// Measure how fast pictures are, and print tables in Markdown
@@ -76,6 +85,18 @@ pub(crate) struct Pixel {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Convert {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The file to write
+    #[arg(value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// Say nothing unless something fails
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Window {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
@@ -95,7 +116,7 @@ pub(crate) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// The name of a built-in scene, or a file in NFF (.nff) or Wavefront OBJ (.obj)
+    /// The name of a built-in scene, or a file: Rayline's own (.ron, .rayline), NFF (.nff) or Wavefront OBJ (.obj)
     #[arg(value_name = "SCENE")]
     pub(crate) source: PathBuf,
 }

@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 
 use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
-use rayline::builtin;
+use rayline::{Scene, builtin};
 use rayline_simulator::{
-    Bench, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, Stats, check_writable,
-    half_blocks, render_watched, report_pixel, write_file,
+    Bench, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats,
+    check, check_writable, half_blocks, render_watched, report_pixel, write_file,
 };
 
-use crate::cli::{BenchArgs, Cli, Command, Pixel, Render, Window};
+use crate::cli::{BenchArgs, Cli, Command, Convert, Pixel, Render, Window};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -23,6 +23,8 @@ pub(crate) fn run(cli: Cli) -> Outcome {
         Some(Command::Render(arguments)) => render(&arguments),
         Some(Command::Scenes) => scenes(),
         Some(Command::Pixel(arguments)) => pixel(&arguments),
+        Some(Command::Convert(arguments)) => convert(&arguments),
+        Some(Command::Bake(arguments)) => bake(&arguments),
         Some(Command::Window(arguments)) => window(&arguments),
         Some(Command::Bench(arguments)) => bench(&arguments),
     }
@@ -95,6 +97,33 @@ fn pixel(arguments: &Pixel) -> Outcome {
         error => error.into(),
     })?;
     Ok(io::stdout().write_all(report.as_bytes())?)
+}
+
+fn convert(arguments: &Convert) -> Outcome {
+    let file = SceneFile::new(&arguments.output)?;
+    let arena = Bump::new();
+    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    check(&scene.scene).map_err(|error| scene.explain(&error))?;
+    let bytes = file.write(&scene.scene, &scene.options().settings)?;
+    if !arguments.quiet {
+        let Scene { objects, materials, lights, .. } = scene.scene;
+        writeln!(
+            io::stdout(),
+            "{}: {bytes} bytes; {} objects, {} materials, {} lights",
+            file.path().display(),
+            objects.len(),
+            materials.len(),
+            lights.len()
+        )?;
+    }
+    Ok(())
+}
+
+fn bake(arguments: &Convert) -> Outcome {
+    match arguments.output.extension() {
+        Some(extension) if extension == "rs" => convert(arguments),
+        _ => Err(format!("cannot write {}: Rust source is in .rs files", arguments.output.display()).into()),
+    }
 }
 
 #[cfg(feature = "window")]

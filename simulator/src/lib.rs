@@ -1,7 +1,8 @@
 //! Rayline on the desktop: pictures on several threads, scene files, and what can be measured and watched.
 //!
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
-//! - [`nff`] and [`obj`] read scene files, and [`LoadedScene`] finds a scene by name or file;
+//! - [`ron`] reads and writes scene files, [`nff`] and [`obj`] read those of others, and [`LoadedScene`] finds a scene by name or file;
+//! - [`SceneFile`] writes scenes, also as Rust source and for POV-Ray;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`report_pixel`] tells all that happened to one pixel;
 //! - [`Bench`] measures how fast pictures are, and [`povray`] has another renderer draw them;
@@ -11,9 +12,11 @@
 //! The program `rayline` is a thin shell around these.
 
 mod bench;
+mod convert;
 mod display;
 mod file;
 mod loaded;
+mod nearest;
 pub mod nff;
 pub mod obj;
 mod options;
@@ -22,18 +25,20 @@ mod picture;
 pub mod povray;
 mod realtime;
 mod report;
+pub mod ron;
 mod stats;
 mod terminal;
 #[cfg(feature = "window")]
 mod window;
 
 pub use bench::{Bench, BenchError};
+pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
 pub use file::{FileError, PictureFile, check_writable, write_file};
 pub use loaded::{LoadError, LoadedScene};
 pub use options::{Mode, Number, RenderOptions};
 pub use orbit::Orbit;
-pub use picture::{Picture, RenderError, render, render_watched};
+pub use picture::{Picture, RenderError, check, render, render_watched};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;

@@ -1,16 +1,19 @@
 //! A scene, found by its name or read from its file.
 
 use core::fmt;
+use core::mem::MaybeUninit;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::builtin;
-use rayline::{Scene, SceneError};
+use rayline::{BytesError, Scene, SceneError};
 
 use crate::RenderOptions;
+use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
+use crate::ron::{self, Position, RonError};
 
 /// A scene, found by its name or read from its file, with what is said about its picture.
 #[derive(Clone, Debug)]
@@ -34,13 +37,16 @@ pub struct LoadedScene<'a> {
 enum Import<'a> {
     Nff(nff::Import<'a>),
     Obj(obj::Import<'a>),
+    Ron(ron::Import<'a>),
+    Bytes,
 }
 
 /// Why there is no scene.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// There is no such built-in scene. Name one that there is, or a file that ends in `.nff` or `.obj`.
+    /// There is no such built-in scene. Name one that there is, or a file that ends in
+    /// `.ron`, `.rayline`, `.nff` or `.obj`.
     Unknown {
         /// What was asked for.
         name: String,
@@ -61,23 +67,73 @@ pub enum LoadError {
     },
     /// The file, or one that it names, cannot be read or breaks the grammar of its format. Mend the line.
     Obj(ObjError),
+    /// The file holds bytes that are no scene. Write it again.
+    Bytes {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with them.
+        error: BytesError,
+    },
+    /// The file cannot be read, or says what is not understood. Mend it where the error says.
+    Ron(RonError),
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads an `.nff` or `.obj` file into `arena`, or finds a built-in scene.
+    /// Reads a `.ron`, `.rayline`, `.nff` or `.obj` file into `arena`, or finds a built-in scene.
     ///
     /// # Errors
     /// The scene does not exist or cannot be read.
     pub fn open(source: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let ends_in =
             |format| source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(format));
-        if ends_in("nff") {
+        if ends_in("rayline") {
+            Self::read_bytes(source, arena)
+        } else if ends_in("ron") {
+            Self::read_ron(source, arena)
+        } else if ends_in("nff") {
             Self::read_nff(source, arena)
         } else if ends_in("obj") {
             Self::read_obj(source, arena)
         } else {
             Self::find(&source.to_string_lossy())
         }
+    }
+
+    fn read_bytes(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        let bytes = std::fs::read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })?;
+        let bytes = arena.alloc_slice_copy(&bytes);
+        let mut room = bytes.len().saturating_mul(8).max(1 << 10);
+        let scene = loop {
+            let memory = arena.alloc_slice_fill_copy(room, MaybeUninit::uninit());
+            match Scene::from_bytes(bytes, memory) {
+                Ok(scene) => break scene,
+                // A list that claims to be longer than all bytes is a lie.
+                Err(BytesError::Memory { .. }) if room < bytes.len().saturating_mul(1 << 10) => {
+                    room = room.saturating_mul(4);
+                }
+                Err(error) => return Err(LoadError::Bytes { path: path.to_owned(), error }),
+            }
+        };
+        Ok(Self {
+            name: name_of(path),
+            scene,
+            size: (640, 480),
+            bounces: 4,
+            notes: Vec::new(),
+            file: Some((path.to_owned(), Import::Bytes)),
+        })
+    }
+
+    fn read_ron(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        let import = ron::read(arena, path).map_err(LoadError::Ron)?;
+        Ok(Self {
+            name: name_of(path),
+            scene: import.scene,
+            size: (640, 480),
+            bounces: 4,
+            notes: Vec::new(),
+            file: Some((path.to_owned(), Import::Ron(import))),
+        })
     }
 
     fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
@@ -137,6 +193,7 @@ impl<'a> LoadedScene<'a> {
     pub fn line_of_object(&self, index: usize) -> Option<usize> {
         match &self.file {
             Some((_, Import::Nff(import))) => import.line_of(rayline::Part::Object(index)),
+            Some((_, Import::Ron(import))) => Some(import.position_of(rayline::Part::Object(index))?.line),
             _ => None,
         }
     }
@@ -145,12 +202,19 @@ impl<'a> LoadedScene<'a> {
     pub fn explain(&self, error: &SceneError) -> String {
         match &self.file {
             None => format!("{}: {error}", self.name),
+            Some((path, Import::Bytes)) => format!("{}: {error}", path.display()),
             Some((path, Import::Nff(import))) => match import.line_of(error.part) {
                 Some(line) => format!("{}:{line}: {}", path.display(), error.fault),
                 None => format!("{}: {error}", path.display()),
             },
             Some((path, Import::Obj(import))) => match import.name_of(error.part) {
                 Some(name) => format!("{}: `{}`: {}", path.display(), name.escape_debug(), error.fault),
+                None => format!("{}: {error}", path.display()),
+            },
+            Some((path, Import::Ron(import))) => match import.position_of(error.part) {
+                Some(Position { line, column }) => {
+                    format!("{}:{line}:{column}: {}", path.display(), error.fault)
+                }
                 None => format!("{}: {error}", path.display()),
             },
         }
@@ -161,17 +225,21 @@ impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unknown { name } => {
-                write!(f, "there is no scene `{name}`")?;
-                match nearest(name) {
-                    Some(nearest) => write!(f, "; did you mean `{nearest}`? ")?,
-                    None => f.write_str(". ")?,
-                }
-                let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
-                write!(f, "There are {}, and files that end in .nff or .obj", names.join(", "))
+                let names = builtin::ALL.map(|builtin| builtin.name);
+                let meant = nearest(name, names);
+                write!(f, "there is no scene `{name}`{}", DidYouMean(meant))?;
+                f.write_str(if meant.is_some() { " " } else { ". " })?;
+                write!(
+                    f,
+                    "There are {}, and files that end in .ron, .rayline, .nff or .obj",
+                    names.join(", ")
+                )
             }
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
             Self::Obj(error) => error.fmt(f),
+            Self::Ron(error) => error.fmt(f),
+            Self::Bytes { path, error } => write!(f, "{}: {error}", path.display()),
         }
     }
 }
@@ -183,6 +251,8 @@ impl core::error::Error for LoadError {
             Self::Read { error, .. } => Some(error),
             Self::Nff { error, .. } => Some(error),
             Self::Obj(error) => Some(error),
+            Self::Ron(error) => Some(error),
+            Self::Bytes { error, .. } => Some(error),
         }
     }
 }
@@ -190,14 +260,4 @@ impl core::error::Error for LoadError {
 /// What to call the pictures of a file.
 fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// The built-in scene whose name is most like this one, if any is like it at all.
-fn nearest(name: &str) -> Option<&'static str> {
-    builtin::ALL
-        .iter()
-        .map(|builtin| (strsim::jaro_winkler(name, builtin.name), builtin.name))
-        .filter(|(likeness, _)| *likeness > 0.7)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, name)| name)
 }

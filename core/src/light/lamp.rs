@@ -7,12 +7,14 @@ use crate::math::{Real, Scale, Vec3, float};
 
 /// A light at one point that falls off with distance, or shines into a cone alone: a spot light.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Lamp {
     /// Where the light is.
     pub position: Vec3,
     /// Its color and intensity, 0 or more.
     pub color: LinearRgb,
     /// How it fades with distance.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub falloff: Falloff,
     /// Where it shines; `None`: everywhere.
     pub cone: Option<LightCone>,
@@ -20,6 +22,7 @@ pub struct Lamp {
 
 /// A cone into which a light shines.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct LightCone {
     /// The way the light travels in its middle; any length but 0.
     pub direction: Vec3,

@@ -12,6 +12,7 @@ use crate::math::{Real, Scale, Vec3};
 
 /// A light without size: shadows have sharp edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]
 pub enum Light {
     /// Shines from one point in all directions, as bright at any distance.
@@ -37,6 +38,9 @@ pub enum Light {
         color: LinearRgb,
     },
 }
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Light);
 
 impl Light {
     /// Whether it asks for the feature `optics`.

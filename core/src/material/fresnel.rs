@@ -4,6 +4,7 @@ use crate::math::Real;
 
 /// How the shares of mirrored and refracted light depend on the angle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Fresnel {
     /// They do not, as in the first lectures.
     #[default]

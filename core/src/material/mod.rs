@@ -23,6 +23,7 @@ use crate::texture::{Map, PreparedMaps, PreparedTexture, Texture};
 /// what a mirror and a refracted ray bring (Whitted, "An Improved Illumination Model for Shaded Display",
 /// CACM 1980). Coefficients lie in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Material<'a> {
     /// The color of the ambient and diffuse terms.
     pub color: Texture<'a>,
@@ -45,6 +46,15 @@ pub struct Material<'a> {
     pub optics: Option<&'a Optics>,
     /// Textures on coefficients, and bumps. Need the feature `textures`.
     pub maps: &'a [Map<'a>],
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [] Material as Material<'m> {
+        color = Self::matte(LinearRgb::WHITE).color, ambient = 0.0, diffuse = 1.0, specular = 0.0, shininess = 0.0,
+        reflectance = 0.0, transmittance = 0.0, ior = 1.0, optics = None, maps = &[],
+    }
+    may be named
 }
 
 impl<'a> Material<'a> {

@@ -22,6 +22,11 @@ use crate::share::Share;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
 pub struct Optics {
     /// What the highlight depends on.
     pub highlight: Highlight,
@@ -53,8 +58,18 @@ impl Optics {
     };
 }
 
+impl Default for Optics {
+    fn default() -> Self {
+        Self::PLAIN
+    }
+}
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Optics);
+
 /// What a highlight depends on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Highlight {
     /// The angle between the mirrored ray and the light (Phong 1975).
     #[default]

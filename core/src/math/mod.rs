@@ -10,6 +10,8 @@ mod real;
 mod roots;
 mod rotation;
 mod scale;
+#[cfg(feature = "serde")]
+mod triple;
 mod vec3;
 
 pub use aabb::Aabb;
@@ -21,4 +23,6 @@ pub use real::{FloatLinear, Linear, Product, Real};
 pub(crate) use roots::{cubic_roots, root_between};
 pub(crate) use rotation::{Rotation, turned};
 pub use scale::{Extent, Scale};
+#[cfg(feature = "serde")]
+pub(crate) use triple::triple;
 pub use vec3::Vec3;

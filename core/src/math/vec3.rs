@@ -16,6 +16,9 @@ pub struct Vec3<R = f32> {
     pub z: R,
 }
 
+#[cfg(feature = "serde")]
+crate::math::triple!(Vec3 { x, y, z });
+
 impl<R> Vec3<R> {
     /// The vector (x, y, z).
     pub const fn new(x: R, y: R, z: R) -> Self {

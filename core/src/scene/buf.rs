@@ -32,6 +32,14 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
     lights: Vec<Light, LIGHTS>,
 }
 
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [S: crate::read::Read<'m>, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize]
+    Scene as SceneBuf<'m, S, OBJECTS, MATERIALS, LIGHTS> {
+        camera, background = LinearRgb::BLACK, objects, materials, lights = Vec::new(),
+    }
+}
+
 impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     SceneBuf<'a, S, OBJECTS, MATERIALS, LIGHTS>
 {

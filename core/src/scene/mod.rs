@@ -1,9 +1,13 @@
 //! The description of a scene: plain data that can be a `static` in flash.
 
 mod buf;
+#[cfg(feature = "serde")]
+mod bytes;
 mod features;
 
 pub use buf::SceneBuf;
+#[cfg(feature = "serde")]
+pub use bytes::BytesError;
 
 use crate::camera::Camera;
 use crate::color::LinearRgb;
@@ -16,6 +20,7 @@ use crate::shape::Shape;
 /// `S` is the set of shapes that objects may have; by default all built-in ones, see
 /// [`shape_set!`](crate::shape_set).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scene<'a, S = Shape<'a>> {
     /// Where the picture is taken from.
     pub camera: Camera,
@@ -31,6 +36,7 @@ pub struct Scene<'a, S = Shape<'a>> {
 
 /// A shape and what it is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Object<S> {
     /// Where the object is and what form it has.
     pub shape: S,
@@ -40,7 +46,28 @@ pub struct Object<S> {
 
 /// A material of the same scene, by its position in [`Scene::materials`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MaterialId(pub u16);
+
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [S: crate::read::Read<'m> + Copy] Scene as Scene<'m, S> {
+        camera, background = LinearRgb::BLACK, objects, materials, lights = &[],
+    }
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([S: crate::read::Read<'m>] Object as Object<S> { shape, material });
+
+#[cfg(feature = "serde")]
+impl<'m> crate::read::Read<'m> for MaterialId {
+    fn read<D: serde::Deserializer<'m>>(
+        from: D,
+        reader: &mut crate::read::Reader<'m>,
+    ) -> Result<Self, D::Error> {
+        crate::read::read_number("MaterialId", from, reader).map(Self)
+    }
+}
 
 impl<S> Object<S> {
     /// The object of this shape and the material at this position in [`Scene::materials`].

@@ -10,6 +10,7 @@ use crate::surface::Surface;
 
 /// A cone, or the frustum of one, between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cone {
     /// The middle of one end.
     pub base: Vec3,

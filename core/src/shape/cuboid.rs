@@ -12,6 +12,7 @@ use crate::surface::Surface;
 /// Its faces are the [parts](Surface::part) 0 to 5: the one against the first axis, the one along it, and so on. A box
 /// along the coordinate axes saves each ray six scalar products.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cuboid {
     /// The middle.
     pub center: Vec3,

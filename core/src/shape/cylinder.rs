@@ -7,6 +7,7 @@ use crate::math::{Extent, Real, Scale, Vec3};
 
 /// A cylinder between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cylinder {
     /// The middle of one end.
     pub base: Vec3,

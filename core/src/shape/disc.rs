@@ -9,6 +9,7 @@ use crate::surface::Surface;
 
 /// A flat disc, or a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Disc {
     /// The middle.
     pub center: Vec3,
@@ -17,6 +18,7 @@ pub struct Disc {
     /// More than 0.
     pub radius: f32,
     /// Radius of the hole, 0 or more and less than `radius`.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub hole: f32,
 }
 

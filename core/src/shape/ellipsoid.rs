@@ -9,6 +9,7 @@ use crate::surface::Surface;
 
 /// An ellipsoid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Ellipsoid {
     /// The middle.
     pub center: Vec3,

@@ -256,6 +256,11 @@ pub enum Form<R> {
     },
 }
 
+#[cfg(feature = "serde")]
+crate::read::plain!(
+    Sphere, Plane, Disc, Rectangle, Triangle, Cylinder, Cone, Ellipsoid, Quadric, Torus, Cuboid
+);
+
 crate::shape_set! {
     /// The set of all built-in shapes.
     pub enum Shape<'a>;

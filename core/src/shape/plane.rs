@@ -8,6 +8,7 @@ use crate::surface::Surface;
 
 /// An infinite plane. What lies behind it is its inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Plane {
     /// Any point of the plane.
     pub point: Vec3,

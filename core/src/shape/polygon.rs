@@ -11,10 +11,14 @@ use crate::surface::Surface;
 ///
 /// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Polygon<'a> {
     /// The outline, three vertices or more; the last is joined to the first.
     pub vertices: &'a [Vec3],
 }
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Polygon as Polygon<'m> { vertices });
 
 impl<'a> Polygon<'a> {
     /// The polygon with this outline.

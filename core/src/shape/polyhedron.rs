@@ -20,10 +20,14 @@ use crate::surface::Surface;
 ///
 /// The [part](Surface::part) of a hit is the position of the face's plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConvexPolyhedron<'a> {
     /// What lies behind all of them is inside: their normals point outward. At most [`MAX_FACES`].
     pub planes: &'a [Plane],
 }
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] ConvexPolyhedron as ConvexPolyhedron<'m> { planes });
 
 impl<'a> ConvexPolyhedron<'a> {
     /// The solid behind all of these planes.

@@ -10,6 +10,7 @@ use crate::surface::Surface;
 /// A rectangle, or a parallelogram where its edges are not at right angles; its front is the side from which `right`
 /// turns counterclockwise toward `up`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Rectangle {
     /// One corner.
     pub corner: Vec3,

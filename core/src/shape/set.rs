@@ -41,6 +41,8 @@ macro_rules! shape_set {
             $($(#[$doc])* $Variant(<$Type as $crate::shape::Geometry>::Prepared<'m, R>)),+
         }
 
+        $crate::__read_set! { $Set $(<$life>)? { $($Variant($Type)),+ } }
+
         impl $(<$life>)? $crate::shape::Geometry for $Set $(<$life>)? {
             type Prepared<'m, R: $crate::math::Real> = $Prepared<$($life,)? 'm, R> where Self: 'm;
 
@@ -129,4 +131,42 @@ macro_rules! shape_set {
             }
         }
     };
+}
+
+/// How a set is written to files and read from them: see `read`.
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __read_set {
+    ($Set:ident $(<$life:lifetime>)? { $($Variant:ident($Type:ty)),+ }) => {
+        impl $(<$life>)? $crate::read::serde::Serialize for $Set $(<$life>)? {
+            fn serialize<W: $crate::read::serde::Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+                let mut number = 0;
+                $(
+                    if let Self::$Variant(shape) = self {
+                        let (set, variant) = (stringify!($Set), stringify!($Variant));
+                        return serializer.serialize_newtype_variant(set, number, variant, shape);
+                    }
+                    number += 1;
+                )+
+                let _ = number;
+                Err($crate::read::serde::ser::Error::custom("a set has no other shapes"))
+            }
+        }
+
+        $crate::__read_set!(@read $Set $(<$life>)? { $($Variant($Type)),+ });
+    };
+    (@read $Set:ident <$life:lifetime> { $($Variant:ident($Type:ty)),+ }) => {
+        $crate::__read_enum!([] $Set as $Set<'m> { $($Variant($Type)),+ });
+    };
+    (@read $Set:ident { $($Variant:ident($Type:ty)),+ }) => {
+        $crate::__read_enum!([] $Set as $Set { $($Variant($Type)),+ });
+    };
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __read_set {
+    ($($any:tt)*) => {};
 }

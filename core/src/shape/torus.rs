@@ -14,6 +14,7 @@ use crate::surface::Surface;
 
 /// A torus: what is no farther than the minor radius from a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Torus {
     /// The middle of the hole.
     pub center: Vec3,

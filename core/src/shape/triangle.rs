@@ -9,6 +9,7 @@ use crate::surface::Surface;
 
 /// A triangle; its front is the side from which the vertices run counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Triangle {
     /// The corners.
     pub vertices: [Vec3; 3],

@@ -8,6 +8,7 @@ use crate::math::{Cell, Real};
 /// A wall of bricks in the pattern's x-y plane: each takes one unit with its share of mortar, and every second row begins in
 /// the middle of one. Along z all is the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Brick<R = f32> {
     /// The color of bricks.
     pub brick: LinearRgb<R>,

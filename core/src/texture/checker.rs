@@ -11,6 +11,7 @@ use crate::math::{Cell, Real, Scale, Vec3};
 /// three is even the cell has the color `even`. An axis with 0 cells per unit does not count, so that a
 /// horizontal floor is checkered by x and z alone and cannot flicker with its height.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Checker {
     /// Color of the cell between the origin and (1, 1, 1) cells.
     pub even: LinearRgb,
@@ -72,6 +73,7 @@ pub(super) fn mark(cells: [i32; 3]) -> u32 {
 
 /// Cells of two colors that alternate along all axes of a pattern: over u and v, squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Squares<R = f32> {
     /// Color of the cell between the pattern's origin and (1, 1, 1).
     pub even: LinearRgb<R>,

@@ -7,19 +7,23 @@ use crate::math::{Cell, Real};
 
 /// From one color to another along one unit of the pattern's x axis, in linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Gradient<R = f32> {
     /// The color at 0.
     pub from: LinearRgb<R>,
     /// The color at 1.
     pub to: LinearRgb<R>,
     /// What is beyond.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub ends: Ends,
 }
 
 /// What is beyond the ends of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ends {
     /// The same again.
+    #[default]
     Repeat,
     /// The same, mirrored, so that there are no edges.
     Mirror,

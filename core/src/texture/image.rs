@@ -24,6 +24,7 @@ use crate::math::{Cell, Linear, Real, Vec3};
 /// let _texture = Texture::Placed(&PLACED);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Image<'a> {
     /// In pixels.
     pub width: u16,
@@ -39,10 +40,20 @@ pub struct Image<'a> {
     pub ends: Ends,
 }
 
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [] Image as Image<'m> {
+        width, height, pixels, encoding = Encoding::Srgb, filter = Filter::Nearest, ends = Ends::Repeat,
+    }
+    may be named
+}
+
 /// What is between the middles of pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Filter {
     /// The nearest pixel.
+    #[default]
     Nearest,
     /// A blend of the four nearest, in linear light.
     Bilinear,

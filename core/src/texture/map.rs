@@ -11,6 +11,7 @@ use crate::surface::Surface;
 /// A texture that changes something else than the color. Its own colors count by their brightness: a quarter of red, half
 /// of green and a quarter of blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Map<'a> {
     /// What it changes.
     pub onto: Onto,
@@ -18,8 +19,12 @@ pub struct Map<'a> {
     pub texture: Texture<'a>,
 }
 
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Map as Map<'m> { onto, texture });
+
 /// What a texture changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]
 pub enum Onto {
     /// The share of ambient light is multiplied by the texture.

@@ -8,6 +8,7 @@ use crate::math::{Cell, Real};
 
 /// Veins across the pattern's x axis, one in each unit, moved by noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Marble<R = f32> {
     /// The color of the stone.
     pub stone: LinearRgb<R>,

@@ -43,6 +43,7 @@ use checker::PreparedChecker;
 
 /// The color of a material at each point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Texture<'a> {
     /// The same color everywhere.
@@ -51,6 +52,11 @@ pub enum Texture<'a> {
     Checker(Checker),
     /// Everything else. Needs the feature `textures`.
     Placed(&'a Placed<'a>),
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [] Texture as Texture<'m> { Solid(LinearRgb), Checker(Checker), Placed(&'m Placed<'m>) }
 }
 
 impl<'a> Texture<'a> {
@@ -92,6 +98,11 @@ impl From<LinearRgb> for Texture<'_> {
         Self::Solid(color)
     }
 }
+
+#[cfg(feature = "serde")]
+crate::read::plain!(
+    Checker, Squares, Stripes, Gradient, Noise, Marble, Wood, Brick, Placement, Onto, Encoding, Filter, Ends
+);
 
 /// Refuses what is no share of light.
 fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> {

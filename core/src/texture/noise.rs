@@ -11,6 +11,7 @@ pub const MAX_OCTAVES: u8 = 8;
 
 /// Clouds: noise of one cell in each unit, and of finer cells on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Noise<R = f32> {
     /// The color where the noise is lowest.
     pub low: LinearRgb<R>,

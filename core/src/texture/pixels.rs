@@ -7,14 +7,17 @@ use crate::math::Real;
 
 /// The pixels of a picture, from left to right and from above to below, wherever they lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Pixels<'a> {
     /// 5 bits of red in the highest bits, 6 of green, 5 of blue.
     Rgb565(&'a [u16]),
     /// A byte each of red, green and blue.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
     Rgb888(&'a [u8]),
     /// A byte of each names a color.
     Palette8 {
         /// The names.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
         indices: &'a [u8],
         /// A byte each of red, green and blue.
         palette: &'a [[u8; 3]],
@@ -22,16 +25,37 @@ pub enum Pixels<'a> {
     /// Half a byte of each names a color: the upper half is the left pixel. Each line begins with a byte of its own.
     Palette4 {
         /// The names.
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
         indices: &'a [u8],
         /// A byte each of red, green and blue.
         palette: &'a [[u8; 3]],
     },
 }
 
+/// What [`Pixels::Palette8`] and [`Pixels::Palette4`] hold, for files.
+#[cfg(feature = "serde")]
+#[derive(Clone, Copy)]
+struct Indexed<'a> {
+    indices: &'a [u8],
+    palette: &'a [[u8; 3]],
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Indexed as Indexed<'m> { indices, palette });
+
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [] Pixels as Pixels<'m> {
+        Rgb565(&'m [u16]), Rgb888(&'m [u8]), Palette8 { Indexed<'m>: indices, palette }, Palette4 { Indexed<'m>: indices, palette },
+    }
+}
+
 /// What the numbers of pixels mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Encoding {
     /// Codes for a display, as in almost every picture.
+    #[default]
     Srgb,
     /// Amounts of light, or heights.
     Linear,

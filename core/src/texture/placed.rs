@@ -45,6 +45,7 @@ pub(crate) const fn present() -> Result<Present, Fault> {
 /// let _material = Material { color: Texture::Placed(&STONE), ..Material::matte(LinearRgb::WHITE) };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Placed<'a> {
     /// What is seen.
     pub figure: Figure<'a>,
@@ -52,8 +53,12 @@ pub struct Placed<'a> {
     pub placement: Placement,
 }
 
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Placed as Placed<'m> { figure, placement = Placement::SURFACE });
+
 /// What is seen of a pattern, in the pattern's own coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Figure<'a> {
     /// Cells of two colors that alternate.
@@ -72,6 +77,14 @@ pub enum Figure<'a> {
     Brick(Brick),
     /// A picture.
     Image(Image<'a>),
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [] Figure as Figure<'m> {
+        Squares(Squares), Stripes(Stripes), Gradient(Gradient), Noise(Noise), Marble(Marble), Wood(Wood), Brick(Brick),
+        Image(Image<'m>),
+    }
 }
 
 impl<'a> Placed<'a> {

@@ -5,6 +5,7 @@ use crate::math::{Cell, Linear, Real, Scale, Vec3, float, turned};
 
 /// What a pattern varies over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Space {
     /// Over space: the surface cuts through it, as through a block of wood.
     Scene,
@@ -24,6 +25,11 @@ pub enum Space {
 /// # assert_eq!((wallpaper.size.x, grain.size.x), (0.5, 0.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
 pub struct Placement {
     /// What the pattern varies over.
     pub space: Space,
@@ -103,6 +109,12 @@ impl Placement {
                 axis(Vec3::new(none, none, one), z),
             ],
         })
+    }
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        Self::SURFACE
     }
 }
 

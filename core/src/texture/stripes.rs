@@ -7,6 +7,7 @@ use crate::math::{Cell, Real};
 
 /// Stripes across the pattern's x axis: one pair in each unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Stripes<R = f32> {
     /// The color at the beginning of each unit.
     pub first: LinearRgb<R>,

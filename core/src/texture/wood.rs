@@ -8,6 +8,7 @@ use crate::math::{Cell, Product, Real};
 
 /// Rings about the pattern's z axis, one in each unit, up to 60 of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wood<R = f32> {
     /// The color where a ring begins.
     pub early: LinearRgb<R>,

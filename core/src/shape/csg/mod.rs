@@ -50,6 +50,7 @@ use crate::surface::Surface;
 /// # let _ = BEAD;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Csg<'a, S = Solid<'a>> {
     /// The steps, of which one solid is left in the end: at most [`MAX_CSG_SOLIDS`] solids.
     pub steps: &'a [CsgStep<S>],
@@ -57,6 +58,7 @@ pub struct Csg<'a, S = Solid<'a>> {
 
 /// A step on the way to a [`Csg`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum CsgStep<S = Solid<'static>> {
     /// Lays down a solid: a shape that [is one](Geometry::is_solid).
     Solid(S),
@@ -66,6 +68,14 @@ pub enum CsgStep<S = Solid<'static>> {
     Intersection,
     /// What is in the last but one, but not in the last.
     Difference,
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([S: crate::read::Read<'m> + Copy] Csg as Csg<'m, S> { steps });
+
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [S: crate::read::Read<'m>] CsgStep as CsgStep<S> { Solid(S), Union, Intersection, Difference }
 }
 
 impl<'a, S> Csg<'a, S> {

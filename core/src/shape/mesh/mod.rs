@@ -72,6 +72,7 @@ use smooth::SmallNormal;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mesh<'a> {
     /// The corners of all triangles.
     pub vertices: &'a [Vec3],
@@ -83,6 +84,12 @@ pub struct Mesh<'a> {
     /// For textures: u and v at the vertices, interpolated; as many as vertices, from -59 to 59 if they are to be held by all
     /// number systems. `None`: those of each [`Triangle`](super::Triangle) by itself.
     pub uvs: Option<&'a [[f32; 2]]>,
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [] Mesh as Mesh<'m> { vertices, triangles, normals = None, uvs = None }
+    may be named
 }
 
 /// The most triangles that are tested one by one.

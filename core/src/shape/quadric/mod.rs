@@ -16,6 +16,7 @@ use crate::surface::Surface;
 /// It is where A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; its inside is where that is less than 0. The
 /// equation may be multiplied by any positive factor. A negative one turns the inside out.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Quadric {
     /// Where x, y and z are 0.
     pub center: Vec3,

@@ -1,0 +1,265 @@
+//! Descriptions as Rust: what serde tells of a value is enough to write it down, as all its fields are public.
+
+use core::fmt::{self, Display};
+use std::string::{String, ToString};
+
+use serde::ser::{
+    Error, Impossible, Serialize, SerializeSeq, SerializeStruct, SerializeStructVariant, SerializeTuple,
+    SerializeTupleStruct, Serializer,
+};
+
+/// What a description refers to, rather than holds.
+const BORROWED: [&str; 2] = ["Optics", "Placed"];
+
+/// Lists inside of so many others are written on a line of their own.
+const LINES: usize = 3;
+
+/// A description as Rust, as far as it is written.
+pub(super) struct Literal {
+    text: String,
+    depth: usize,
+}
+
+/// What no description has.
+#[derive(Debug)]
+pub(super) struct Unforeseen(String);
+
+impl Literal {
+    /// The expression for a value.
+    ///
+    /// # Errors
+    /// It is of a kind that no description is.
+    pub(super) fn of(value: &impl Serialize) -> Result<String, Unforeseen> {
+        let mut literal = Self { text: String::new(), depth: 0 };
+        value.serialize(&mut literal)?;
+        Ok(literal.text)
+    }
+
+    fn write(&mut self, text: impl Display) -> Result<(), Unforeseen> {
+        fmt::Write::write_fmt(&mut self.text, format_args!("{text}")).map_err(Unforeseen::custom)
+    }
+
+    /// Writes the name of a type.
+    fn name(&mut self, name: &'static str) -> Result<(), Unforeseen> {
+        let borrow = if BORROWED.contains(&name) { "&" } else { "" };
+        self.write(format_args!("{borrow}{name}"))
+    }
+
+    fn parts(&mut self, begin: &str, end: &'static str) -> Parts<'_> {
+        self.text.push_str(begin);
+        self.depth += 1;
+        Parts { literal: self, is_first: true, end }
+    }
+}
+
+/// The parts of what is being written.
+pub(super) struct Parts<'l> {
+    literal: &'l mut Literal,
+    is_first: bool,
+    end: &'static str,
+}
+
+impl Parts<'_> {
+    fn part<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), Unforeseen> {
+        let literal = &mut *self.literal;
+        if !core::mem::take(&mut self.is_first) {
+            literal.text.push_str(", ");
+        }
+        if literal.depth <= LINES {
+            literal.text.push('\n');
+            (0..literal.depth).for_each(|_| literal.text.push_str("    "));
+        }
+        literal.text.push_str(name);
+        value.serialize(literal)
+    }
+
+    fn finish(self) -> Result<(), Unforeseen> {
+        self.literal.depth -= 1;
+        self.literal.write(self.end)
+    }
+}
+
+macro_rules! parts {
+    ($($Trait:ident $part:ident),+) => {$(
+        impl $Trait for Parts<'_> {
+            type Ok = ();
+            type Error = Unforeseen;
+
+            fn $part<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Unforeseen> {
+                self.part("", value)
+            }
+
+            fn end(self) -> Result<(), Unforeseen> {
+                self.finish()
+            }
+        }
+    )+};
+}
+parts!(SerializeSeq serialize_element, SerializeTuple serialize_element, SerializeTupleStruct serialize_field);
+
+macro_rules! fields {
+    ($($Trait:ident),+) => {$(
+        impl $Trait for Parts<'_> {
+            type Ok = ();
+            type Error = Unforeseen;
+
+            fn serialize_field<T: Serialize + ?Sized>(
+                &mut self,
+                name: &'static str,
+                value: &T,
+            ) -> Result<(), Unforeseen> {
+                self.part(&[name, ": "].concat(), value)
+            }
+
+            fn end(self) -> Result<(), Unforeseen> {
+                self.finish()
+            }
+        }
+    )+};
+}
+fields!(SerializeStruct, SerializeStructVariant);
+
+macro_rules! numbers {
+    ($($method:ident $Type:ty),+) => {
+        $(fn $method(self, value: $Type) -> Result<(), Unforeseen> {
+            self.write(value)
+        })+
+    };
+}
+
+macro_rules! unforeseen {
+    ($($method:ident($($argument:ty),*) $(<$T:ident>)? -> $Ok:ty),+ $(,)?) => {
+        $(fn $method $(<$T: Serialize + ?Sized>)? (self, $(_: $argument),*) -> Result<$Ok, Unforeseen> {
+            Err(Unforeseen(stringify!($method).to_string()))
+        })+
+    };
+}
+
+impl<'l> Serializer for &'l mut Literal {
+    type Ok = ();
+    type Error = Unforeseen;
+    type SerializeSeq = Parts<'l>;
+    type SerializeTuple = Parts<'l>;
+    type SerializeTupleStruct = Parts<'l>;
+    type SerializeTupleVariant = Impossible<(), Unforeseen>;
+    type SerializeMap = Impossible<(), Unforeseen>;
+    type SerializeStruct = Parts<'l>;
+    type SerializeStructVariant = Parts<'l>;
+
+    numbers!(
+        serialize_bool bool, serialize_i8 i8, serialize_i16 i16, serialize_i32 i32, serialize_i64 i64,
+        serialize_u8 u8, serialize_u16 u16, serialize_u32 u32, serialize_u64 u64
+    );
+
+    fn serialize_f32(self, value: f32) -> Result<(), Unforeseen> {
+        if value.is_nan() {
+            self.write("f32::NAN")
+        } else if value.is_infinite() {
+            self.write(if value > 0.0 { "f32::INFINITY" } else { "f32::NEG_INFINITY" })
+        } else {
+            self.write(format_args!("{value:?}"))
+        }
+    }
+
+    fn serialize_bytes(self, bytes: &[u8]) -> Result<(), Unforeseen> {
+        self.write(format_args!("b\"{}\"", bytes.escape_ascii()))
+    }
+
+    fn serialize_none(self) -> Result<(), Unforeseen> {
+        self.write("None")
+    }
+
+    fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), Unforeseen> {
+        self.write("Some(")?;
+        value.serialize(&mut *self)?;
+        self.write(")")
+    }
+
+    fn serialize_unit_variant(
+        self,
+        name: &'static str,
+        _: u32,
+        variant: &'static str,
+    ) -> Result<(), Unforeseen> {
+        self.name(name)?;
+        self.write(format_args!("::{variant}"))
+    }
+
+    fn serialize_newtype_struct<T: Serialize + ?Sized>(
+        self,
+        name: &'static str,
+        value: &T,
+    ) -> Result<(), Unforeseen> {
+        self.name(name)?;
+        self.write("(")?;
+        value.serialize(&mut *self)?;
+        self.write(")")
+    }
+
+    fn serialize_newtype_variant<T: Serialize + ?Sized>(
+        self,
+        name: &'static str,
+        _: u32,
+        variant: &'static str,
+        value: &T,
+    ) -> Result<(), Unforeseen> {
+        self.name(name)?;
+        self.write(format_args!("::{variant}("))?;
+        value.serialize(&mut *self)?;
+        self.write(")")
+    }
+
+    fn serialize_seq(self, _: Option<usize>) -> Result<Parts<'l>, Unforeseen> {
+        Ok(self.parts("&[", "]"))
+    }
+
+    fn serialize_tuple(self, _: usize) -> Result<Parts<'l>, Unforeseen> {
+        Ok(self.parts("[", "]"))
+    }
+
+    fn serialize_tuple_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
+        self.name(name)?;
+        Ok(self.parts("::new(", ")"))
+    }
+
+    fn serialize_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
+        self.name(name)?;
+        Ok(self.parts(" { ", " }"))
+    }
+
+    fn serialize_struct_variant(
+        self,
+        name: &'static str,
+        _: u32,
+        variant: &'static str,
+        _: usize,
+    ) -> Result<Parts<'l>, Unforeseen> {
+        self.name(name)?;
+        self.write(format_args!("::{variant}"))?;
+        Ok(self.parts(" { ", " }"))
+    }
+
+    unforeseen!(
+        serialize_f64(f64) -> (),
+        serialize_char(char) -> (),
+        serialize_str(&str) -> (),
+        serialize_unit() -> (),
+        serialize_unit_struct(&'static str) -> (),
+        serialize_tuple_variant(&'static str, u32, &'static str, usize) -> Self::SerializeTupleVariant,
+        serialize_map(Option<usize>) -> Self::SerializeMap,
+    );
+}
+
+impl Display for Unforeseen {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no description has such a value: {}", self.0)
+    }
+}
+
+impl core::error::Error for Unforeseen {}
+
+impl Error for Unforeseen {
+    fn custom<T: Display>(reason: T) -> Self {
+        Self(reason.to_string())
+    }
+}

@@ -1,0 +1,175 @@
+//! Structs that hold lists.
+
+use core::fmt;
+use core::marker::PhantomData;
+
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
+
+use super::{OneOf, Read, Reader, Seed};
+
+/// What is read field by field.
+pub trait Fields<'m>: Read<'m> {
+    /// What a file may call it.
+    const NAME: &'static str;
+    /// Its fields, in the order in which they are written.
+    const FIELDS: &'static [&'static str];
+    /// Whether a name may stand in place of the fields.
+    const MAY_BE_NAMED: bool = false;
+
+    /// From a format that has values only.
+    ///
+    /// # Errors
+    /// A value is not there or cannot be read.
+    fn from_values<A: SeqAccess<'m>>(values: A, reader: &mut Reader<'m>) -> Result<Self, A::Error>;
+
+    /// From a format in which values have names.
+    ///
+    /// # Errors
+    /// A value is not there, stands there twice, or cannot be read; a name is unknown.
+    fn from_map<A: MapAccess<'m>>(map: A, reader: &mut Reader<'m>) -> Result<Self, A::Error>;
+}
+
+/// Reads what has fields.
+///
+/// # Errors
+/// As [`Read::read`].
+pub fn read_fields<'m, T: Fields<'m>, D: Deserializer<'m>>(
+    from: D,
+    reader: &mut Reader<'m>,
+) -> Result<T, D::Error> {
+    let may_be_a_name = T::MAY_BE_NAMED && from.is_human_readable();
+    let visitor = FieldsOf { reader, of: PhantomData };
+    if may_be_a_name {
+        from.deserialize_any(visitor)
+    } else {
+        from.deserialize_struct(T::NAME, T::FIELDS, visitor)
+    }
+}
+
+/// Takes the fields that a format has found.
+pub(super) struct FieldsOf<'r, 'm, T> {
+    pub(super) reader: &'r mut Reader<'m>,
+    pub(super) of: PhantomData<T>,
+}
+
+impl<'m, T: Fields<'m>> Visitor<'m> for FieldsOf<'_, 'm, T> {
+    type Value = T;
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str(T::NAME)
+    }
+
+    fn visit_seq<A: SeqAccess<'m>>(self, values: A) -> Result<T, A::Error> {
+        T::from_values(values, self.reader)
+    }
+
+    fn visit_map<A: MapAccess<'m>>(self, map: A) -> Result<T, A::Error> {
+        T::from_map(map, self.reader)
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<T, E> {
+        if T::MAY_BE_NAMED {
+            self.reader.read_named(T::NAME, name)
+        } else {
+            Err(E::invalid_type(Unexpected::Str(name), &self))
+        }
+    }
+}
+
+/// The next value of a list of fields.
+///
+/// # Errors
+/// There is none, or it cannot be read.
+pub fn next_value<'m, T: Read<'m>, A: SeqAccess<'m>>(
+    values: &mut A,
+    reader: &mut Reader<'m>,
+    field: &'static str,
+) -> Result<T, A::Error> {
+    values.next_element_seed(Seed::new(reader))?.ok_or_else(|| A::Error::missing_field(field))
+}
+
+/// The name of the next field.
+///
+/// # Errors
+/// It is none of these.
+pub fn next_field<'m, A: MapAccess<'m>>(
+    map: &mut A,
+    fields: &'static [&'static str],
+) -> Result<Option<&'static str>, A::Error> {
+    map.next_key_seed(OneOf::Fields(fields))
+}
+
+/// Reads the value of a field that was found.
+///
+/// # Errors
+/// It stands there for the second time, or cannot be read.
+pub fn set_field<'m, T: Read<'m>, A: MapAccess<'m>>(
+    field: &mut Option<T>,
+    map: &mut A,
+    reader: &mut Reader<'m>,
+    name: &'static str,
+) -> Result<(), A::Error> {
+    if field.is_some() {
+        return Err(A::Error::duplicate_field(name));
+    }
+    *field = Some(map.next_value_seed(Seed::new(reader))?);
+    Ok(())
+}
+
+/// Makes [`Fields`] and [`Read`] for a struct: its type parameters, name and type, its fields with what those are that may be left
+/// out, and whether a name may stand in their place.
+macro_rules! read_struct {
+    (
+        [$($generics:tt)*] $Name:ident as $Type:ty {
+            $($field:ident $(= $default:expr)?),+ $(,)?
+        }
+        $(may be $named:tt)?
+    ) => {
+        impl<'m, $($generics)*> $crate::read::Fields<'m> for $Type {
+            const NAME: &'static str = stringify!($Name);
+            const FIELDS: &'static [&'static str] = &[$(stringify!($field)),+];
+            $(const MAY_BE_NAMED: bool = $crate::read::read_struct!(@$named);)?
+
+            fn from_values<A: serde::de::SeqAccess<'m>>(
+                mut values: A,
+                reader: &mut $crate::read::Reader<'m>,
+            ) -> Result<Self, A::Error> {
+                Ok(Self { $($field: $crate::read::next_value(&mut values, reader, stringify!($field))?),+ })
+            }
+
+            fn from_map<A: serde::de::MapAccess<'m>>(
+                mut map: A,
+                reader: &mut $crate::read::Reader<'m>,
+            ) -> Result<Self, A::Error> {
+                $(let mut $field = None;)+
+                while let Some(name) = $crate::read::next_field(&mut map, Self::FIELDS)? {
+                    match name {
+                        $(_ if name == stringify!($field) => {
+                            $crate::read::set_field(&mut $field, &mut map, reader, name)?;
+                        })+
+                        _ => {}
+                    }
+                }
+                Ok(Self { $(
+                    $field: match $field {
+                        Some(value) => value,
+                        None => $crate::read::read_struct!(@missing $field $($default)?),
+                    }
+                ),+ })
+            }
+        }
+
+        impl<'m, $($generics)*> $crate::read::Read<'m> for $Type {
+            fn read<D: serde::Deserializer<'m>>(
+                from: D,
+                reader: &mut $crate::read::Reader<'m>,
+            ) -> Result<Self, D::Error> {
+                $crate::read::read_fields(from, reader)
+            }
+        }
+    };
+    (@named) => { true };
+    (@missing $field:ident $default:expr) => { $default };
+    (@missing $field:ident) => { return Err(serde::de::Error::missing_field(stringify!($field))) };
+}
+pub(crate) use read_struct;

@@ -1,0 +1,179 @@
+//! Lists, and what is referred to: both are put into the reader's memory.
+
+use core::fmt;
+use core::marker::PhantomData;
+
+use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+
+use super::{Read, Reader, Seed};
+use crate::fault::Fault;
+
+impl<'m, T: Read<'m> + Copy + 'm> Read<'m> for &'m [T] {
+    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+        let visitor = List { reader, of: PhantomData };
+        if from.is_human_readable() { from.deserialize_any(visitor) } else { from.deserialize_seq(visitor) }
+    }
+}
+
+impl<'m, T: Read<'m> + Copy + 'm> Read<'m> for &'m T {
+    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+        let value = T::read(from, reader)?;
+        reader.memory.store(value).map_err(|fault| reader.fail(fault))
+    }
+}
+
+impl<'m, T: Read<'m>> Read<'m> for Option<T> {
+    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+        from.deserialize_option(Optional { reader, of: PhantomData })
+    }
+}
+
+impl<'m, T: Read<'m>, const N: usize> Read<'m> for heapless::Vec<T, N> {
+    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+        from.deserialize_seq(Array { reader, of: PhantomData })
+    }
+}
+
+impl<'m> Read<'m> for &'m [u8] {
+    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+        from.deserialize_bytes(Bytes { reader })
+    }
+}
+
+/// Writes bytes as such, for `serialize_with`.
+pub(crate) fn bytes<S: serde::Serializer>(bytes: &&[u8], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_bytes(bytes)
+}
+
+/// Takes the values of a list.
+struct List<'r, 'm, T> {
+    reader: &'r mut Reader<'m>,
+    of: PhantomData<T>,
+}
+
+impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
+    /// Puts values into memory, one after the other, where a format may know how many there are.
+    fn collect<E: Error>(
+        self,
+        count: Option<usize>,
+        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+    ) -> Result<&'m [T], E> {
+        let Some(count) = count else { return self.collect_any(next) };
+        let mut room = self.reader.memory.room(count).map_err(|fault| self.reader.fail(fault))?;
+        while let Some(value) = next(self.reader)? {
+            room.push(value).map_err(|_| E::invalid_length(count, &"as many values as the format told"))?;
+        }
+        Ok(room.filled())
+    }
+
+    /// The same, where it does not.
+    #[cfg(feature = "std")]
+    fn collect_any<E: Error>(
+        self,
+        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+    ) -> Result<&'m [T], E> {
+        let values = core::iter::from_fn(|| next(self.reader).transpose());
+        let values = values.collect::<Result<std::vec::Vec<T>, E>>()?;
+        let mut room = self.reader.memory.room(values.len()).map_err(|fault| self.reader.fail(fault))?;
+        values.into_iter().try_for_each(|value| room.push(value)).map_err(|fault| self.reader.fail(fault))?;
+        Ok(room.filled())
+    }
+
+    #[cfg(not(feature = "std"))]
+    fn collect_any<E: Error>(
+        self,
+        _: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+    ) -> Result<&'m [T], E> {
+        Err(E::custom("the format does not tell how long lists are: build with the feature `std`"))
+    }
+}
+
+impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
+    type Value = &'m [T];
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str("a list")
+    }
+
+    fn visit_seq<A: SeqAccess<'m>>(self, mut values: A) -> Result<&'m [T], A::Error> {
+        self.collect(values.size_hint(), |reader| values.next_element_seed(Seed::new(reader)))
+    }
+
+    fn visit_map<A: MapAccess<'m>>(self, mut map: A) -> Result<&'m [T], A::Error> {
+        self.collect(map.size_hint(), |reader| match map.next_key::<IgnoredAny>()? {
+            Some(_) => map.next_value_seed(Seed::new(reader)).map(Some),
+            None => Ok(None),
+        })
+    }
+}
+
+/// Takes the values of a list of at most `N`.
+struct Array<'r, 'm, T, const N: usize> {
+    reader: &'r mut Reader<'m>,
+    of: PhantomData<T>,
+}
+
+impl<'m, T: Read<'m>, const N: usize> Visitor<'m> for Array<'_, 'm, T, N> {
+    type Value = heapless::Vec<T, N>;
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(text, "a list of at most {N}")
+    }
+
+    fn visit_seq<A: SeqAccess<'m>>(self, mut values: A) -> Result<Self::Value, A::Error> {
+        let mut list = heapless::Vec::new();
+        while let Some(value) = values.next_element_seed(Seed::new(self.reader))? {
+            list.push(value).map_err(|_| self.reader.fail(Fault::Full { room: N }))?;
+        }
+        Ok(list)
+    }
+}
+
+/// Takes a value, if there is one.
+struct Optional<'r, 'm, T> {
+    reader: &'r mut Reader<'m>,
+    of: PhantomData<T>,
+}
+
+impl<'m, T: Read<'m>> Visitor<'m> for Optional<'_, 'm, T> {
+    type Value = Option<T>;
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str("a value or nothing")
+    }
+
+    fn visit_none<E: Error>(self) -> Result<Option<T>, E> {
+        Ok(None)
+    }
+
+    fn visit_unit<E: Error>(self) -> Result<Option<T>, E> {
+        Ok(None)
+    }
+
+    fn visit_some<D: Deserializer<'m>>(self, from: D) -> Result<Option<T>, D::Error> {
+        T::read(from, self.reader).map(Some)
+    }
+}
+
+/// Takes bytes: where the file has them, if it lies in memory as long as the scene.
+struct Bytes<'r, 'm> {
+    reader: &'r mut Reader<'m>,
+}
+
+impl<'m> Visitor<'m> for Bytes<'_, 'm> {
+    type Value = &'m [u8];
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str("bytes")
+    }
+
+    fn visit_borrowed_bytes<E: Error>(self, bytes: &'m [u8]) -> Result<&'m [u8], E> {
+        Ok(bytes)
+    }
+
+    fn visit_bytes<E: Error>(self, bytes: &[u8]) -> Result<&'m [u8], E> {
+        let mut room = self.reader.memory.room(bytes.len()).map_err(|fault| self.reader.fail(fault))?;
+        bytes.iter().try_for_each(|byte| room.push(*byte)).map_err(|fault| self.reader.fail(fault))?;
+        Ok(room.filled())
+    }
+}

@@ -1,0 +1,130 @@
+//! What names in a file stand for.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use bumpalo::Bump;
+use rayline::materials::{ALUMINUM, CHROMIUM, COPPER, DIAMOND, FLINT, GLASS, GOLD, ICE, IRON, SILVER, WATER};
+use rayline::shape::{Mesh, Shape};
+use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
+use serde::Serialize;
+
+use super::RonFault;
+use crate::nearest::nearest;
+use crate::obj;
+
+/// The materials that may be named in place of a description.
+pub const PRESETS: [(&str, Material<'static>); 11] = [
+    ("gold", GOLD),
+    ("silver", SILVER),
+    ("copper", COPPER),
+    ("aluminum", ALUMINUM),
+    ("iron", IRON),
+    ("chromium", CHROMIUM),
+    ("glass", GLASS),
+    ("flint", FLINT),
+    ("diamond", DIAMOND),
+    ("ice", ICE),
+    ("water", WATER),
+];
+
+/// All that can be named in one file.
+pub(super) struct Known<'a> {
+    arena: &'a Bump,
+    /// What names of files are seen from.
+    directory: &'a Path,
+    /// Those of the file's own materials.
+    materials: &'a [&'a str],
+    /// What was named last without success.
+    unknown: RefCell<Option<RonFault>>,
+}
+
+impl<'a> Known<'a> {
+    pub(super) fn new(arena: &'a Bump, directory: &'a Path, materials: &[String]) -> Self {
+        let materials = arena.alloc_slice_fill_iter(materials.iter().map(|name| &*arena.alloc_str(name)));
+        Self { arena, directory, materials, unknown: RefCell::new(None) }
+    }
+
+    /// Why a name was not found, if one was not.
+    pub(super) fn unknown(&self) -> Option<RonFault> {
+        self.unknown.take()
+    }
+
+    /// The bytes of what is called so: see [`rayline::read::Names`].
+    pub(super) fn find(&self, what: &str, name: &str) -> Option<&'a [u8]> {
+        let found = match what {
+            "MaterialId" => self.own_material(name),
+            "Material" => self.preset(name),
+            "Mesh" => self.mesh(name),
+            "Image" => self.image(name),
+            _ => Err(RonFault::UnknownName { what: what.to_owned(), name: name.to_owned(), nearest: None }),
+        };
+        found.map_err(|fault| self.unknown.replace(Some(fault))).ok()
+    }
+
+    fn own_material(&self, name: &str) -> Result<&'a [u8], RonFault> {
+        let number = self.materials.iter().position(|known| *known == name);
+        let number =
+            number.ok_or_else(|| unknown("material in this file", name, self.materials.iter().copied()))?;
+        self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
+    }
+
+    fn preset(&self, name: &str) -> Result<&'a [u8], RonFault> {
+        let preset = PRESETS.iter().find(|(known, _)| *known == name);
+        let (_, preset) = preset
+            .ok_or_else(|| unknown("preset for a material", name, PRESETS.iter().map(|(name, _)| *name)))?;
+        self.bytes(name, preset)
+    }
+
+    fn mesh(&self, name: &str) -> Result<&'a [u8], RonFault> {
+        let import =
+            obj::read(self.arena, &self.directory.join(name)).map_err(|error| failed(name, error))?;
+        match import.scene.objects {
+            [object] => match &object.shape {
+                Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),
+                _ => Err(failed(name, "it is no mesh")),
+            },
+            objects => Err(failed(
+                name,
+                format!(
+                    "it has {} meshes, and one is wanted: give all faces one material and one group",
+                    objects.len()
+                ),
+            )),
+        }
+    }
+
+    fn image(&self, name: &str) -> Result<&'a [u8], RonFault> {
+        let picture =
+            image::open(self.directory.join(name)).map_err(|error| failed(name, error))?.into_rgb8();
+        let side = |pixels: u32| {
+            u16::try_from(pixels).map_err(|_| failed(name, "it has more than 65535 pixels a side"))
+        };
+        let image = Image {
+            width: side(picture.width())?,
+            height: side(picture.height())?,
+            pixels: Pixels::Rgb888(picture.as_raw()),
+            encoding: Encoding::Srgb,
+            filter: Filter::Bilinear,
+            ends: Ends::Repeat,
+        };
+        self.bytes(name, &image)
+    }
+
+    fn bytes<T: Serialize>(&self, name: &str, value: &T) -> Result<&'a [u8], RonFault> {
+        let bytes = postcard::to_allocvec(value).map_err(|error| failed(name, error))?;
+        Ok(self.arena.alloc_slice_copy(&bytes))
+    }
+}
+
+fn unknown<'n>(what: &str, name: &str, names: impl IntoIterator<Item = &'n str>) -> RonFault {
+    RonFault::UnknownName {
+        what: what.to_owned(),
+        name: name.to_owned(),
+        nearest: nearest(name, names).map(str::to_owned),
+    }
+}
+
+fn failed(name: &str, reason: impl ToString) -> RonFault {
+    RonFault::Named { name: name.to_owned(), reason: reason.to_string() }
+}

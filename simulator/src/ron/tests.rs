@@ -1,0 +1,285 @@
+//! Texts that are scenes, and texts that are none.
+
+use rayline::shape::{
+    Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
+    Rectangle, Shape, Solid, Sphere, Torus, Triangle,
+};
+use rayline::{
+    Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image,
+    Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Noise, Object, Onto, Optics, Pixels, Placed,
+    Placement, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+};
+
+use super::*;
+
+const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+const GRAY: LinearRgb = LinearRgb::gray(0.25);
+const PLANE: Plane = Plane::new(Vec3::ZERO, UP);
+const SPHERE: Sphere = Sphere::new(Vec3::new(0.0, 0.1, -1e-7), 1e6);
+const CONE: Cone = Cone { base: Vec3::ZERO, base_radius: 0.0, top: UP, top_radius: 1.0, capped: true };
+const CYLINDER: Cylinder = Cylinder { base: Vec3::ZERO, top: UP, radius: 0.5, capped: false };
+const TORUS: Torus = Torus { center: UP, axis: UP, major_radius: 1.0, minor_radius: 0.3 };
+const CUBOID: Cuboid = Cuboid::aligned(Vec3::ZERO, Vec3::new(1.0, 2.0, 3.0));
+const QUADRIC: Quadric = Quadric {
+    center: UP,
+    coefficients: [1.0, -1.0, 0.5, 0.0, 1e-9, 2e9, 0.0, 0.0, 0.0, -1.0],
+    min: Vec3::ZERO,
+    max: UP,
+    capped: true,
+};
+const MESH: Mesh<'static> = Mesh {
+    vertices: &[Vec3::ZERO, UP, Vec3::new(1.0, 0.0, 0.0)],
+    triangles: &[[0, 1, 2], [2, 1, 0]],
+    normals: Some(&[UP, UP, UP]),
+    uvs: Some(&[[0.0, 0.0], [0.0, 1.0], [1.0, -59.0]]),
+};
+
+/// One of everything.
+const SHAPES: [Shape<'static>; 16] = [
+    Shape::Sphere(SPHERE),
+    Shape::Plane(PLANE),
+    Shape::Disc(Disc::ring(Vec3::ZERO, UP, 0.5, 1.0)),
+    Shape::Rectangle(Rectangle::new(Vec3::ZERO, UP, Vec3::new(1.0, 0.0, 0.0))),
+    Shape::Triangle(Triangle::flat(Vec3::ZERO, UP, Vec3::new(1.0, 0.0, 0.0))),
+    Shape::Triangle(Triangle { vertices: [UP; 3], normals: Some([UP; 3]) }),
+    Shape::Polygon(Polygon::new(&[Vec3::ZERO, UP, Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, -1.0, 0.0)])),
+    Shape::Cylinder(CYLINDER),
+    Shape::Cone(CONE),
+    Shape::Ellipsoid(Ellipsoid::new(UP, Vec3::new(1.0, 2.0, 3.0))),
+    Shape::Quadric(QUADRIC),
+    Shape::Torus(TORUS),
+    Shape::Cuboid(CUBOID),
+    Shape::ConvexPolyhedron(ConvexPolyhedron::new(&[PLANE, PLANE])),
+    Shape::Mesh(MESH),
+    Shape::Csg(Csg::new(&[
+        CsgStep::Solid(Solid::Sphere(SPHERE)),
+        CsgStep::Solid(Solid::ConvexPolyhedron(ConvexPolyhedron::new(&[PLANE]))),
+        CsgStep::Difference,
+        CsgStep::Solid(Solid::Torus(TORUS)),
+        CsgStep::Union,
+    ])),
+];
+
+const PALETTE: &[[u8; 3]] = &[[0, 1, 2], [253, 254, 255]];
+const FIGURES: [Figure<'static>; 10] = [
+    Figure::Squares(Squares { even: GRAY, odd: LinearRgb::WHITE }),
+    Figure::Stripes(Stripes { first: GRAY, second: LinearRgb::WHITE, width: 0.5 }),
+    Figure::Gradient(Gradient { from: GRAY, to: LinearRgb::WHITE, ends: Ends::Mirror }),
+    Figure::Noise(Noise { low: GRAY, high: LinearRgb::WHITE, octaves: 3 }),
+    Figure::Marble(Marble { stone: GRAY, vein: LinearRgb::WHITE, turbulence: 2.0, octaves: 4 }),
+    Figure::Wood(Wood { early: GRAY, late: LinearRgb::WHITE, turbulence: 0.1, octaves: 2 }),
+    Figure::Brick(Brick { brick: GRAY, mortar: LinearRgb::WHITE, gap: [0.1, 0.2] }),
+    image(Pixels::Rgb565(&[0, 65_535])),
+    image(Pixels::Rgb888(&[0, 1, 34, 92, 254, 255])),
+    image(Pixels::Palette8 { indices: &[0, 1], palette: PALETTE }),
+];
+
+const fn image(pixels: Pixels<'static>) -> Figure<'static> {
+    Figure::Image(Image {
+        width: 2,
+        height: 1,
+        pixels,
+        encoding: Encoding::Linear,
+        filter: Filter::Bilinear,
+        ends: Ends::Extend,
+    })
+}
+
+/// A scene with one of everything.
+fn everything(arena: &Bump) -> Scene<'_> {
+    let placement =
+        Placement { space: Space::Scene, size: UP, rotation: Vec3::ZERO, origin: Vec3::new(1.0, 2.0, 3.0) };
+    let textures = FIGURES.map(|figure| Texture::Placed(arena.alloc(Placed { figure, placement })));
+    let packed = image(Pixels::Palette4 { indices: &[16], palette: PALETTE });
+    let more = [
+        Texture::Solid(GRAY),
+        Texture::Checker(Checker { even: GRAY, odd: GRAY, cells_per_unit: UP }),
+        Texture::Placed(arena.alloc(Placed { figure: packed, placement })),
+    ];
+    let onto = [
+        Onto::Ambient,
+        Onto::Diffuse,
+        Onto::Specular,
+        Onto::Reflectance,
+        Onto::Transmittance,
+        Onto::Bump { height: 0.1, step: 0.2 },
+    ];
+    let maps = onto.map(|onto| Map { onto, texture: Texture::Solid(GRAY) });
+    let optics = Optics {
+        highlight: Highlight::BlinnPhong,
+        fresnel: Fresnel::Exact,
+        reflection_color: GRAY,
+        transmission_color: GRAY,
+        absorption: GRAY,
+        emission: GRAY,
+        reflection_falloff: Falloff { constant: 1.0, linear: 0.5, quadratic: 0.25 },
+    };
+    let materials = textures.into_iter().chain(more).map(|color| Material {
+        color,
+        ambient: 0.1,
+        diffuse: 0.2,
+        specular: 0.3,
+        shininess: 4.0,
+        reflectance: 0.5,
+        transmittance: 0.25,
+        ior: 1.25,
+        optics: Some(arena.alloc(optics)),
+        maps: arena.alloc_slice_copy(&maps),
+    });
+    let materials: Vec<_> = materials.chain([Material::matte(GRAY)]).collect();
+    let lamp =
+        |cone| Light::Lamp(Lamp { position: UP, color: GRAY, falloff: Falloff::inverse_square(3.0), cone });
+    let lights = [
+        Light::Point { position: UP, color: GRAY },
+        Light::Directional { direction: UP, color: GRAY },
+        lamp(None),
+        lamp(Some(LightCone { direction: UP, bright: 0.1, dark: 0.2 })),
+        Light::Ambient { color: GRAY },
+    ];
+    let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7 };
+    Scene {
+        camera,
+        background: GRAY,
+        objects: arena.alloc_slice_fill_iter(SHAPES.map(|shape| Object::new(shape, 7))),
+        materials: arena.alloc_slice_copy(&materials),
+        lights: arena.alloc_slice_copy(&lights),
+    }
+}
+
+fn parsed<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, (Position, RonFault)> {
+    parse(arena, arena.alloc_str(text), Path::new("."))
+}
+
+#[test]
+fn what_is_written_is_read() {
+    let arena = Bump::new();
+    let builtins = builtin::ALL.map(|builtin| *builtin.scene);
+    for scene in builtins.into_iter().chain([everything(&arena)]) {
+        let text = write(&scene).unwrap();
+        match parsed(&arena, &text) {
+            Ok(import) => assert_eq!(import.scene, scene),
+            Err((position, fault)) => panic!("{position:?} {fault}\n{text}"),
+        }
+    }
+}
+
+#[test]
+fn bytes_are_read_as_they_were_written() {
+    let arena = Bump::new();
+    let scene = everything(&arena);
+    let mut room = [0; 8192];
+    let bytes = scene.to_bytes(&mut room).unwrap();
+    let mut memory = vec![MaybeUninit::uninit(); 16_384];
+    assert_eq!(Scene::from_bytes(bytes, &mut memory), Ok(scene));
+    // Whatever is cut off is missed, and no bytes are too strange to be refused.
+    for end in 0..bytes.len() {
+        assert!(Scene::<Shape<'_>>::from_bytes(&bytes[..end], &mut memory).is_err(), "{end}");
+    }
+    for changed in 0..bytes.len() {
+        for bit in 0..8 {
+            let mut strange = bytes.to_vec();
+            strange[changed] ^= 1 << bit;
+            let _ = Scene::<Shape<'_>>::from_bytes(&strange, &mut memory);
+        }
+    }
+}
+
+const SMALL: &str = r#"
+// Two things on a floor.
+Scene(
+    camera: (eye: (0, 2, 6), target: (0, 1, 0), up: (0, 1, 0), vertical_fov: 0.7),
+    objects: {
+        "the floor": (shape: Plane(point: (0, 0, 0), normal: (0, 1, 0)), material: "floor"),
+        "a ball": (shape: Sphere(center: (0, 1, 0), radius: 1), material: "ball"),
+        "its moon": (shape: Sphere(center: (2, 1, 0), radius: 0.5), material: 0),
+    },
+    materials: {
+        "floor": (color: Checker(even: (0.9, 0.9, 0.9), odd: (0.1, 0.1, 0.1), cells_per_unit: (1, 0, 1))),
+        "ball": "gold",
+        "glass": (reflectance: 0.1, transmittance: 0.9, optics: (fresnel: Exact)),
+    },
+    lights: [Lamp(position: (4, 6, 5), color: (1, 1, 1))],
+)
+"#;
+
+#[test]
+fn people_may_leave_out_and_name() {
+    let arena = Bump::new();
+    let import = parsed(&arena, SMALL).unwrap();
+    let scene = import.scene;
+    assert_eq!(scene.background, LinearRgb::BLACK);
+    assert_eq!(scene.objects.iter().map(|object| object.material.0).collect::<Vec<_>>(), [0, 1, 0]);
+    assert_eq!(scene.materials[1], rayline::materials::GOLD);
+    let glass = scene.materials[2];
+    assert_eq!(glass.optics, Some(&Optics { fresnel: Fresnel::Exact, ..Optics::PLAIN }));
+    assert_eq!(
+        Material { optics: None, ..glass },
+        Material { reflectance: 0.1, transmittance: 0.9, ..Material::matte(LinearRgb::WHITE) }
+    );
+    let Light::Lamp(lamp) = scene.lights[0] else { panic!() };
+    assert_eq!((lamp.falloff, lamp.cone), (Falloff::NONE, None));
+
+    let line = |part| import.position_of(part).map(|position| position.line);
+    assert_eq!(line(Part::Camera), Some(4));
+    assert_eq!(line(Part::Object(0)), Some(6));
+    assert_eq!(line(Part::Object(2)), Some(8));
+    assert_eq!(line(Part::Material(1)), Some(12));
+    assert_eq!(line(Part::Light(0)), Some(15));
+    assert_eq!(line(Part::Background), None);
+    assert_eq!(line(Part::Object(3)), None);
+}
+
+/// Replaces something in [`SMALL`]: where is it refused, and why?
+fn refusal(from: &str, to: &str) -> (usize, usize, String) {
+    assert!(SMALL.contains(from), "{from}");
+    let (position, fault) = parsed(&Bump::new(), &SMALL.replace(from, to)).unwrap_err();
+    (position.line, position.column, fault.to_string())
+}
+
+#[test]
+fn mistakes_are_told_where_they_are() {
+    let found = [
+        refusal("Sphere(center: (2", "Sphre(center: (2"),
+        refusal("radius: 0.5", "raduis: 0.5"),
+        refusal("material: \"ball\"", "material: \"bal\""),
+        refusal("\"gold\"", "\"glod\""),
+        refusal("\"glass\":", "\"floor\":"),
+        refusal(", radius: 0.5", ""),
+    ];
+    let expected = [
+        (8, 29, "there is no variant of Shape `Sphre`; did you mean `Sphere`?"),
+        (8, 55, "there is no field of Sphere `raduis`; did you mean `radius`?"),
+        (7, 76, "there is no material in this file `bal`; did you mean `ball`?"),
+        (12, 18, "there is no preset for a material `glod`; did you mean `gold`?"),
+        (13, 17, "two are called `floor`; rename one"),
+        (8, 53, "Unexpected missing field named `radius` in `Sphere`"),
+    ];
+    assert_eq!(found, expected.map(|(line, column, reason)| (line, column, reason.to_owned())));
+    let (line, _, reason) = refusal("(4, 6, 5)", "(4, 6)");
+    assert!(line == 15 && reason.contains('3'), "{line} {reason}");
+    let (line, _, reason) = refusal("radius: 1)", "radius: x)");
+    assert!(line == 7 && reason.contains("float"), "{line} {reason}");
+    let (line, _, reason) = refusal("\"gold\",", "\"gold\"");
+    assert!(line >= 12 && reason.contains("omma"), "{line} {reason}");
+    let (_, _, reason) =
+        refusal("    camera: (eye: (0, 2, 6), target: (0, 1, 0), up: (0, 1, 0), vertical_fov: 0.7),\n", "");
+    assert!(reason.contains("camera"), "{reason}");
+}
+
+#[test]
+fn anything_else_is_refused() {
+    for text in [
+        "",
+        "()",
+        "Scene",
+        "[",
+        "Scene(objects: 3)",
+        "(camera: \"x\", materials: [], objects: [])",
+        "\u{feff}",
+    ] {
+        assert!(parsed(&Bump::new(), text).is_err(), "{text:?}");
+    }
+    let mut text = String::from("(camera: ");
+    text.push_str(&"[".repeat(100_000));
+    assert!(parsed(&Bump::new(), &text).is_err());
+}
