@@ -239,6 +239,10 @@ impl<'l> Serializer for &'l mut Literal {
         Ok(self.parts(" { ", " }"))
     }
 
+    fn collect_str<T: Display + ?Sized>(self, _: &T) -> Result<(), Unforeseen> {
+        Err(Unforeseen("collect_str".to_string()))
+    }
+
     unforeseen!(
         serialize_f64(f64) -> (),
         serialize_char(char) -> (),

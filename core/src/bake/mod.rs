@@ -58,7 +58,8 @@ pub fn scene(scene: &Scene<'_>) -> Result<String, BakeError> {
         .map(|name| format!("        rayline::shape::Shape::{name}(shape) => Shapes::{name}(shape),\n"));
     Ok(format!(
         "// Written by rayline: change the scene and write it again.
-const DESCRIPTION: rayline::Scene<'static> = {{
+/// The scene as it was described: nothing of it is in flash unless it is used.
+pub const DESCRIPTION: rayline::Scene<'static> = {{
     #[allow(unused_imports)]
     use rayline::{{*, shape::*}};
     {description}
@@ -125,5 +126,8 @@ fn name(shape: &Shape<'_>) -> String {
 
 /// Whether the shape borrows a part of its description.
 const fn borrows(shape: &Shape<'_>) -> bool {
-    matches!(shape, Shape::Polygon(_) | Shape::ConvexPolyhedron(_) | Shape::Mesh(_) | Shape::Csg(_))
+    matches!(
+        shape,
+        Shape::Polygon(_) | Shape::ConvexPolyhedron(_) | Shape::Mesh(_) | Shape::Csg(_) | Shape::Metaballs(_)
+    )
 }

@@ -1,55 +1,71 @@
 //! For build scripts: what picture a program for a board renders, and how.
 //!
-//! `RAYLINE_SCENE` names a built-in scene, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
+//! `RAYLINE_SCENE` names a built-in scene or a `.rayline` file with the bytes of one, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
 //! one is not given, it is `classic`, what the program's author chose, and as many bounces as the scene is meant to
 //! be seen with. `RAYLINE_NUMBER` and `RAYLINE_MODE` choose among what a program offers, see [`write_number`] and
 //! [`write_mode`].
 
-mod narrow;
-
+use core::mem::MaybeUninit;
 use std::env;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use rayline::builtin::{self, Builtin};
+use rayline::{Scene, bake, builtin};
 
-/// Writes the constants of the picture into `picture.rs` in the build's output folder.
+/// Writes the picture into `picture.rs` in the build's output folder: its size and bounces, and its scene as
+/// [`rayline::bake`] writes it.
 ///
 /// # Errors
-/// A variable that names no scene, size or number; or a folder that cannot be written to.
+/// A variable that names no scene, size or number; bytes that are no scene; or a folder that cannot be written to.
 pub fn write(usual_size: &str) -> Result<(), Box<dyn Error>> {
     let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
     let size = variable("RAYLINE_SIZE").unwrap_or_else(|| usual_size.into());
-    let (builtin, chosen) = find(&name).ok_or_else(|| format!("there is no built-in scene {name:?}"))?;
     let (width, height) = size.split_once('x').ok_or_else(|| format!("{size:?} is not such as 320x240"))?;
     let (width, height): (u16, u16) = (width.parse()?, height.parse()?);
+    let (source, usual_bounces) =
+        if name.ends_with(".rayline") { of_file(&name)? } else { of_builtin(&name)? };
     let bounces = match variable("RAYLINE_BOUNCES") {
-        Some(bounces) => bounces.parse::<u8>()?.to_string(),
-        None => "BUILTIN.bounces".into(),
+        Some(bounces) => bounces.parse()?,
+        None => usual_bounces,
     };
     let picture = format!(
-        "/// The scene with its name.\n\
-         pub(crate) const BUILTIN: rayline::builtin::Builtin = {builtin};\n\
-         /// Width of the picture in pixels.\n\
-         pub const WIDTH: usize = {width};\n\
-         /// Height of the picture in pixels.\n\
-         pub const HEIGHT: usize = {height};\n\
-         /// How often light may be mirrored or refracted.\n\
-         pub const BOUNCES: u8 = {bounces};\n"
+        "{source}
+/// Memory that the prepared scene takes.
+pub const PREPARED_BYTES: usize = prepared_bytes::<Number>();
+/// Width of the picture in pixels.
+pub const WIDTH: usize = {width};
+/// Height of the picture in pixels.
+pub const HEIGHT: usize = {height};
+/// How often light may be mirrored or refracted.
+pub const BOUNCES: u8 = {bounces};
+"
     );
-    let picture = picture + &narrow::scene(chosen.scene);
     fs::write(Path::new(&env::var("OUT_DIR")?).join("picture.rs"), picture)?;
     Ok(())
 }
 
-/// The built-in scene of this name, and where the library has it.
-fn find(name: &str) -> Option<(String, Builtin)> {
-    [("ALL", &builtin::ALL[..]), ("GROWTH", &builtin::GROWTH)].into_iter().find_map(|(list, builtins)| {
-        let index = builtins.iter().position(|builtin| builtin.name == name)?;
-        Some((format!("rayline::builtin::{list}[{index}]"), *builtins.get(index)?))
-    })
+/// A built-in scene as Rust, and how often light is mirrored in it.
+fn of_builtin(name: &str) -> Result<(String, u8), Box<dyn Error>> {
+    let mut all = builtin::ALL.iter().chain(&builtin::GROWTH);
+    let builtin = all.find(|builtin| builtin.name == name);
+    let builtin =
+        builtin.ok_or_else(|| format!("there is no built-in scene {name:?}, and files end in .rayline"))?;
+    Ok((bake::scene(builtin.scene)?, builtin.bounces))
 }
+
+/// The same of a file that holds the bytes of a scene.
+fn of_file(path: &str) -> Result<(String, u8), Box<dyn Error>> {
+    println!("cargo:rerun-if-changed={path}");
+    let bytes = fs::read(path).map_err(|error| format!("cannot read {path:?}: {error}"))?;
+    // Written out, numbers take a few times the bytes that they have in the file.
+    let mut memory = vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)];
+    let scene = Scene::from_bytes(&bytes, &mut memory).map_err(|error| format!("{path:?}: {error}"))?;
+    Ok((bake::scene(&scene)?, USUAL_BOUNCES))
+}
+
+/// How often light is mirrored where nobody says it.
+const USUAL_BOUNCES: u8 = 4;
 
 /// Writes the number system that the program computes in into `number.rs` in the build's output folder:
 /// `RAYLINE_NUMBER` is `f32` or `fixed`, and `f32` where it is not given.

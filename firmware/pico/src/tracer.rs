@@ -9,7 +9,7 @@ use rayline_show::Orbit;
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::job::{TO_TRACE, TRACED};
-use crate::picture::{BUILTIN, Prepared, SETTINGS};
+use crate::picture::{DESCRIPTION, Prepared, SETTINGS};
 use crate::quality::{Memory, Tracing};
 
 /// Rays between two looks at whether the panel waits for a band: about a millisecond. With ten times as many, bands would come
@@ -26,7 +26,7 @@ pub(crate) struct Tracer {
 
 impl Tracer {
     pub(crate) fn new(scene: Prepared, memory: &'static mut Memory) -> Self {
-        Self { scene, orbit: Orbit::around(BUILTIN.scene), memory }
+        Self { scene, orbit: Orbit::around(&DESCRIPTION), memory }
     }
 
     /// Traces for ever, frame after frame.

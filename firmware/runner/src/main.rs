@@ -44,8 +44,8 @@ struct Arguments {
     #[arg(value_name = "NAME", value_parser = PossibleValuesParser::new(BOARDS.iter().map(|board| board.name)))]
     boards: Vec<String>,
 
-    /// The built-in scene to render.
-    #[arg(long, default_value = "classic", value_parser = PossibleValuesParser::new(picture::scenes().map(|scene| scene.name)))]
+    /// The scene to render: the name of a built-in one, or a .rayline file that `rayline convert` wrote.
+    #[arg(long, default_value = "classic")]
     scene: String,
 
     /// Size of the picture, such as 320x240; by default as large as the board can render in a second or so.

@@ -1,11 +1,14 @@
 //! What is rendered: scene, size, bounces, number system and mode.
 
 use std::fmt;
+use std::fs;
+use std::mem::MaybeUninit;
+use std::path::Path;
 use std::str::FromStr;
 
 use anyhow::{Context, Error, Result};
-use rayline::Settings;
 use rayline::builtin::{self, Builtin};
+use rayline::{Scene, Settings};
 
 use crate::board::{Board, Emulator};
 
@@ -77,15 +80,53 @@ impl Mode {
     }
 }
 
-/// All scenes that programs can be built for.
-pub(crate) fn scenes() -> impl Iterator<Item = &'static Builtin> {
-    builtin::ALL.iter().chain(&builtin::GROWTH)
+/// A scene that programs can be built for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source {
+    pub(crate) name: &'static str,
+    /// What build scripts are told: the name of a built-in scene, or the path of a file.
+    pub(crate) source: &'static str,
+    pub(crate) scene: &'static Scene<'static>,
+    /// How often it is meant to be mirrored.
+    pub(crate) bounces: u8,
+}
+
+impl Source {
+    /// Finds a built-in scene, or reads a `.rayline` file.
+    fn open(source: &str) -> Result<Self> {
+        if source.ends_with(".rayline") {
+            return Self::read(Path::new(source));
+        }
+        let mut all = builtin::ALL.iter().chain(&builtin::GROWTH);
+        let Builtin { name, scene, bounces, .. } =
+            *all.find(|builtin| builtin.name == source).with_context(|| {
+                let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
+                format!(
+                    "no built-in scene is called {source:?}: there are {}; files end in .rayline",
+                    names.join(", ")
+                )
+            })?;
+        Ok(Self { name, source: name, scene, bounces })
+    }
+
+    fn read(path: &Path) -> Result<Self> {
+        let shown = path.display().to_string();
+        // There is one scene in a run of this program: it stays until the end.
+        let bytes = &*fs::read(path).with_context(|| shown.clone())?.leak();
+        let memory = vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)].leak();
+        let scene = Scene::from_bytes(bytes, memory).with_context(|| shown.clone())?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        // Build scripts run in another folder.
+        let source = fs::canonicalize(path)?.into_os_string().into_string();
+        let source = source.ok().with_context(|| format!("{shown}: its path is not UTF-8"))?;
+        Ok(Self { name: name.leak(), source: source.leak(), scene: Box::leak(Box::new(scene)), bounces: 4 })
+    }
 }
 
 /// What the user wants to see, on any board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request {
-    pub(crate) scene: &'static Builtin,
+    pub(crate) scene: Source,
     /// By default what the board can render in a second or so.
     pub(crate) size: Option<Size>,
     /// By default as often as the scene is meant to be seen.
@@ -95,10 +136,15 @@ pub(crate) struct Request {
 }
 
 impl Request {
-    /// A built-in scene, exact and in f32.
+    /// A scene, exact and in f32.
     pub(crate) fn new(scene: &str) -> Result<Self> {
-        let scene = scenes().find(|builtin| builtin.name == scene).context("no such built-in scene")?;
-        Ok(Self { scene, size: None, bounces: None, number: Number::F32, mode: Mode::Exact })
+        Ok(Self {
+            scene: Source::open(scene)?,
+            size: None,
+            bounces: None,
+            number: Number::F32,
+            mode: Mode::Exact,
+        })
     }
 
     /// The picture that this board renders.
@@ -119,7 +165,7 @@ impl Request {
 /// A picture: what the program for a board is built to render.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Picture {
-    pub(crate) scene: &'static Builtin,
+    pub(crate) scene: Source,
     pub(crate) size: Size,
     pub(crate) bounces: u8,
     pub(crate) number: Number,

@@ -99,7 +99,7 @@ impl Toolchain {
             .args(["build", "--release", "--package", board.program.package, "--bin", board.program.binary])
             .args(["--target", board.target, "--manifest-path", WORKSPACE])
             .args(["--message-format", "json-render-diagnostics"])
-            .env("RAYLINE_SCENE", picture.scene.name)
+            .env("RAYLINE_SCENE", picture.scene.source)
             .env("RAYLINE_SIZE", picture.size.to_string())
             .env("RAYLINE_BOUNCES", picture.bounces.to_string())
             .env("RAYLINE_NUMBER", picture.number.name())

@@ -1,8 +1,8 @@
 //! Texts that are scenes, and texts that are none.
 
 use rayline::shape::{
-    Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Quadric,
-    Rectangle, Shape, Solid, Sphere, Torus, Triangle,
+    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Metaballs, Plane,
+    Polygon, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image,
@@ -35,7 +35,8 @@ const MESH: Mesh<'static> = Mesh {
 };
 
 /// One of everything.
-const SHAPES: [Shape<'static>; 16] = [
+const SHAPES: [Shape<'static>; 17] = [
+    Shape::Metaballs(Metaballs::new(&[Blob { center: UP, radius: 1.0, strength: -0.5 }])),
     Shape::Sphere(SPHERE),
     Shape::Plane(PLANE),
     Shape::Disc(Disc::ring(Vec3::ZERO, UP, 0.5, 1.0)),

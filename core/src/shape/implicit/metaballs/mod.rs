@@ -23,6 +23,7 @@ const MARGIN: f32 = 1.0 + 1.0 / 128.0;
 
 /// One of the blobs that [`Metaballs`] are the sum of.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Blob {
     /// Where it is strongest.
     pub center: Vec3,
@@ -55,10 +56,17 @@ impl Blob {
 /// static WATER: Shape = Shape::Metaballs(Metaballs::new(&DROPS));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Metaballs<'a> {
     /// At most [`MAX_BLOBS`].
     pub blobs: &'a [Blob],
 }
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Blob);
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Metaballs as Metaballs<'m> { blobs });
 
 impl<'a> Metaballs<'a> {
     /// The sum of these blobs.
