@@ -37,6 +37,11 @@ pub(crate) enum Command {
     ///
     /// It defines SCENE, in a set of just the shapes that the scene has, so that nothing else is linked; take it in by include!.
     Bake(Convert),
+    /// Render all .ron scenes of a directory, and write a page that shows them
+    ///
+    /// Each gets a .png beside it; README.md shows all, and how each agrees with the reference in f64 and with POV-Ray 3.7, where
+    /// that is installed.
+    Gallery(GalleryArgs),
     /// Show a scene in a window: arrow keys orbit, + and - come closer and go away, S saves, Q quits
     Window(Window),
     /// Measure how fast pictures are, and print tables in Markdown
@@ -97,6 +102,13 @@ pub(crate) struct Convert {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct GalleryArgs {
+    /// The directory
+    #[arg(value_name = "DIR")]
+    pub(crate) directory: PathBuf,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Window {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
@@ -127,8 +139,8 @@ pub(crate) struct Look {
     /// Width and height in pixels [default: what an .nff file says, else 640x480]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<(u32, u32)>,
-    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 4 for
-    /// files]
+    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 6 for
+    /// .ron and .rayline files, 4 for others]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]
     bounces: Option<u8>,
     /// The number system to compute in

@@ -9,11 +9,11 @@ use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, builtin};
 use rayline_simulator::{
-    Bench, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats,
-    check, check_writable, half_blocks, render_watched, report_pixel, write_file,
+    Bench, Gallery, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile,
+    Stats, check, check_writable, half_blocks, render_watched, report_pixel, write_file,
 };
 
-use crate::cli::{BenchArgs, Cli, Command, Convert, Pixel, Render, Window};
+use crate::cli::{BenchArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -25,6 +25,7 @@ pub(crate) fn run(cli: Cli) -> Outcome {
         Some(Command::Pixel(arguments)) => pixel(&arguments),
         Some(Command::Convert(arguments)) => convert(&arguments),
         Some(Command::Bake(arguments)) => bake(&arguments),
+        Some(Command::Gallery(arguments)) => gallery(&arguments),
         Some(Command::Window(arguments)) => window(&arguments),
         Some(Command::Bench(arguments)) => bench(&arguments),
     }
@@ -124,6 +125,22 @@ fn bake(arguments: &Convert) -> Outcome {
         Some(extension) if extension == "rs" => convert(arguments),
         _ => Err(format!("cannot write {}: Rust source is in .rs files", arguments.output.display()).into()),
     }
+}
+
+fn gallery(arguments: &GalleryArgs) -> Outcome {
+    let gallery = Gallery::new(&arguments.directory)?;
+    let count = gallery.files().len();
+    let bar = ProgressBar::new(count as u64);
+    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} scene {pos} of {len}, {eta} to go")?);
+    let written = gallery.write(&|scene| {
+        bar.set_message(scene.to_owned());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    written?;
+    let page = arguments.directory.join("README.md");
+    writeln!(io::stdout(), "{}: {count} scenes", page.display())?;
+    Ok(())
 }
 
 #[cfg(feature = "window")]

@@ -118,7 +118,7 @@ impl<'a> LoadedScene<'a> {
             name: name_of(path),
             scene,
             size: (640, 480),
-            bounces: 4,
+            bounces: 6,
             notes: Vec::new(),
             file: Some((path.to_owned(), Import::Bytes)),
         })
@@ -130,7 +130,7 @@ impl<'a> LoadedScene<'a> {
             name: name_of(path),
             scene: import.scene,
             size: (640, 480),
-            bounces: 4,
+            bounces: 6,
             notes: Vec::new(),
             file: Some((path.to_owned(), Import::Ron(import))),
         })

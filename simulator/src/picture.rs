@@ -41,6 +41,14 @@ impl Picture {
         let sum: f64 = self.rgb.iter().zip(&reference.rgb).map(square).sum();
         (sum > 0.0).then(|| 10.0 * (255.0 * 255.0 * self.rgb.len() as f64 / sum).log10())
     }
+
+    /// The same as text, in dB, where there is any difference.
+    pub(crate) fn decibels(&self, reference: &Self) -> String {
+        match self.psnr(reference) {
+            Some(decibels) => format!("{decibels:.1}"),
+            None => "same bytes".to_owned(),
+        }
+    }
 }
 
 /// Why there is no picture.

@@ -11,8 +11,8 @@ use serde::ser::{
 /// What a description refers to, rather than holds.
 const BORROWED: [&str; 2] = ["Optics", "Placed"];
 
-/// Lists inside of so many others are written on a line of their own.
-const LINES: usize = 3;
+/// So deep inside, each part has a line of its own.
+const LINES: usize = 5;
 
 /// A description as Rust, as far as it is written.
 pub(super) struct Literal {
@@ -30,7 +30,7 @@ impl Literal {
     /// # Errors
     /// It is of a kind that no description is.
     pub(super) fn of(value: &impl Serialize) -> Result<String, Unforeseen> {
-        let mut literal = Self { text: String::new(), depth: 0 };
+        let mut literal = Self { text: String::new(), depth: 1 };
         value.serialize(&mut literal)?;
         Ok(literal.text)
     }
@@ -45,36 +45,55 @@ impl Literal {
         self.write(format_args!("{borrow}{name}"))
     }
 
-    fn parts(&mut self, begin: &str, end: &'static str) -> Parts<'_> {
+    /// Begins what has parts, each on a line of its own if `lines` and not too deep inside.
+    fn parts(&mut self, begin: &str, end: &'static str, lines: bool) -> Parts<'_> {
         self.text.push_str(begin);
         self.depth += 1;
-        Parts { literal: self, is_first: true, end }
+        Parts { lines: lines && self.depth <= LINES, literal: self, is_empty: true, end }
+    }
+
+    fn new_line(&mut self) {
+        self.text.push('\n');
+        (0..self.depth).for_each(|_| self.text.push_str("    "));
     }
 }
 
 /// The parts of what is being written.
 pub(super) struct Parts<'l> {
     literal: &'l mut Literal,
-    is_first: bool,
+    is_empty: bool,
+    lines: bool,
     end: &'static str,
 }
 
 impl Parts<'_> {
     fn part<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), Unforeseen> {
-        let literal = &mut *self.literal;
-        if !core::mem::take(&mut self.is_first) {
-            literal.text.push_str(", ");
+        let is_first = core::mem::replace(&mut self.is_empty, false);
+        if self.lines {
+            self.literal.new_line();
+        } else {
+            self.literal.text.push_str(if is_first { self.pad() } else { ", " });
         }
-        if literal.depth <= LINES {
-            literal.text.push('\n');
-            (0..literal.depth).for_each(|_| literal.text.push_str("    "));
+        self.literal.text.push_str(name);
+        value.serialize(&mut *self.literal)?;
+        if self.lines {
+            self.literal.text.push(',');
         }
-        literal.text.push_str(name);
-        value.serialize(literal)
+        Ok(())
+    }
+
+    /// What stands inside of the brackets where there are no lines.
+    fn pad(&self) -> &'static str {
+        if self.end == "}" { " " } else { "" }
     }
 
     fn finish(self) -> Result<(), Unforeseen> {
         self.literal.depth -= 1;
+        if self.lines && !self.is_empty {
+            self.literal.new_line();
+        } else {
+            self.literal.text.push_str(self.pad());
+        }
         self.literal.write(self.end)
     }
 }
@@ -210,21 +229,21 @@ impl<'l> Serializer for &'l mut Literal {
     }
 
     fn serialize_seq(self, _: Option<usize>) -> Result<Parts<'l>, Unforeseen> {
-        Ok(self.parts("&[", "]"))
+        Ok(self.parts("&[", "]", true))
     }
 
     fn serialize_tuple(self, _: usize) -> Result<Parts<'l>, Unforeseen> {
-        Ok(self.parts("[", "]"))
+        Ok(self.parts("[", "]", false))
     }
 
     fn serialize_tuple_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
         self.name(name)?;
-        Ok(self.parts("::new(", ")"))
+        Ok(self.parts("::new(", ")", false))
     }
 
     fn serialize_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
         self.name(name)?;
-        Ok(self.parts(" { ", " }"))
+        Ok(self.parts(" {", "}", true))
     }
 
     fn serialize_struct_variant(
@@ -236,7 +255,7 @@ impl<'l> Serializer for &'l mut Literal {
     ) -> Result<Parts<'l>, Unforeseen> {
         self.name(name)?;
         self.write(format_args!("::{variant}"))?;
-        Ok(self.parts(" { ", " }"))
+        Ok(self.parts(" {", "}", true))
     }
 
     fn collect_str<T: Display + ?Sized>(self, _: &T) -> Result<(), Unforeseen> {

@@ -6,7 +6,6 @@ use core::marker::PhantomData;
 use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::{Read, Reader, Seed};
-use crate::fault::Fault;
 
 impl<'m, T: Read<'m> + Copy + 'm> Read<'m> for &'m [T] {
     fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
@@ -25,12 +24,6 @@ impl<'m, T: Read<'m> + Copy + 'm> Read<'m> for &'m T {
 impl<'m, T: Read<'m>> Read<'m> for Option<T> {
     fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
         from.deserialize_option(Optional { reader, of: PhantomData })
-    }
-}
-
-impl<'m, T: Read<'m>, const N: usize> Read<'m> for heapless::Vec<T, N> {
-    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
-        from.deserialize_seq(Array { reader, of: PhantomData })
     }
 }
 
@@ -104,28 +97,6 @@ impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
             Some(_) => map.next_value_seed(Seed::new(reader)).map(Some),
             None => Ok(None),
         })
-    }
-}
-
-/// Takes the values of a list of at most `N`.
-struct Array<'r, 'm, T, const N: usize> {
-    reader: &'r mut Reader<'m>,
-    of: PhantomData<T>,
-}
-
-impl<'m, T: Read<'m>, const N: usize> Visitor<'m> for Array<'_, 'm, T, N> {
-    type Value = heapless::Vec<T, N>;
-
-    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(text, "a list of at most {N}")
-    }
-
-    fn visit_seq<A: SeqAccess<'m>>(self, mut values: A) -> Result<Self::Value, A::Error> {
-        let mut list = heapless::Vec::new();
-        while let Some(value) = values.next_element_seed(Seed::new(self.reader))? {
-            list.push(value).map_err(|_| self.reader.fail(Fault::Full { room: N }))?;
-        }
-        Ok(list)
     }
 }
 

@@ -64,14 +64,14 @@ impl<'m> Reader<'m> {
     }
 
     /// Remembers the fault and makes a format's error of it.
-    fn fail<E: Error>(&mut self, fault: Fault) -> E {
+    pub(crate) fn fail<E: Error>(&mut self, fault: Fault) -> E {
         self.failure = Some(fault);
         E::custom(fault)
     }
 }
 
 /// What names in a file stand for: told what is to be read ([`Fields::NAME`]) and what it is called, the bytes that
-/// [`to_bytes`] makes of it, if there is such a thing.
+/// postcard makes of it, if there is such a thing.
 pub type Names<'m> = dyn Fn(&'static str, &str) -> Option<&'m [u8]> + 'm;
 
 /// What can be read into memory that is lent for `'m`.

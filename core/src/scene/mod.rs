@@ -1,5 +1,7 @@
 //! The description of a scene: plain data that can be a `static` in flash.
 
+#[cfg(feature = "serde")]
+mod array;
 mod buf;
 #[cfg(feature = "serde")]
 mod bytes;

@@ -65,7 +65,7 @@ fn of_file(path: &str) -> Result<(String, u8), Box<dyn Error>> {
 }
 
 /// How often light is mirrored where nobody says it.
-const USUAL_BOUNCES: u8 = 4;
+const USUAL_BOUNCES: u8 = 6;
 
 /// Writes the number system that the program computes in into `number.rs` in the build's output folder:
 /// `RAYLINE_NUMBER` is `f32` or `fixed`, and `f32` where it is not given.

@@ -119,7 +119,7 @@ impl Source {
         // Build scripts run in another folder.
         let source = fs::canonicalize(path)?.into_os_string().into_string();
         let source = source.ok().with_context(|| format!("{shown}: its path is not UTF-8"))?;
-        Ok(Self { name: name.leak(), source: source.leak(), scene: Box::leak(Box::new(scene)), bounces: 4 })
+        Ok(Self { name: name.leak(), source: source.leak(), scene: Box::leak(Box::new(scene)), bounces: 6 })
     }
 }
 

@@ -5,9 +5,9 @@ use std::time::Instant;
 use rayline::Settings;
 use rayline::builtin::{ALL, Builtin};
 
-use super::table::{Table, thousands};
 use super::times::{Times, milliseconds};
 use super::{Bench, BenchError};
+use crate::table::{Table, thousands};
 use crate::{Mode, Number, Picture, RenderOptions, render};
 
 pub(super) fn measure(bench: &Bench, say: &dyn Fn(&str)) -> Result<String, BenchError> {
@@ -38,7 +38,7 @@ pub(super) fn measure(bench: &Bench, say: &dyn Fn(&str)) -> Result<String, Bench
                     milliseconds(together.best()),
                     thousands(rays),
                     format!("{:.0}", alone.best() * 1e9 / rays as f64),
-                    decibels(&seen, &reference),
+                    seen.decibels(&reference),
                 ]);
             }
         }
@@ -61,12 +61,4 @@ fn picture(
     let settings = Settings { bounces: scene.bounces, ..Settings::new(width, height) };
     let options = RenderOptions { mode, number, threads, ..RenderOptions::new(settings) };
     Ok(render(scene.scene, &options)?)
-}
-
-/// The peak signal to noise ratio of a picture, where there is noise.
-fn decibels(picture: &Picture, reference: &Picture) -> String {
-    match picture.psnr(reference) {
-        Some(decibels) => format!("{decibels:.1}"),
-        None => "same bytes".to_owned(),
-    }
 }

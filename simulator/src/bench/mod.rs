@@ -6,7 +6,6 @@
 
 mod builtin;
 mod rival;
-mod table;
 mod times;
 
 use core::fmt;

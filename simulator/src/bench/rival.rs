@@ -6,10 +6,10 @@ use bumpalo::Bump;
 use cpu_time::ProcessTime;
 use rayline::{Settings, Transfer};
 
-use super::table::Table;
 use super::times::{Times, milliseconds};
 use super::{Bench, BenchError};
 use crate::povray::{self, PovrayPicture};
+use crate::table::Table;
 use crate::{RenderOptions, nff, render};
 
 /// Spheres, triangles and cylinders: scenes of the Standard Procedural Databases.

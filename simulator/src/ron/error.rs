@@ -31,7 +31,7 @@ pub struct RonError {
     /// Where in it.
     pub position: Option<Position>,
     /// What is wrong there.
-    pub fault: RonFault,
+    pub fault: Box<RonFault>,
 }
 
 /// What is wrong with a file.
@@ -93,7 +93,7 @@ impl RonFault {
 impl fmt::Display for RonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = self.path.display();
-        match (&self.fault, self.position) {
+        match (&*self.fault, self.position) {
             (RonFault::Read(error), _) => write!(f, "cannot read {path}: {error}"),
             (fault, Some(Position { line, column })) => write!(f, "{path}:{line}:{column}: {fault}"),
             (fault, None) => write!(f, "{path}: {fault}"),
@@ -117,7 +117,7 @@ impl fmt::Display for RonFault {
 
 impl core::error::Error for RonError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match &self.fault {
+        match &*self.fault {
             RonFault::Read(error) => Some(error),
             RonFault::Syntax(error) => Some(error),
             _ => None,

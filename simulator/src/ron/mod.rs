@@ -67,7 +67,7 @@ impl Import<'_> {
 /// What cannot be read, or where the file says what is not understood. Numbers that make no scene, such as a negative radius, are
 /// found by [`PreparedScene::new`](rayline::PreparedScene::new); for those [`Import::position_of`] tells the place.
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
-    let error = |position, fault| RonError { path: path.to_owned(), position, fault };
+    let error = |position, fault| RonError { path: path.to_owned(), position, fault: Box::new(fault) };
     let text = fs::read_to_string(path).map_err(|io| error(None, RonFault::Read(io)))?;
     let text = arena.alloc_str(&text);
     let directory = arena.alloc_str(&path.parent().unwrap_or(Path::new("")).to_string_lossy());
@@ -117,7 +117,7 @@ fn parse<'a>(
 /// The text of a scene.
 pub fn write(scene: &Scene<'_>) -> Result<String, ron::Error> {
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
-    let style = style.depth_limit(4).separate_tuple_members(false);
+    let style = style.depth_limit(5).separate_tuple_members(false);
     let mut text = options().to_string_pretty(scene, style)?;
     text.push('\n');
     Ok(text)

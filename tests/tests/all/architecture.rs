@@ -65,6 +65,7 @@ fn one_door_for_each_external_crate() {
         ("libm", vec!["math"]),
         ("micromath", vec!["math"]),
         ("heapless", vec!["hierarchy", "integrator", "scene"]),
+        ("postcard", vec!["read", "scene"]),
         ("embedded_graphics", vec!["render"]),
     ] {
         for file in files(&core()) {

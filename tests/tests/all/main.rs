@@ -7,6 +7,7 @@
 
 mod acceleration;
 mod architecture;
+mod baked;
 mod closed_forms;
 mod drawing;
 mod fixed;

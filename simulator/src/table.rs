@@ -3,18 +3,18 @@
 use core::fmt;
 
 /// A table whose columns are as wide as what stands in them; names to the left, figures to the right.
-pub(super) struct Table {
+pub(crate) struct Table {
     names: usize,
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
     /// A table with these heads, the first `names` of which stand over names.
-    pub(super) fn new<const COLUMNS: usize>(names: usize, heads: [&str; COLUMNS]) -> Self {
+    pub(crate) fn new<const COLUMNS: usize>(names: usize, heads: [&str; COLUMNS]) -> Self {
         Self { names, rows: vec![heads.map(str::to_owned).to_vec()] }
     }
 
-    pub(super) fn push<const COLUMNS: usize>(&mut self, row: [String; COLUMNS]) {
+    pub(crate) fn push<const COLUMNS: usize>(&mut self, row: [String; COLUMNS]) {
         self.rows.push(row.to_vec());
     }
 
@@ -53,7 +53,7 @@ impl fmt::Display for Table {
 }
 
 /// A whole number with a comma between thousands.
-pub(super) fn thousands(number: u64) -> String {
+pub(crate) fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {

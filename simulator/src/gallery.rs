@@ -1,0 +1,263 @@
+//! A directory of scenes: a picture of each, and a page that shows them and how far they can be trusted.
+
+use core::fmt;
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use bumpalo::Bump;
+use rayline::{Settings, Transfer};
+
+use crate::povray::{self, RunError};
+use crate::table::Table;
+use crate::{
+    FileError, LoadError, LoadedScene, Number, Picture, PictureFile, RenderError, RenderOptions, render,
+    write_file,
+};
+
+/// The scenes of a directory: its `.ron` files, by name.
+#[derive(Clone, Debug)]
+pub struct Gallery {
+    directory: PathBuf,
+    files: Vec<PathBuf>,
+    /// Width and height of the pictures.
+    pub size: (u32, u32),
+    /// How many places of each pixel the pictures look at; figures are of one.
+    pub samples: u16,
+}
+
+/// Why there is no gallery.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum GalleryError {
+    /// The directory cannot be read. Mend what the system says.
+    Directory {
+        /// The directory.
+        path: PathBuf,
+        /// The system's reason.
+        error: io::Error,
+    },
+    /// There is no `.ron` file in it. Name another.
+    Empty(PathBuf),
+    /// A scene cannot be read. Mend it.
+    Load(LoadError),
+    /// A scene cannot be drawn. Mend what it says.
+    Scene(String),
+    /// POV-Ray gave no picture. Mend what it says.
+    Povray {
+        /// The scene.
+        scene: String,
+        /// Why.
+        error: RunError,
+    },
+    /// The system refused a file. Mend what it says.
+    File(FileError),
+}
+
+/// What is known of a scene.
+struct Exhibit {
+    name: String,
+    caption: String,
+    rays_per_pixel: f64,
+    f32: String,
+    fixed: String,
+    povray: String,
+}
+
+impl Gallery {
+    /// Finds the scenes of a directory.
+    ///
+    /// # Errors
+    /// It cannot be read, or has none.
+    pub fn new(directory: &Path) -> Result<Self, GalleryError> {
+        let refused = |error| GalleryError::Directory { path: directory.to_owned(), error };
+        let mut files = Vec::new();
+        for entry in fs::read_dir(directory).map_err(refused)? {
+            let path = entry.map_err(refused)?.path();
+            if path.extension().is_some_and(|extension| extension == "ron") {
+                files.push(path);
+            }
+        }
+        if files.is_empty() {
+            return Err(GalleryError::Empty(directory.to_owned()));
+        }
+        files.sort();
+        Ok(Self { directory: directory.to_owned(), files, size: (320, 240), samples: 4 })
+    }
+
+    /// The files of the scenes.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// Renders each scene into a `.png` beside its file, and writes `README.md`, which shows all and tells how each agrees with
+    /// the reference in f64 and with POV-Ray, where that is installed. `say` is told what is being done.
+    ///
+    /// # Errors
+    /// See [`GalleryError`]. Pictures that were written before stay.
+    pub fn write(&self, say: &dyn Fn(&str)) -> Result<(), GalleryError> {
+        let mut exhibits = Vec::new();
+        for file in &self.files {
+            say(&file.display().to_string());
+            exhibits.push(self.exhibit(file)?);
+        }
+        let page = self.page(&exhibits);
+        write_file(&self.directory.join("README.md"), page.as_bytes()).map_err(GalleryError::File)
+    }
+
+    fn exhibit(&self, file: &Path) -> Result<Exhibit, GalleryError> {
+        let arena = Bump::new();
+        let scene = LoadedScene::open(file, &arena).map_err(GalleryError::Load)?;
+        let (width, height) = self.size;
+        let meant = Settings { bounces: scene.bounces, ..Settings::new(width, height) };
+        let draw = |settings, number| {
+            let options = RenderOptions { number, ..RenderOptions::new(settings) };
+            render(&scene.scene, &options).map_err(|error| {
+                GalleryError::Scene(match error {
+                    RenderError::Scene(error) => scene.explain(&error),
+                    error => format!("{}: {error}", scene.name),
+                })
+            })
+        };
+
+        let smooth = draw(Settings { samples_per_pixel: self.samples, ..meant }, Number::F32)?;
+        let picture = PictureFile::new(&file.with_extension("png")).map_err(GalleryError::File)?;
+        picture.write(&smooth).map_err(GalleryError::File)?;
+
+        let seen = draw(meant, Number::F32)?;
+        let reference = draw(meant, Number::F64)?;
+        let rays = seen.rays;
+        let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
+        let linear = Settings { transfer: Transfer::Linear, ..meant };
+        let text = fs::read_to_string(file).unwrap_or_default();
+        Ok(Exhibit {
+            caption: text
+                .lines()
+                .next()
+                .and_then(|line| line.strip_prefix("//"))
+                .unwrap_or("")
+                .trim()
+                .to_owned(),
+            rays_per_pixel: rays as f64 / f64::from(width * height),
+            f32: seen.decibels(&reference),
+            fixed: draw(meant, Number::Fixed)?.decibels(&reference),
+            povray: beside_povray(&scene, &linear, &draw(linear, Number::F32)?)?,
+            name: scene.name,
+        })
+    }
+
+    /// The page that shows everything.
+    fn page(&self, exhibits: &[Exhibit]) -> String {
+        let (width, height) = self.size;
+        let mut page = format!(
+            "# Gallery\n\nWritten by `rayline gallery {}`: each picture is the scene of the same name, {width}x{height} \
+             in f32.\n",
+            self.directory.display()
+        );
+        let mut groups: Vec<&str> = Vec::new();
+        for exhibit in exhibits {
+            if !groups.contains(&exhibit.group()) {
+                groups.push(exhibit.group());
+            }
+        }
+        // What is worth most comes first.
+        groups.sort_by_key(|group| *group != "show");
+        for group in groups {
+            let title = if group == "show" { "showpieces" } else { group };
+            // Writing into a string cannot fail.
+            let _ = write!(page, "\n## {}\n\n", capitalized(title));
+            let members: Vec<_> = exhibits.iter().filter(|exhibit| exhibit.group() == group).collect();
+            let _ = writeln!(page, "|  |  |  |\n|---|---|---|");
+            for row in members.chunks(3) {
+                for exhibit in row {
+                    let Exhibit { name, caption, .. } = exhibit;
+                    let _ = write!(page, "| ![{name}]({name}.png)<br>[{name}]({name}.ron): {caption} ");
+                }
+                let _ = writeln!(page, "|");
+            }
+        }
+        let mut table = Table::new(
+            1,
+            ["scene", "rays a pixel", "f32 / f64, dB", "fixed / f64, dB", "as POV-Ray, % of pixels"],
+        );
+        for exhibit in exhibits {
+            table.push([
+                exhibit.name.clone(),
+                format!("{:.2}", exhibit.rays_per_pixel),
+                exhibit.f32.clone(),
+                exhibit.fixed.clone(),
+                exhibit.povray.clone(),
+            ]);
+        }
+        let _ = write!(
+            page,
+            "\n## Figures\n\nPSNR of the exact picture, one sample a pixel; and the share of pixels whose channels all lie within {ALIKE} of \
+             255 of POV-Ray's, in linear light.\n\n{table}"
+        );
+        page
+    }
+}
+
+/// The most by which a channel may differ in pictures that are alike.
+const ALIKE: u8 = 3;
+
+/// The share of pixels that POV-Ray draws alike, as text, or why it is not known.
+fn beside_povray(
+    scene: &LoadedScene<'_>,
+    settings: &Settings,
+    picture: &Picture,
+) -> Result<String, GalleryError> {
+    let failed = |error| GalleryError::Povray { scene: scene.name.clone(), error };
+    let directory = tempfile::tempdir().map_err(|error| failed(RunError::Io(error)))?;
+    match povray::render(&scene.scene, settings, directory.path(), "scene") {
+        Ok(Some(theirs)) => {
+            let (ours, _) = picture.rgb.as_chunks::<3>();
+            let (theirs, _) = theirs.rgb.as_chunks::<3>();
+            let is_alike =
+                |(a, b): &(&[u8; 3], &[u8; 3])| a.iter().zip(*b).all(|(a, b)| a.abs_diff(*b) <= ALIKE);
+            let alike = ours.iter().zip(theirs).filter(is_alike).count();
+            Ok(format!("{:.2}", 100.0 * alike as f64 / ours.len().max(1) as f64))
+        }
+        Ok(None) => Ok("not installed".to_owned()),
+        Err(RunError::Scene(error)) => Ok(error.to_string()),
+        Err(error) => Err(failed(error)),
+    }
+}
+
+impl Exhibit {
+    /// What it is an example of: the first word of its name.
+    fn group(&self) -> &str {
+        self.name.split('-').next().unwrap_or_default()
+    }
+}
+
+fn capitalized(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+impl fmt::Display for GalleryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Directory { path, error } => write!(f, "cannot read {}: {error}", path.display()),
+            Self::Empty(path) => write!(f, "there is no .ron file in {}", path.display()),
+            Self::Load(error) => error.fmt(f),
+            Self::Scene(text) => f.write_str(text),
+            Self::Povray { scene, error } => write!(f, "{scene}: {error}"),
+            Self::File(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for GalleryError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Directory { error, .. } => Some(error),
+            Self::Empty(_) | Self::Scene(_) => None,
+            Self::Load(error) => Some(error),
+            Self::Povray { error, .. } => Some(error),
+            Self::File(error) => Some(error),
+        }
+    }
+}
