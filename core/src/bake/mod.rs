@@ -128,6 +128,11 @@ fn name(shape: &Shape<'_>) -> String {
 const fn borrows(shape: &Shape<'_>) -> bool {
     matches!(
         shape,
-        Shape::Polygon(_) | Shape::ConvexPolyhedron(_) | Shape::Mesh(_) | Shape::Csg(_) | Shape::Metaballs(_)
+        Shape::Polygon(_)
+            | Shape::ConvexPolyhedron(_)
+            | Shape::Mesh(_)
+            | Shape::Csg(_)
+            | Shape::Metaballs(_)
+            | Shape::Instances(_)
     )
 }

@@ -1,8 +1,8 @@
 //! Texts that are scenes, and texts that are none.
 
 use rayline::shape::{
-    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Metaballs, Plane,
-    Polygon, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
+    Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh,
+    Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image,
@@ -35,7 +35,8 @@ const MESH: Mesh<'static> = Mesh {
 };
 
 /// One of everything.
-const SHAPES: [Shape<'static>; 17] = [
+const SHAPES: [Shape<'static>; 18] = [
+    Shape::Instances(Instances::new(&Model::Quadric(QUADRIC), &[Pose::at(UP)]).sized(2.0)),
     Shape::Metaballs(Metaballs::new(&[Blob { center: UP, radius: 1.0, strength: -0.5 }])),
     Shape::Sphere(SPHERE),
     Shape::Plane(PLANE),

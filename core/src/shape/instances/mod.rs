@@ -75,6 +75,7 @@ use pose::PreparedPose;
 /// The coordinates u and v are those of the model, as if it were by itself. Where instances overlap, each is there: together they
 /// are no [solid](Geometry::is_solid). One alone is, if its model is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Instances<'a, S = Model<'a>> {
     /// What stands there: best around its own origin. It holds no instances.
     pub model: &'a S,
@@ -82,6 +83,11 @@ pub struct Instances<'a, S = Model<'a>> {
     pub size: f32,
     /// Where: one place or more.
     pub poses: &'a [Pose],
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct! {
+    [S: crate::read::Read<'m> + Copy] Instances as Instances<'m, S> { model, size = 1.0, poses }
 }
 
 /// The most that are tested one by one.

@@ -7,13 +7,23 @@ use crate::surface::Surface;
 
 /// Where an instance stands, and how it is turned: about its model's origin first, then moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Pose {
     /// By which angles it is turned about the x axis, then about y, then about z; in radians, counterclockwise as seen
     /// from the axis' end.
+    #[cfg_attr(feature = "serde", serde(default = "unturned"))]
     pub rotation: Vec3,
     /// Where the model's origin is.
     pub origin: Vec3,
 }
+
+#[cfg(feature = "serde")]
+const fn unturned() -> Vec3 {
+    Vec3::ZERO
+}
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Pose);
 
 impl Pose {
     /// Upright, with the model's origin there.
