@@ -11,6 +11,7 @@
 //! | box | across the face: 0 to 1 | across that: 0 to 1 |
 //! | triangle, mesh without coordinates of its own | weight of the second corner | weight of the third corner |
 //! | plane, polygon, polyhedron | length along the plane, from the origin | length across that |
+//! | instances | that of the model, where it was described | that of the model |
 //!
 //! Seen from the front u grows to the right and v upward. Across an axis or normal, u and angles begin toward the x axis; if
 //! it lies along that, toward y: on a floor u is x and v is -z, and on a wall that faces z they are x and y.

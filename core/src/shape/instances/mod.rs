@@ -7,9 +7,9 @@
 //! sixteen meshes.
 //!
 //! # One size
-//! All instances of a shape have one size, and the model is prepared in that. So distances along a ray are the same in both places:
-//! nothing is multiplied, no digit is lost, and a mesh finds its triangle again by the very distance at which it was met. In another
-//! size, or of another material, the model is prepared once more.
+//! All instances of a shape have one size, and the model is prepared in that. So distances along a ray are the same in both
+//! places: nothing is multiplied, no digit is lost, and a mesh finds its triangle again by the very distance at which it was met.
+//! In another size, or of another material, the model is prepared once more.
 //!
 //! Rejected: a size for each place, which in fixed point needs as many more digits as the sizes differ. Rejected as well: an object
 //! for each place that finds out which others are like it. How much memory that takes could not be told in a constant, as
@@ -33,20 +33,22 @@
 
 mod model;
 mod pose;
+mod prepared;
 #[cfg(test)]
 mod tests;
 
 pub use model::{Model, PreparedModel};
 pub use pose::Pose;
+pub use prepared::PreparedInstances;
 
-use super::{Geometry, Intersect, Spans, Spine};
+use super::{Geometry, Intersect};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate};
 use crate::hierarchy::Hierarchy;
 use crate::limits::{MAX_COUNT, MIN_SIZE};
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale};
-use crate::surface::Surface;
+use crate::math::{Aabb, Extent, Real, Scale};
 use pose::PreparedPose;
+use prepared::Group;
 
 /// One shape in one size, in as many places as there are.
 ///
@@ -189,108 +191,6 @@ impl<'a, S: Geometry + 'a> Geometry for Instances<'a, S> {
             Hierarchy::list(order)
         };
         let group = memory.store(Group { poses, hierarchy, bounds: all, sized })?;
-        Ok(PreparedInstances { model, group })
-    }
-}
-
-/// [`Instances`], prepared.
-#[derive(Clone, Copy, Debug)]
-pub struct PreparedInstances<'m, R, P> {
-    // Not lent: a set of shapes whose instances are of the same set would hold itself, which the compiler refuses. So there is no
-    // recursion.
-    model: P,
-    group: &'m Group<'m, R>,
-}
-
-/// All places.
-#[derive(Clone, Copy, Debug)]
-struct Group<'m, R> {
-    poses: &'m [PreparedPose<R>],
-    hierarchy: Hierarchy<'m, R>,
-    bounds: Option<Aabb<R>>,
-    /// How large the model was prepared.
-    sized: Scale,
-}
-
-/// Of the number of a part of the surface, the lower bits are that of the model's part, the upper ones number the places.
-const PART_BITS: u32 = 16;
-
-impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
-    /// The only one, if it is.
-    fn only(&self) -> Option<&'m PreparedPose<R>> {
-        if let [pose] = self.group.poses { Some(pose) } else { None }
-    }
-
-    /// The instance that a ray meets at this distance: of several, the first.
-    fn at(&self, ray: &Ray<R>, t: R) -> Option<(usize, &'m PreparedPose<R>)> {
-        let Group { poses, hierarchy, .. } = self.group;
-        let point = ray.at(t);
-        let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
-        let around = Interval { min: t - margin, max: t + margin };
-        let mut found: Option<(R, usize, &PreparedPose<R>)> = None;
-        hierarchy.visit(point, margin, |index| {
-            if let Some(pose) = poses.get(index)
-                && let Some(met) = self.model.intersect(&pose.inward(ray), around)
-            {
-                // It is the very same distance, but where two surfaces of one model are next to each other.
-                let off = (met - t).abs();
-                if found.is_none_or(|(least, first, _)| off < least || off == least && index < first) {
-                    found = Some((off, index, pose));
-                }
-            }
-        });
-        found.map(|(_, index, pose)| (index, pose))
-    }
-}
-
-impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
-    // Much code, and many rays never come here.
-    #[inline(never)]
-    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let Group { poses, hierarchy, .. } = self.group;
-        let mut range = range;
-        let mut nearest = None;
-        hierarchy.walk(ray, range.max, |index| {
-            if let Some(pose) = poses.get(index)
-                && let Some(t) = self.model.intersect(&pose.inward(ray), range)
-            {
-                range.max = t;
-                nearest = Some(t);
-            }
-            Some(range.max)
-        });
-        nearest
-    }
-
-    fn bounds(&self) -> Option<Aabb<R>> {
-        self.group.bounds
-    }
-
-    fn spine(&self) -> Option<Spine<R>> {
-        Some(self.only()?.spine(self.model.spine()?))
-    }
-
-    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        self.only().map_or(Spans::NONE, |pose| self.model.spans(&pose.inward(ray)))
-    }
-
-    #[inline(never)]
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let Some((index, pose)) = self.at(ray, t) else {
-            // Where `intersect` gave `t`, there is one.
-            let (point, normal) = (ray.at(t), -ray.direction);
-            return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
-        };
-        let surface = pose.outward(self.model.surface(&pose.inward(ray), t));
-        let part = (index as u32) << PART_BITS | surface.part & ((1 << PART_BITS) - 1);
-        Surface { part, ..surface }
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        let Some(pose) = self.group.poses.get((surface.part >> PART_BITS) as usize) else {
-            return [R::ZERO; 2];
-        };
-        let part = surface.part & ((1 << PART_BITS) - 1);
-        self.model.uv(&pose.inward_surface(&Surface { part, ..*surface }), self.group.sized)
+        Ok(PreparedInstances::new(model, group))
     }
 }

@@ -1,7 +1,7 @@
 use super::super::testing::*;
 use super::super::{Csg, CsgStep, Cuboid, Cylinder, Mesh, Sphere, Torus};
 use super::*;
-use crate::math::{Fixed, Rotation, Vec3};
+use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 const QUARTER: f32 = core::f32::consts::FRAC_PI_2;
