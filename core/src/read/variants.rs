@@ -84,11 +84,11 @@ pub fn held_fields<'m, T: Fields<'m>, A: VariantAccess<'m>>(
 #[macro_export]
 macro_rules! __read_enum {
     (
-        [$($generics:tt)*] $Name:ident as $Type:ty {
+        [$($generics:tt)*] $Name:ident as $Type:ty $(where [$($bounds:tt)*])? {
             $($Variant:ident $(($held:ty))? $({ $Fields:ty: $($field:ident),+ })?),+ $(,)?
         }
     ) => {
-        impl<'m, $($generics)*> $crate::read::Variants<'m> for $Type {
+        impl<'m, $($generics)*> $crate::read::Variants<'m> for $Type $(where $($bounds)*)? {
             const NAME: &'static str = stringify!($Name);
             const VARIANTS: &'static [&'static str] = &[$(stringify!($Variant)),+];
 
@@ -106,7 +106,7 @@ macro_rules! __read_enum {
             }
         }
 
-        impl<'m, $($generics)*> $crate::read::Read<'m> for $Type {
+        impl<'m, $($generics)*> $crate::read::Read<'m> for $Type $(where $($bounds)*)? {
             fn read<D: $crate::read::serde::Deserializer<'m>>(
                 from: D,
                 reader: &mut $crate::read::Reader<'m>,

@@ -139,7 +139,11 @@ macro_rules! shape_set {
 #[macro_export]
 macro_rules! __read_set {
     ($Set:ident $(<$life:lifetime>)? { $($Variant:ident($Type:ty)),+ }) => {
-        impl $(<$life>)? $crate::read::serde::Serialize for $Set $(<$life>)? {
+        // Only where all shapes of the set can be written. The lifetime lets the compiler ask so late.
+        impl $(<$life>)? $crate::read::serde::Serialize for $Set $(<$life>)?
+        where
+            $(for<'any> $Type: $crate::read::serde::Serialize),+
+        {
             fn serialize<W: $crate::read::serde::Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
                 let mut number = 0;
                 $(
@@ -160,7 +164,7 @@ macro_rules! __read_set {
         $crate::__read_enum!([] $Set as $Set<'m> { $($Variant($Type)),+ });
     };
     (@read $Set:ident { $($Variant:ident($Type:ty)),+ }) => {
-        $crate::__read_enum!([] $Set as $Set { $($Variant($Type)),+ });
+        $crate::__read_enum!([] $Set as $Set where [$($Type: $crate::read::Read<'m>),+] { $($Variant($Type)),+ });
     };
 }
 
