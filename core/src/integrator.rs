@@ -105,9 +105,10 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
         probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
         let from = if kind == RayKind::Camera { None } else { Some(from) };
         let Some((mut hit, mut material)) = scene.closest_hit_from(&ray, from, sight.among) else {
-            probe.record(Event::Miss);
+            let color = scene.background.color(ray.direction);
+            probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
-            light = light + throughput.of(scene.background);
+            light = light + throughput.of(color);
             if !take(&mut waiting, &mut next) {
                 break;
             }

@@ -5,7 +5,8 @@
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
 //! use rayline::shape::Sphere;
 //! use rayline::{
-//!     Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings, Vec3, Workspace,
+//!     Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings, Vec3,
+//!     Workspace,
 //! };
 //!
 //! static SCENE: Scene<Sphere> = Scene {
@@ -15,7 +16,7 @@
 //!         up: Vec3::new(0.0, 1.0, 0.0),
 //!         vertical_fov: 0.7,
 //!     },
-//!     background: LinearRgb::gray(0.05),
+//!     background: Background::gray(0.05),
 //!     objects: &[Object::new(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), 0)],
 //!     materials: &[Material::matte(LinearRgb::gray(0.9))],
 //!     lights: &[Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }],
@@ -37,13 +38,13 @@
 //!
 //! | step | what it is | where |
 //! |---|---|---|
-//! | [`Scene`] | what to draw, in `f32`: a `static` in flash, or lent by a [`SceneBuf`] | [`shape`], [`Material`], [`Light`], [`Camera`] |
+//! | [`Scene`] | what to draw, in `f32`: a `static` in flash, or lent by a [`SceneBuf`] | [`shape`], [`Material`], [`Light`], [`Camera`], [`Background`] |
 //! | [`PreparedScene`] | the same, checked, in the kernel's number system, in memory that the caller lends | `prepared` |
 //! | radiance | how much light comes along a ray | `integrator` |
 //! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`, `color`,
-//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
+//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `background`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
 //! `render`, `builtin`, `bake`.
 //!
 //! # Number systems
@@ -84,8 +85,8 @@
 //!   and 12 KB less of flash.
 //! - `optics`, on unless left out: colored glass and metal, Fresnel's shares, absorption, light of surfaces' own, lamps with falloff
 //!   and cones, ambient light. Without it a scene that has one of them is refused.
-//! - `textures`, on unless left out: patterns and images. Without it there are solid colors and checkers in space; a
-//!   scene that has more is refused.
+//! - `textures`, on unless left out: patterns and images, and backgrounds that differ from one direction to another. Without it there
+//!   are solid colors and checkers in space; a scene that has more is refused.
 //! - `serde`: scenes from files and to files, see [`read`]; on a device from bytes in flash, [`SceneBuf::from_bytes`].
 //! - `bake`: scenes as Rust source, for build scripts: see [`bake`].
 //! - `std`: the standard library's square root. Changes no byte.
@@ -94,6 +95,7 @@
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 
 mod arena;
+mod background;
 #[cfg(feature = "bake")]
 pub mod bake;
 pub mod builtin;
@@ -120,6 +122,7 @@ mod surface;
 mod texture;
 
 pub use arena::{Arena, Workspace};
+pub use background::{Background, Panorama, Sky};
 pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;

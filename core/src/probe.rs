@@ -54,7 +54,10 @@ pub enum Event<R> {
         color: LinearRgb<R>,
     },
     /// That ray met nothing and sees the background.
-    Miss,
+    Miss {
+        /// The color of that in the ray's direction.
+        color: LinearRgb<R>,
+    },
     /// A shadow ray was traced from that hit.
     Light {
         /// Position of the light in [`Scene::lights`](crate::Scene::lights).
@@ -126,7 +129,7 @@ impl<R: Real> Probe<R> for RayCounts {
             Event::Cut(Cut::Throughput) => &mut self.cut_throughput,
             Event::Cut(Cut::Rays) => &mut self.cut_rays,
             Event::Cut(Cut::ShadowLayers) => &mut self.cut_shadow_layers,
-            Event::Hit { .. } | Event::Miss => return,
+            Event::Hit { .. } | Event::Miss { .. } => return,
         };
         *count = count.saturating_add(1);
     }

@@ -174,8 +174,8 @@ impl<R: Real> Probe<R> for Tree<'_> {
         match event {
             Event::Ray { kind, ray, bounces, throughput } => self.ray(kind, ray, bounces, throughput),
             Event::Hit { hit, color, .. } => self.hit(&hit, color),
-            Event::Miss => {
-                let background = color(self.loaded.scene.background);
+            Event::Miss { color: background } => {
+                let background = color(background.to_f32());
                 self.line(self.depth + 1, format_args!("hits nothing, sees the background {background}"));
             }
             Event::Light { light, toward, through, shown } => {

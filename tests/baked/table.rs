@@ -10,7 +10,7 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.62831855,
         },
-        background: LinearRgb::new(0.12, 0.15, 0.2),
+        background: Background::Solid(LinearRgb::new(0.12, 0.15, 0.2)),
         objects: &[
             Object {
                 shape: Shape::Rectangle(Rectangle {

@@ -20,8 +20,8 @@ pub use counted::{Counted, Operations, operations_of};
 pub use picture::Picture;
 pub use povray::PovrayPicture;
 pub use random::{
-    cut_box, instances, lamps, lights, maps, meshes, metaballs, numbers, optics, shapes, textures,
-    turned_box, vectors,
+    backgrounds, cut_box, instances, lamps, lights, maps, meshes, metaballs, numbers, optics, shapes,
+    textures, turned_box, vectors,
 };
 pub use scenes::{scene_names, settings, with_scene};
 pub use screen::{Screen, Unplugged};

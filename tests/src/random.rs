@@ -6,9 +6,9 @@ use rayline::shape::{
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp, Light,
-    LightCone, LinearRgb, Map, Marble, Noise, Onto, Optics, Pixels, Placed, Placement, Space, Squares,
-    Stripes, Texture, Vec3, Wood,
+    Background, Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp,
+    Light, LightCone, LinearRgb, Map, Marble, Noise, Onto, Optics, Panorama, Pixels, Placed, Placement, Sky,
+    Space, Squares, Stripes, Texture, Vec3, Wood,
 };
 
 /// Coordinates and lengths: mostly near, a few as far away as may be, and those that often are special.
@@ -262,14 +262,24 @@ pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> B
     prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color: color * 0.1 })].boxed()
 }
 
-/// Patterns and images of such numbers and colors; not all are legal.
-pub fn textures(
+/// Backgrounds of all kinds, of such numbers and colors; not all are legal.
+pub fn backgrounds(
     number: &BoxedStrategy<f32>,
     color: &BoxedStrategy<LinearRgb>,
-) -> BoxedStrategy<Texture<'static>> {
-    let ends = || prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
-    let octaves = || prop_oneof![9 => 1..=8u8, 1 => any::<u8>()];
-    let two = (color.clone(), color.clone());
+) -> BoxedStrategy<Background<'static>> {
+    let sky = (vectors(number), color.clone(), color.clone(), color.clone())
+        .prop_map(|(up, zenith, horizon, nadir)| Sky { up, zenith, horizon, nadir });
+    let panorama = (images(), vectors(number)).prop_map(|(image, rotation)| Panorama { image, rotation });
+    prop_oneof![
+        color.clone().prop_map(Background::Solid),
+        sky.prop_map(|sky| Background::Gradient(Box::leak(Box::new(sky)))),
+        panorama.prop_map(|panorama| Background::Image(Box::leak(Box::new(panorama)))),
+    ]
+    .boxed()
+}
+
+/// Images of all kinds; not all are legal.
+fn images() -> BoxedStrategy<Image<'static>> {
     let pixels = prop_oneof![
         proptest::collection::vec(any::<u16>(), 6).prop_map(|pixels| Pixels::Rgb565(pixels.leak())),
         proptest::collection::vec(any::<u8>(), 18).prop_map(|bytes| Pixels::Rgb888(bytes.leak())),
@@ -278,15 +288,27 @@ pub fn textures(
             palette: &[[7; 3], [255; 3], [90, 0, 9]]
         }),
     ];
-    let image =
-        (pixels, ends(), any::<bool>(), any::<bool>()).prop_map(|(pixels, ends, srgb, nearest)| Image {
+    let ends = prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
+    (pixels, ends, any::<bool>(), any::<bool>())
+        .prop_map(|(pixels, ends, srgb, nearest)| Image {
             width: 3,
             height: 2,
             pixels,
             encoding: if srgb { Encoding::Srgb } else { Encoding::Linear },
             filter: if nearest { Filter::Nearest } else { Filter::Bilinear },
             ends,
-        });
+        })
+        .boxed()
+}
+
+/// Patterns and images of such numbers and colors; not all are legal.
+pub fn textures(
+    number: &BoxedStrategy<f32>,
+    color: &BoxedStrategy<LinearRgb>,
+) -> BoxedStrategy<Texture<'static>> {
+    let ends = || prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
+    let octaves = || prop_oneof![9 => 1..=8u8, 1 => any::<u8>()];
+    let two = (color.clone(), color.clone());
     let figure = prop_oneof![
         two.clone().prop_map(|(even, odd)| Figure::Squares(Squares { even, odd })),
         (two.clone(), number.clone()).prop_map(|((first, second), width)| Figure::Stripes(Stripes {
@@ -311,7 +333,7 @@ pub fn textures(
             mortar,
             gap
         })),
-        image.prop_map(Figure::Image),
+        images().prop_map(Figure::Image),
     ];
     let vector = vectors(number);
     let space = prop_oneof![Just(Space::Scene), Just(Space::Surface)];

@@ -9,7 +9,7 @@ use serde::ser::{
 };
 
 /// What a description refers to, rather than holds.
-const BORROWED: [&str; 3] = ["Model", "Optics", "Placed"];
+const BORROWED: [&str; 5] = ["Model", "Optics", "Panorama", "Placed", "Sky"];
 
 /// So deep inside, each part has a line of its own.
 const LINES: usize = 5;

@@ -1,5 +1,6 @@
 //! The four-sphere scene on which small ray tracers are compared (Sokolov, "tinyraytracer", 2019).
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
@@ -60,7 +61,7 @@ pub static CLASSIC: Scene<'static> = Scene {
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 60f32.to_radians(),
     },
-    background: LinearRgb::new(0.2, 0.7, 0.8),
+    background: Background::Solid(LinearRgb::new(0.2, 0.7, 0.8)),
     objects: &[
         sphere(-3.0, 0.0, -16.0, 2.0, 0),
         sphere(-1.0, -1.5, -12.0, 2.0, 1),

@@ -4,6 +4,7 @@
 // The arrays are filled by the compiler: an index out of range would be a compile error.
 #![allow(clippy::indexing_slicing)]
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
@@ -99,7 +100,7 @@ const fn scene(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
             up: Vec3::new(0.0, 0.0, 1.0),
             vertical_fov: 45f32.to_radians(),
         },
-        background: LinearRgb::new(0.078, 0.361, 0.753),
+        background: Background::Solid(LinearRgb::new(0.078, 0.361, 0.753)),
         objects,
         materials: &MATERIALS,
         lights: &LIGHTS,

@@ -1,5 +1,6 @@
 //! Shapes of each kind around a glass prism.
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
@@ -48,7 +49,7 @@ pub static PRISM: Scene<'static> = Scene {
         up: at(0.0, 1.0, 0.0),
         vertical_fov: 38f32.to_radians(),
     },
-    background: LinearRgb::new(0.35, 0.5, 0.7),
+    background: Background::Solid(LinearRgb::new(0.35, 0.5, 0.7)),
     objects: &[
         Object::new(Shape::Plane(Plane::new(at(0.0, 0.0, 0.0), at(0.0, 1.0, 0.0))), FLOOR),
         // The prism: two triangles and three rectangles.

@@ -1,5 +1,6 @@
 //! A table with what the later shapes and materials can do: a die cut out of a cube, gold, colored and clear glass, lacquer.
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::falloff::Falloff;
@@ -121,7 +122,7 @@ pub static TABLE: Scene<'static> = Scene {
         up: at(0.0, 1.0, 0.0),
         vertical_fov: 36f32.to_radians(),
     },
-    background: LinearRgb::new(0.12, 0.15, 0.2),
+    background: Background::Solid(LinearRgb::new(0.12, 0.15, 0.2)),
     objects: &OBJECTS,
     materials: &MATERIALS,
     lights: &[

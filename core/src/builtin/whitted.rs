@@ -1,6 +1,7 @@
 //! The picture of the paper that began it (Whitted, "An Improved Illumination Model for Shaded Display", CACM
 //! 1980): a hollow glass ball hovers before a mirrored one, over a checkered floor.
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
@@ -45,7 +46,7 @@ pub static WHITTED: Scene<'static> = Scene {
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 46f32.to_radians(),
     },
-    background: LinearRgb::new(0.15, 0.4, 0.75),
+    background: Background::Solid(LinearRgb::new(0.15, 0.4, 0.75)),
     objects: &[
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(-0.35, 2.0, 1.0), 1.1)), 0),
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(-0.35, 2.0, 1.0), 1.0)), 3),

@@ -4,6 +4,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use super::Real;
 use super::real::Product;
+use super::{float, turned};
 
 /// A point, a direction or a normal in space: right-handed, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +77,17 @@ impl<R: Real> Vec3<R> {
     pub fn normalized(self) -> Option<Self> {
         let (unit, length) = self.polar();
         (length > R::ZERO).then_some(unit)
+    }
+
+    /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the axis' end. For what is
+    /// turned while a scene is prepared.
+    pub(crate) fn rotated(self, angles: Vec3) -> Self {
+        let Vec3 { x, y, z } = angles;
+        let cosine_and_sine = |angle: f32| {
+            let (sine, cosine) = float::set_up_sin_cos(angle);
+            (R::from_f32(cosine), R::from_f32(sine))
+        };
+        turned(self, [x, y, z].map(cosine_and_sine))
     }
 
     /// Of a unit vector: two unit vectors across it and across each other, so that the three are right-handed in the order

@@ -24,10 +24,10 @@ impl Scene<'_> {
         prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), more)
     }
 
-    /// How many of those bytes single shapes, materials and lights take beyond what each of its kind does: the last argument of
+    /// How many of those bytes the background and single shapes, materials and lights take beyond what each of its kind does: the last argument of
     /// [`prepared_bytes`](crate::prepared_bytes), where the scene is prepared with a set of fewer shapes.
     pub const fn part_bytes<R: Real>(&self) -> usize {
-        let mut bytes: usize = 0;
+        let mut bytes = self.background.bytes::<R>();
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
             bytes = bytes.saturating_add(object.shape.const_bytes::<R>());
@@ -49,7 +49,7 @@ impl Scene<'_> {
 
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
 /// objects, materials and lights, and for `more`, what single ones take beyond that: [`Scene::part_bytes`](crate::Scene::part_bytes), or
-/// the sum of [`Geometry::bytes`] over all objects.
+/// the sum of [`Geometry::bytes`] over all objects where nothing else takes more.
 pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     objects: usize,
     materials: usize,

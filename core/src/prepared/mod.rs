@@ -16,6 +16,7 @@ use candidates::Candidates;
 use objects::PreparedObject;
 
 use crate::arena::Arena;
+use crate::background::PreparedBackground;
 use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
@@ -35,7 +36,7 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     camera: PreparedCamera<R>,
-    pub(crate) background: LinearRgb<R>,
+    pub(crate) background: PreparedBackground<'m, R>,
     objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
     pub(crate) lights: &'m [PreparedLight<'m, R>],
     /// `None`: white.
@@ -69,7 +70,6 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             objects.iter().map(|object| object.shape.extent()).fold(Extent::default(), Extent::union);
         let scale = Scale::new::<R>(extent, camera.eye);
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
-        check_emission::<R>(background).map_err(Part::Background.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),
             (materials.len(), Part::Material(MAX_COUNT)),
@@ -83,13 +83,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let parts = (objects.iter().map(|object| object.shape.bytes::<R>()))
             .chain(materials.iter().map(Material::bytes::<R>))
             .chain(lights.iter().map(Light::bytes::<R>));
-        let more = parts.fold(0, usize::saturating_add);
+        let more = parts.fold(background.bytes::<R>(), usize::saturating_add);
         let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), more);
         if memory.len() < needed {
             return Err(Part::Memory.error()(Fault::Memory { needed, lent: memory.len() }));
         }
 
         let arena = &mut Arena::new(memory);
+        let background = background.prepare(arena).map_err(Part::Background.error())?;
         let prepared_materials =
             prepare_all(arena, materials, Part::Material, |material, arena| material.prepare(scale, arena))?;
         let prepared_lights =
@@ -105,7 +106,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
         Ok(Self {
             camera,
-            background: background.to(),
+            background,
             objects: prepared_objects,
             lights: prepared_lights,
             ambient: ambient::<R>(lights)?,

@@ -20,8 +20,12 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
     pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, y: u16) -> Self {
         let settings = &renderer.settings;
         let candidates = LineCandidates::new(&renderer.outlines, y);
-        let background = (settings.dither == Dither::None && settings.samples_per_pixel == 1)
-            .then(|| C::from_light(Light16::new(renderer.scene.background), &Quantizer::new(settings, 0, y)));
+        let background = match renderer.scene.background.solid() {
+            Some(color) if settings.dither == Dither::None && settings.samples_per_pixel == 1 => {
+                Some(C::from_light(Light16::new(color), &Quantizer::new(settings, 0, y)))
+            }
+            _ => None,
+        };
         Self { renderer, y, candidates, background }
     }
 

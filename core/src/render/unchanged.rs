@@ -9,7 +9,8 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
     /// quality that holds for a band of lines if it does for all of them and the one below.
     ///
     /// True where nothing has changed at all: the very same prepared scene and the same settings; and where none of
-    /// the objects can be seen on that line, neither now nor then, before the same background. Else false, also for
+    /// the objects can be seen on that line, neither now nor then, before the same background, which must be solid where
+    /// the camera has moved. Else false, also for
     /// lines that happen to be the same.
     ///
     /// ```
@@ -38,9 +39,13 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         }
         let is_same_scene = core::ptr::addr_eq(self.scene, before.scene);
         is_same_scene
-            || self.scene.background == before.scene.background
-                && self.sees_nothing(line)
-                && before.sees_nothing(line)
+            || self.sees_same_background(before) && self.sees_nothing(line) && before.sees_nothing(line)
+    }
+
+    /// Whether surely both see the same where they see nothing else.
+    fn sees_same_background<T: Geometry>(&self, before: &Renderer<'_, '_, R, T>) -> bool {
+        let (now, then) = (&self.scene.background, &before.scene.background);
+        now.is_same(then) && (now.solid().is_some() || self.viewport == before.viewport)
     }
 
     /// Whether surely no object is seen on a line.

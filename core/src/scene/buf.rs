@@ -3,19 +3,19 @@
 use heapless::Vec;
 
 use super::{MaterialId, Object, Scene};
+use crate::background::Background;
 use crate::camera::Camera;
-use crate::color::LinearRgb;
 use crate::light::Light;
 use crate::material::Material;
 
 /// A scene that is put together at run time, in arrays of fixed size.
 ///
 /// ```
-/// use rayline::{Camera, Light, LinearRgb, Material, SceneBuf, Vec3, shape::Sphere};
+/// use rayline::{Background, Camera, Light, LinearRgb, Material, SceneBuf, Vec3, shape::Sphere};
 /// let camera = Camera {
 ///     eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
 /// };
-/// let mut scene = SceneBuf::<Sphere, 8, 2, 1>::new(camera, LinearRgb::gray(0.1));
+/// let mut scene = SceneBuf::<Sphere, 8, 2, 1>::new(camera, Background::gray(0.1));
 /// let red = scene.add_material(Material::matte(LinearRgb::new(0.9, 0.2, 0.1))).unwrap();
 /// scene.add_object(Sphere::new(Vec3::ZERO, 1.0), red).unwrap();
 /// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }).unwrap();
@@ -26,7 +26,7 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
     /// Where the picture is taken from.
     pub camera: Camera,
     /// What a ray sees that hits nothing.
-    pub background: LinearRgb,
+    pub background: Background<'a>,
     objects: Vec<Object<S>, OBJECTS>,
     materials: Vec<Material<'a>, MATERIALS>,
     lights: Vec<Light, LIGHTS>,
@@ -36,7 +36,7 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
 crate::read::read_struct! {
     [S: crate::read::Read<'m>, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize]
     Scene as SceneBuf<'m, S, OBJECTS, MATERIALS, LIGHTS> {
-        camera, background = LinearRgb::BLACK, objects, materials, lights = Vec::new(),
+        camera, background = Background::BLACK, objects, materials, lights = Vec::new(),
     }
 }
 
@@ -46,7 +46,7 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     const NUMBERED_BY_U16: () = assert!(MATERIALS <= crate::limits::MAX_COUNT);
 
     /// An empty scene.
-    pub const fn new(camera: Camera, background: LinearRgb) -> Self {
+    pub const fn new(camera: Camera, background: Background<'a>) -> Self {
         let () = Self::NUMBERED_BY_U16;
         Self { camera, background, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() }
     }

@@ -11,7 +11,8 @@ impl<S> Scene<'_, S> {
     pub fn features(&self) -> impl Iterator<Item = &'static str> {
         let has_optics =
             self.lights.iter().any(Light::needs_optics) || self.materials.iter().any(Material::needs_optics);
-        let has_textures = self.materials.iter().any(Material::needs_textures);
+        let has_textures =
+            self.background.needs_textures() || self.materials.iter().any(Material::needs_textures);
         let all = [
             ("hierarchy", self.objects.len() > FEW_OBJECTS),
             ("optics", has_optics),
@@ -24,6 +25,7 @@ impl<S> Scene<'_, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::background::{Background, Sky};
     use crate::builtin::{CLASSIC, FLAKE};
     use crate::color::LinearRgb;
     use crate::texture::{Figure, Placed, Placement, Squares, Texture};
@@ -39,5 +41,8 @@ mod tests {
         let placed = Placed::new(Figure::Squares(squares), Placement::SURFACE);
         let materials = [Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) }];
         assert_eq!(needs(&Scene { materials: &materials, ..CLASSIC }), ["textures"]);
+        let sky = Sky::new(LinearRgb::WHITE, LinearRgb::gray(0.5));
+        let background = Background::Gradient(&sky);
+        assert_eq!(needs(&Scene { background, ..CLASSIC }), ["textures"]);
     }
 }

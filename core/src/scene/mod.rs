@@ -11,8 +11,8 @@ pub use buf::SceneBuf;
 #[cfg(feature = "serde")]
 pub use bytes::BytesError;
 
+use crate::background::Background;
 use crate::camera::Camera;
-use crate::color::LinearRgb;
 use crate::light::Light;
 use crate::material::Material;
 use crate::shape::Shape;
@@ -26,8 +26,8 @@ use crate::shape::Shape;
 pub struct Scene<'a, S = Shape<'a>> {
     /// Where the picture is taken from.
     pub camera: Camera,
-    /// What a ray sees that hits nothing: 0 or more.
-    pub background: LinearRgb,
+    /// What a ray sees that hits nothing.
+    pub background: Background<'a>,
     /// What rays can hit. Where two are at the same distance, the first in this order is seen.
     pub objects: &'a [Object<S>],
     /// What objects are made of.
@@ -54,7 +54,7 @@ pub struct MaterialId(pub u16);
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
     [S: crate::read::Read<'m> + Copy] Scene as Scene<'m, S> {
-        camera, background = LinearRgb::BLACK, objects, materials, lights = &[],
+        camera, background = Background::BLACK, objects, materials, lights = &[],
     }
 }
 

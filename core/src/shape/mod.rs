@@ -149,6 +149,7 @@ pub use spans::Spans;
 pub use sphere::{PreparedSphere, Sphere};
 pub use torus::{PreparedTorus, Torus};
 pub use triangle::{PreparedTriangle, Triangle};
+pub(crate) use uv::globe;
 
 use crate::arena::Arena;
 use crate::fault::Fault;

@@ -25,7 +25,7 @@ pub(super) fn angle_about<R: Real>(axis: Vec3<R>, vector: Vec3<R>) -> R {
 }
 
 /// Longitude and latitude of a vector.
-pub(super) fn globe<R: Real>(vector: Vec3<R>) -> [R; 2] {
+pub(crate) fn globe<R: Real>(vector: Vec3<R>) -> [R; 2] {
     let Vec3 { x, y, z } = vector;
     let across = (x.times(x) + z.times(z)).sqrt();
     // From straight down to straight up is half a turn.

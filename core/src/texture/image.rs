@@ -60,7 +60,16 @@ pub enum Filter {
 }
 
 impl<'a> Image<'a> {
-    pub(crate) fn prepare<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
+    pub(super) fn prepare<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
+        self.prepare_with([self.ends; 2])
+    }
+
+    /// For a turn across, and half a turn from below to above.
+    pub(crate) fn prepare_around<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
+        self.prepare_with([Ends::Repeat, Ends::Extend])
+    }
+
+    fn prepare_with<R: Real>(&self, ends: [Ends; 2]) -> Result<PreparedImage<'a, R>, Fault> {
         self.pixels.check(self.width, self.height)?;
         let half = R::Setup::from_f32(match self.filter {
             Filter::Nearest => 0.0,
@@ -70,6 +79,7 @@ impl<'a> Image<'a> {
         let (none, [columns, lines]) = (R::Setup::ZERO, counts);
         Ok(PreparedImage {
             image: *self,
+            ends,
             column: R::Linear::new(Vec3::new(columns, none, none), Vec3::new(half / columns, none, none)),
             line: R::Linear::new(Vec3::new(none, lines, none), Vec3::new(none, half / lines, none)),
         })
@@ -80,6 +90,8 @@ impl<'a> Image<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedImage<'m, R: Real> {
     image: Image<'m>,
+    /// What is beyond its edges across, and beyond those above and below.
+    ends: [Ends; 2],
     /// From 0 to 1 across the picture to columns, and to lines from below.
     column: R::Linear,
     line: R::Linear,
@@ -87,7 +99,8 @@ pub(crate) struct PreparedImage<'m, R: Real> {
 
 impl<R: Real> PreparedImage<'_, R> {
     pub(super) fn color(&self, [x, y, _]: [Cell<R>; 3]) -> LinearRgb<R> {
-        self.at(self.image.ends.fold(x), self.image.ends.fold(y))
+        let [across, up] = self.ends;
+        self.at(across.fold(x), up.fold(y))
     }
 
     /// The color at a place from 0 to 1.
@@ -108,8 +121,9 @@ impl<R: Real> PreparedImage<'_, R> {
 
     /// A pixel by its column, and its line from below; next to the edges, of what is beyond.
     fn pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
-        let Image { width, height, pixels, encoding, ends, .. } = self.image;
-        let fold = |at: i32, count: u16| {
+        let Image { width, height, pixels, encoding, .. } = self.image;
+        let [across, up] = self.ends;
+        let fold = |at: i32, count: u16, ends: Ends| {
             let last = i32::from(count).wrapping_sub(1);
             if at < 0 {
                 if ends == Ends::Repeat { last } else { 0 }
@@ -123,7 +137,7 @@ impl<R: Real> PreparedImage<'_, R> {
         let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
         let (column, line) = match self.image.filter {
             Filter::Nearest => (nearest(column, width), nearest(line, height)),
-            Filter::Bilinear => (fold(column, width), fold(line, height)),
+            Filter::Bilinear => (fold(column, width, across), fold(line, height, up)),
         };
         let line = i32::from(height).wrapping_sub(1).wrapping_sub(line);
         pixels.light(encoding, width, column as u16, line as u16)

@@ -21,15 +21,15 @@ mod wood;
 pub use brick::Brick;
 pub use checker::{Checker, Squares};
 pub use gradient::{Ends, Gradient};
+pub(crate) use image::PreparedImage;
 pub use image::{Filter, Image};
 pub(crate) use map::PreparedMaps;
 pub use map::{Map, Onto};
 pub use marble::Marble;
 pub use noise::{MAX_OCTAVES, Noise};
 pub use pixels::{Encoding, Pixels};
-pub(crate) use placed::present;
 pub use placed::{Figure, Placed};
-pub(crate) use placed::{PreparedPlaced, Present};
+pub(crate) use placed::{Needing, PreparedPlaced, Present, level_mark, present};
 pub use placement::{Placement, Space};
 pub use stripes::Stripes;
 pub use wood::Wood;
@@ -122,7 +122,7 @@ fn check_unit<R: Real>(value: f32) -> Result<R, Fault> {
 }
 
 /// From one color to another, by a share from 0 to 1.
-fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
+pub(crate) fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
     from * (R::ONE - share) + to * share
 }
 

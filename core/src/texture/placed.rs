@@ -29,6 +29,38 @@ pub(crate) const fn present() -> Result<Present, Fault> {
     Err(Fault::WithoutFeature { feature: "textures" })
 }
 
+/// Something that lies elsewhere and needs the feature `textures`. Where there can be none, it takes no room: what may be this or
+/// something else then always is the other, and nothing looks which it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Needing<'m, T> {
+    present: Present,
+    #[cfg(feature = "textures")]
+    reference: &'m T,
+    #[cfg(not(feature = "textures"))]
+    reference: core::marker::PhantomData<&'m T>,
+}
+
+impl<'m, T> Needing<'m, T> {
+    #[cfg_attr(not(feature = "textures"), allow(unused_variables))]
+    pub(crate) const fn new(reference: &'m T, present: Present) -> Self {
+        Self {
+            present,
+            #[cfg(feature = "textures")]
+            reference,
+            #[cfg(not(feature = "textures"))]
+            reference: core::marker::PhantomData,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn get(&self) -> &'m T {
+        #[cfg(feature = "textures")]
+        return self.reference;
+        #[cfg(not(feature = "textures"))]
+        match self.present.0 {}
+    }
+}
+
 /// A figure and where it lies.
 ///
 /// ```
@@ -137,16 +169,19 @@ impl<R: Real> PreparedPlaced<'_, R> {
 
     /// See [`PreparedTexture::cell`](super::PreparedTexture::cell).
     pub(super) fn cell(&self, point: Vec3<R>, color: LinearRgb<R>, uv: impl FnOnce() -> [R; 2]) -> u32 {
-        // A sixteenth of each channel: between those that differ less, a straight line will do.
-        let levels = [color.r, color.g, color.b].map(|channel| channel.to_q16() as i32 >> 12);
         match self.figure {
             PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => {
                 let cells = self.placement.coordinates(self.placement.place(point, uv));
-                mark(cells.map(|cell| cell.index)) ^ mark(levels).rotate_left(16)
+                mark(cells.map(|cell| cell.index)) ^ level_mark(color).rotate_left(16)
             }
-            _ => mark(levels),
+            _ => level_mark(color),
         }
     }
+}
+
+/// A number for a color by sixteenths of each channel: between those that differ less, a straight line will do.
+pub(crate) fn level_mark<R: Real>(color: LinearRgb<R>) -> u32 {
+    mark([color.r, color.g, color.b].map(|channel| channel.to_q16() as i32 >> 12))
 }
 
 impl<R: Real> PreparedFigure<'_, R> {

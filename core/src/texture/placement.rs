@@ -1,7 +1,7 @@
 //! Where a pattern lies, and how large it is.
 
 use crate::fault::{Fault, check_coordinate, check_held, check_point};
-use crate::math::{Cell, Linear, Real, Scale, Vec3, float, turned};
+use crate::math::{Cell, Linear, Real, Scale, Vec3};
 
 /// What a pattern varies over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,16 +71,6 @@ impl Placement {
         Self { size, ..self }
     }
 
-    /// A vector of the pattern, turned into space.
-    fn rotated<S: Real>(&self, vector: Vec3<S>) -> Vec3<S> {
-        let cosine_and_sine = |angle: f32| {
-            let (sine, cosine) = float::set_up_sin_cos(angle);
-            (S::from_f32(cosine), S::from_f32(sine))
-        };
-        let Vec3 { x, y, z } = self.rotation;
-        turned(vector, [x, y, z].map(cosine_and_sine))
-    }
-
     pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedPlacement<R>, Fault> {
         let Vec3 { x, y, z } = self.size;
         check_point(self.rotation)?;
@@ -99,7 +89,7 @@ impl Placement {
         let (one, none) = (R::Setup::ONE, R::Setup::ZERO);
         let axis = |unit: Vec3<R::Setup>, size: f32| {
             let per_unit = (R::Setup::from_f32(size) * R::Setup::from_f32(scale.to_f32())).recip();
-            R::Linear::new(self.rotated(unit) * per_unit, origin)
+            R::Linear::new(unit.rotated(self.rotation) * per_unit, origin)
         };
         Ok(PreparedPlacement {
             space: self.space,

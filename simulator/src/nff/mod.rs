@@ -32,7 +32,7 @@ mod tokens;
 use bumpalo::Bump;
 use rayline::limits::{MAX_COUNT, MAX_SIDE};
 use rayline::shape::{Cone, Cylinder, Polygon, Shape, Sphere, Triangle};
-use rayline::{Camera, Light, LinearRgb, Material, Object, Part, Scene, Texture, Vec3};
+use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Part, Scene, Texture, Vec3};
 
 pub(crate) use error::Excerpt;
 pub use error::{NffError, NffFault};
@@ -193,7 +193,7 @@ impl<'a> Reader<'a> {
         };
         let scene = Scene {
             camera,
-            background: self.background,
+            background: Background::Solid(self.background),
             objects: self.arena.alloc_slice_copy(&self.objects),
             materials: self.arena.alloc_slice_copy(&self.materials),
             lights: self.arena.alloc_slice_fill_iter(self.lights.into_iter().map(light)),

@@ -1,6 +1,6 @@
 //! The meaning of every statement, and the message for every mistake.
 
-use rayline::{Fault, PreparedScene, SceneError};
+use rayline::{Background, Fault, PreparedScene, SceneError};
 
 use super::*;
 
@@ -34,7 +34,7 @@ fn view_and_background() {
     assert_eq!(camera.target, Vec3::new(0.0, 0.0, 0.0));
     assert_eq!(camera.up, Vec3::new(0.0, 1.0, 0.0));
     assert_eq!(camera.vertical_fov, core::f32::consts::FRAC_PI_2);
-    assert_eq!(background, LinearRgb::new(0.1, 0.2, 0.3));
+    assert_eq!(background, Background::Solid(LinearRgb::new(0.1, 0.2, 0.3)));
 }
 
 #[test]

@@ -42,7 +42,7 @@ use std::path::Path;
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
 use rayline::shape::{Mesh, Shape};
-use rayline::{LinearRgb, Object, Part, Scene, Vec3};
+use rayline::{Background, Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
 pub use error::{ObjError, ObjFault};
@@ -156,7 +156,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     notes.push(format!("{}: no camera and no light in such a file; {}", path.display(), view::NOTE));
     let scene = Scene {
         camera: view,
-        background: LinearRgb::gray(0.1),
+        background: Background::gray(0.1),
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials),
         lights: &view::LIGHTS,

@@ -5,7 +5,7 @@
 use core::mem::MaybeUninit;
 
 use proptest::prelude::*;
-use rayline::{Material, PreparedScene};
+use rayline::{LinearRgb, Material, PreparedScene};
 
 use super::*;
 

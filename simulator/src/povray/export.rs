@@ -24,14 +24,16 @@ use rayline::shape::{
     Blob, Cone, Csg, CsgStep, Cylinder, Instances, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Sphere,
 };
 use rayline::{
-    Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object, Optics,
-    Placed, Placement, Scene, Settings, Space, Squares, Stripes, Texture, Vec3,
+    Background, Camera, Ends, Falloff, Figure, Fresnel, Gradient, Lamp, Light, LinearRgb, Material, Object,
+    Optics, Placed, Placement, Scene, Settings, Sky, Space, Squares, Stripes, Texture, Vec3,
 };
 
 /// A part of a scene that POV-Ray cannot be told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PovrayError {
+    /// The background is a picture, which is in no file that POV-Ray could read. Replace it.
+    Background,
     /// The light at this position falls off in a way that POV-Ray does not know: it needs a constant of 1 or more, and no linear
     /// term. Or it is of a kind that was added to the core since. Replace it.
     Light(usize),
@@ -50,6 +52,9 @@ pub enum PovrayError {
 impl fmt::Display for PovrayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Background => {
+                write!(f, "a picture as a background cannot be written for POV-Ray; replace it")
+            }
             Self::Light(index) => write!(f, "light {index} cannot be written for POV-Ray; replace it"),
             Self::Texture(index) => {
                 write!(f, "the texture of material {index} cannot be written for POV-Ray; replace it")
@@ -81,7 +86,7 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
         settings.cutoff,
         rgb(ambient(scene))
     );
-    text += &format!("background {{ rgb {} }}\n", rgb(scene.background));
+    text += &background(&scene.background).ok_or(PovrayError::Background)?;
     text += &camera(&scene.camera, settings);
     let extent = extent(scene);
     for (index, source) in scene.lights.iter().enumerate() {
@@ -95,6 +100,26 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
     }
     text += &objects(scene)?;
     Ok(text)
+}
+
+/// What rays see that meet nothing.
+fn background(background: &Background<'_>) -> Option<String> {
+    Some(match *background {
+        Background::Solid(color) => format!("background {{ rgb {} }}\n", rgb(color)),
+        Background::Gradient(&Sky { up, zenith, horizon, nadir }) => {
+            let up = up.to::<f64>();
+            let Vec3 { x, y, z } = up * up.length().recip();
+            // Heights from -1 to 1 come to lie from 1/4 to 3/4: a pattern begins anew at 1.
+            format!(
+                "sky_sphere {{ pigment {{ function {{ (x*({x}) + y*({y}) + z*({z}) + 2) / 4 }} color_map {{ [0.25 rgb {}] \
+                 [0.5 rgb {}] [0.75 rgb {}] }} }} }}\n",
+                rgb(nadir),
+                rgb(horizon),
+                rgb(zenith)
+            )
+        }
+        _ => return None,
+    })
 }
 
 /// The directions of the picture plane at distance 1, in full.
@@ -594,7 +619,13 @@ mod tests {
             up: Vec3::new(0.0, 2.0, 1.0),
             vertical_fov: core::f32::consts::FRAC_PI_2,
         };
-        Scene { camera, background: LinearRgb::new(0.1, 0.2, 0.3), objects, materials, lights }
+        Scene {
+            camera,
+            background: Background::Solid(LinearRgb::new(0.1, 0.2, 0.3)),
+            objects,
+            materials,
+            lights,
+        }
     }
 
     #[test]

@@ -5,9 +5,9 @@ use rayline::shape::{
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image,
-    Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Noise, Object, Onto, Optics, Pixels, Placed,
-    Placement, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
+    Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Noise, Object, Onto, Optics,
+    Panorama, Pixels, Placed, Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -141,7 +141,9 @@ fn everything(arena: &Bump) -> Scene<'_> {
     let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7 };
     Scene {
         camera,
-        background: GRAY,
+        background: Background::Gradient(
+            arena.alloc(Sky { up: Vec3::new(0.5, 1.0, 0.0), ..Sky::new(GRAY, LinearRgb::WHITE) }),
+        ),
         objects: arena.alloc_slice_fill_iter(SHAPES.map(|shape| Object::new(shape, 7))),
         materials: arena.alloc_slice_copy(&materials),
         lights: arena.alloc_slice_copy(&lights),
@@ -156,7 +158,10 @@ fn parsed<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, (Position, RonF
 fn what_is_written_is_read() {
     let arena = Bump::new();
     let builtins = builtin::ALL.map(|builtin| *builtin.scene);
-    for scene in builtins.into_iter().chain([everything(&arena)]) {
+    let Figure::Image(image) = FIGURES[9] else { panic!() };
+    let panorama = Panorama { image, rotation: UP };
+    let around = Scene { background: Background::Image(&panorama), ..*builtin::ALL[0].scene };
+    for scene in builtins.into_iter().chain([everything(&arena), around]) {
         let text = write(&scene).unwrap();
         match parsed(&arena, &text) {
             Ok(import) => assert_eq!(import.scene, scene),
@@ -209,7 +214,7 @@ fn people_may_leave_out_and_name() {
     let arena = Bump::new();
     let import = parsed(&arena, SMALL).unwrap();
     let scene = import.scene;
-    assert_eq!(scene.background, LinearRgb::BLACK);
+    assert_eq!(scene.background, Background::BLACK);
     assert_eq!(scene.objects.iter().map(|object| object.material.0).collect::<Vec<_>>(), [0, 1, 0]);
     assert_eq!(scene.materials[1], rayline::materials::GOLD);
     let glass = scene.materials[2];

@@ -4,6 +4,7 @@
 //! Recursive ray tracing as Whitted describes it ("An Improved Illumination Model for Shaded Display", CACM 1980);
 //! the formulas are those of Glassner (ed.), "An Introduction to Ray Tracing", 1989, where not said otherwise.
 
+mod background;
 mod optics;
 mod shading;
 mod shapes;
@@ -11,7 +12,7 @@ mod solids;
 
 use glam::{DMat4, DVec3};
 use rayline::shape::Shape;
-use rayline::{LinearRgb, Object, Optics, Scene, Settings, Vec3};
+use rayline::{Background, LinearRgb, Object, Optics, Scene, Settings, Vec3};
 
 use crate::Picture;
 
@@ -119,6 +120,12 @@ impl<'s> Textbook<'s> {
         }
         share
     }
+}
+
+/// What a ray of this direction sees of a background.
+pub fn background_in(background: &Background<'_>, direction: Vec3) -> LinearRgb {
+    let DVec3 { x, y, z } = background::background(background, vector(direction).normalize());
+    LinearRgb::new(x as f32, y as f32, z as f32)
 }
 
 fn vector(vector: Vec3) -> DVec3 {

@@ -3,13 +3,14 @@
 use glam::{DQuat, DVec3};
 use rayline::{Ends, Figure, Light, Material, Optics, Placed, Placement, Space, Texture};
 
+use super::background::background;
 use super::{Ray, Textbook, color, optics, vector};
 
 impl Textbook<'_> {
     /// The light that comes along a ray, after so many bounces, of which the pixel gets the share `throughput`.
     pub(super) fn trace(&self, ray: Ray, bounces: u8, throughput: DVec3) -> DVec3 {
         let Some((object, crossing)) = self.nearest(ray) else {
-            return color(self.scene.background);
+            return background(&self.scene.background, ray.direction);
         };
         let material = &self.scene.materials[usize::from(object.material.0)];
         let optics = material.optics.unwrap_or(&Optics::PLAIN);

@@ -10,7 +10,8 @@ use rayline::shape::{
     Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings, Vec3,
+    Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings,
+    Vec3,
 };
 use rayline_tests::{
     cut_box, each_scene, instances, lamps, maps, meshes, metaballs, optics, turned_box, with_scene,
@@ -187,7 +188,7 @@ fn with_accepted<R: Real>(
     check: impl FnOnce(&Scene),
 ) {
     let camera = Camera { eye, target: Vec3::ZERO, up: Vec3::new(0.1, 1.0, 0.05), vertical_fov: 1.0 };
-    let background = LinearRgb::new(0.2, 0.4, 0.6);
+    let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
     let empty = Scene { camera, background, objects: &[], materials, lights: &[] };
     if !accepted::<R>(&empty) {
         return;
@@ -276,7 +277,7 @@ fn rays_along_the_axes_through_a_grid() {
         };
         let scene = Scene {
             camera,
-            background: LinearRgb::new(0.2, 0.4, 0.6),
+            background: Background::Solid(LinearRgb::new(0.2, 0.4, 0.6)),
             objects: &objects,
             materials: &materials,
             lights: &lights,

@@ -4,8 +4,8 @@ use std::mem::MaybeUninit;
 
 use rayline::shape::{Plane, Polygon, Shape, Sphere};
 use rayline::{
-    Camera, Event, Light, LinearRgb, Material, Object, PreparedScene, Probe, RayCounts, RayKind, Real,
-    Renderer, Scene, Settings, Vec3,
+    Background, Camera, Event, Light, LinearRgb, Material, Object, PreparedScene, Probe, RayCounts, RayKind,
+    Real, Renderer, Scene, Settings, Vec3,
 };
 
 /// Looks down the negative z axis from (0, 0, 5).
@@ -25,7 +25,7 @@ fn scene<'a>(
     materials: &'a [Material<'a>],
     lights: &'a [Light],
 ) -> Scene<'a> {
-    Scene { camera: CAMERA, background: LinearRgb::gray(0.0), objects, materials, lights }
+    Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights }
 }
 
 /// What the camera sees straight ahead, and everything that happened.
@@ -83,7 +83,7 @@ impl<R: Real> Probe<R> for Rays {
 
 #[test]
 fn nothing_is_the_background() {
-    let empty = Scene { background: LinearRgb::gray(0.3), ..scene(&[], &[], &[]) };
+    let empty = Scene { background: Background::gray(0.3), ..scene(&[], &[], &[]) };
     assert_sees(&empty, f64::from(0.3f32));
 }
 
@@ -265,7 +265,7 @@ fn an_index_of_one_is_straight_through_with_the_same_bits() {
     let background = LinearRgb::new(0.1, 0.5, 0.9);
     let objects = [ball(0), wall(-3.0, 33.0, 0)];
     let materials = [clear];
-    let scene = Scene { background, ..scene(&objects, &materials, &[]) };
+    let scene = Scene { background: background.into(), ..scene(&objects, &materials, &[]) };
     let (light, rays) = look::<f32, Rays>(&scene, ONE_PIXEL);
     assert_eq!(light, background);
     assert_eq!(rays.0.len(), 4);
@@ -277,7 +277,7 @@ fn in_a_white_furnace_a_lossless_ball_is_invisible() {
     // 0.4 of the light is inside; each inner bounce keeps 0.6 of that, and what the last one keeps is left out.
     let material = Material { reflectance: 0.6, transmittance: 0.4, ..GLASS };
     let (objects, materials) = ([ball(0)], [material]);
-    let furnace = Scene { background: LinearRgb::WHITE, ..scene(&objects, &materials, &[]) };
+    let furnace = Scene { background: Background::gray(1.0), ..scene(&objects, &materials, &[]) };
     assert_sees(&furnace, 1.0 - 0.4 * 0.6f64.powi(15));
     for bounces in [1, 2, 5] {
         let (light, counts) = look::<f64, RayCounts>(&furnace, Settings { bounces, ..ONE_PIXEL });

@@ -10,8 +10,8 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::CLASSIC;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
-    Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer, Scene,
-    Settings, SettingsError, Transfer, Vec3,
+    Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer,
+    Scene, Settings, SettingsError, Transfer, Vec3,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -252,7 +252,7 @@ fn ascii_scene<T>(use_it: impl FnOnce(&Scene) -> T) -> T {
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.2,
         },
-        background: LinearRgb::gray(0.0),
+        background: Background::BLACK,
         objects: &[
             Object::new(Shape::Polygon(Polygon::new(&corners)), 0),
             Object::new(Shape::Sphere(Sphere::new(Vec3::new(1.5, 0.0, 0.0), 1.5)), 1),

@@ -11,10 +11,10 @@ use rayline::builtin::{self, CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{Cone, Polygon, Shape, Sphere};
 use rayline::{
-    Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer,
-    Scene, SceneError, Settings, Texture, Transfer, Vec3,
+    Background, Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene,
+    Real, Renderer, Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
-use rayline_tests::{Picture, core_picture, lights, numbers, optics, shapes, vectors};
+use rayline_tests::{Picture, backgrounds, core_picture, lights, numbers, optics, shapes, vectors};
 
 /// What pictures in fixed point are held to.
 const BAR_DB: f64 = 40.0;
@@ -258,7 +258,7 @@ fn what_does_not_fit_is_refused_with_a_remedy() {
 
 #[test]
 fn many_samples_keep_their_mean() {
-    let white = Scene { background: LinearRgb::gray(0.75), objects: &[], ..CLASSIC };
+    let white = Scene { background: Background::gray(0.75), objects: &[], ..CLASSIC };
     let mut memory = vec![MaybeUninit::uninit(); white.bytes::<Fixed>()];
     let prepared = PreparedScene::<Fixed>::new(&white, &mut memory).unwrap();
     let settings = Settings { samples_per_pixel: 1000, rays_per_pixel: 1000, ..Settings::new(4, 4) };
@@ -338,6 +338,7 @@ proptest! {
     fn any_scene_is_refused_or_renders_light(
         eye_and_target in (vectors(&numbers()), vectors(&numbers())),
         fov in 0.001f32..3.1,
+        background in backgrounds(&numbers(), &color()),
         shapes in proptest::collection::vec((shapes(&numbers()), 0..2u16), 0..5),
         materials in proptest::collection::vec(material(), 2),
         lights in proptest::collection::vec(light(), 0..3),
@@ -346,10 +347,10 @@ proptest! {
         let mut camera = Camera { eye, target, up: Vec3::new(0.1, 1.0, 0.3), vertical_fov: fov };
         let mut objects: Vec<_> =
             shapes.into_iter().map(|(shape, material)| Object::new(shape, material)).collect();
-        let mut materials = materials;
+        let (mut materials, mut background) = (materials, background);
         // What is refused is left out, so that most cases render something.
         loop {
-            let scene = Scene { camera, background: LinearRgb::gray(0.5), objects: &objects, materials: &materials, lights: &lights };
+            let scene = Scene { camera, background, objects: &objects, materials: &materials, lights: &lights };
             match pixels(&scene) {
                 Ok(pixels) => {
                     for light in pixels {
@@ -364,6 +365,7 @@ proptest! {
                 }
                 Err(SceneError { part: Part::Material(index), .. }) => materials[index] = PRISM.materials[0],
                 Err(SceneError { part: Part::Camera, .. }) => camera = CLASSIC.camera,
+                Err(SceneError { part: Part::Background, .. }) => background = Background::gray(0.5),
                 Err(error) => {
                     let zero_length = error.fault == Fault::ZeroLength;
                     prop_assert!(zero_length, "{error}");

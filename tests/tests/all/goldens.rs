@@ -1,4 +1,4 @@
-//! Exact goldens: every built-in scene in every color, to the bit.
+//! Exact goldens: every built-in scene in every color, and backgrounds, to the bit.
 //!
 //! On failure the picture and a difference are written, and the command that blesses is printed. Bless only what
 //! you have looked at.
@@ -7,8 +7,8 @@ use std::mem::MaybeUninit;
 use std::path::{Path, PathBuf};
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
-use rayline::builtin::{self, Builtin};
-use rayline::{DisplayColor, Dither, PreparedScene, Renderer, Settings, Transfer};
+use rayline::builtin::{self, Builtin, PRISM};
+use rayline::{DisplayColor, Dither, PreparedScene, Renderer, Scene, Settings, Transfer};
 use rayline_tests::Picture;
 
 const WIDTH: u32 = 96;
@@ -86,6 +86,16 @@ fn check_all<C: DisplayColor + Into<Rgb888> + From<BinaryColor>>(
 #[test]
 fn rgb888() {
     check_all::<Rgb888>("rgb888", Dither::None, Transfer::Srgb);
+}
+
+/// A scene before each kind of background.
+#[test]
+fn backgrounds() {
+    for (name, background) in super::backgrounds::ALL {
+        let scene = Box::leak(Box::new(Scene { background, ..PRISM }));
+        let builtin = Builtin { name, description: "a prism before a background", scene, bounces: 5 };
+        check(&format!("background-{name}"), &picture::<Rgb888>(&builtin, Dither::None, Transfer::Srgb));
+    }
 }
 
 #[test]

@@ -7,6 +7,7 @@
 
 mod acceleration;
 mod architecture;
+mod backgrounds;
 mod baked;
 mod closed_forms;
 mod drawing;

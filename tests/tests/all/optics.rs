@@ -7,8 +7,8 @@ use std::path::Path;
 use rayline::math::Fixed;
 use rayline::shape::{Plane, Shape, Sphere};
 use rayline::{
-    Camera, Falloff, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Material, Object, Optics,
-    PreparedScene, Real, Renderer, Scene, Settings, Transfer, Vec3,
+    Background, Camera, Falloff, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Material, Object,
+    Optics, PreparedScene, Real, Renderer, Scene, Settings, Transfer, Vec3,
 };
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{assert_alike, core_picture};
@@ -40,7 +40,7 @@ fn assert_sees(
     lights: &[Light],
     expected: [f64; 3],
 ) {
-    let background = LinearRgb::gray(0.5);
+    let background = Background::gray(0.5);
     let scene = Scene { camera: CAMERA, background, objects, materials, lights };
     for (light, bound) in
         [(look::<f32>(&scene), 2e-5), (look::<f64>(&scene), 2e-5), (look::<Fixed>(&scene), 2e-3)]
@@ -235,7 +235,7 @@ fn with_still_life(then: impl FnOnce(&Scene)) {
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.66,
     };
-    let background = LinearRgb::new(0.25, 0.35, 0.5);
+    let background = Background::Solid(LinearRgb::new(0.25, 0.35, 0.5));
     then(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
 }
 

@@ -8,8 +8,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::math::{Aabb, Extent, Fixed, Interval, Ray, Scale};
 use rayline::shape::{Distance, DistanceField, Geometry, Implicit, Intersect, Plane, Quadric, Shape, Sphere};
 use rayline::{
-    Arena, Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real, Renderer, Scene,
-    Settings, Surface, Texture, Through, Vec3, prepared_bytes,
+    Arena, Background, Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real,
+    Renderer, Scene, Settings, Surface, Texture, Through, Vec3, prepared_bytes,
 };
 use rayline_tests::{Picture, assert_alike, settings};
 
@@ -222,7 +222,7 @@ const fn scene<S>(objects: &[Object<S>]) -> Scene<'_, S> {
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.7,
     };
-    Scene { camera, background: LinearRgb::gray(0.1), objects, materials: &MATERIALS, lights: &LIGHTS }
+    Scene { camera, background: Background::gray(0.1), objects, materials: &MATERIALS, lights: &LIGHTS }
 }
 
 const OBJECTS: [Object<Table>; 3] = [

@@ -10,9 +10,9 @@ use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{Cylinder, Shape, Sphere};
 use rayline::{
-    Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object, Pattern,
-    PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene,
-    Settings, Vec3,
+    Background, Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object,
+    Pattern, PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample,
+    Scene, Settings, Vec3,
 };
 use rayline_simulator::Orbit;
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
@@ -154,7 +154,7 @@ fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material<'s>]) -
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 1.0,
         },
-        background: LinearRgb::BLACK,
+        background: Background::BLACK,
         objects,
         materials,
         lights: &[],

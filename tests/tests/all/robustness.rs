@@ -9,10 +9,11 @@ use rayline::shape::{
     Quadric, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, RayCounts, Renderer, Scene,
-    SceneBuf, SceneError, Settings, Texture, Vec3,
+    Background, Camera, Encoding, Ends, Fault, Filter, Image, Light, LinearRgb, Material, Object, Panorama,
+    Part, Pixels, PreparedScene, RayCounts, Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Texture,
+    Vec3,
 };
-use rayline_tests::{lights, maps, numbers, optics, shapes, textures, vectors};
+use rayline_tests::{backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -39,7 +40,7 @@ fn assert_refused(change: impl FnOnce(&mut Parts), part: Part, fault: Fault) {
 
 struct Parts {
     camera: Camera,
-    background: LinearRgb,
+    background: Background<'static>,
     objects: Vec<Object<Shape<'static>>>,
     materials: Vec<Material<'static>>,
     lights: Vec<Light>,
@@ -56,6 +57,15 @@ impl Parts {
         }
     }
 }
+
+const PICTURE: Image = Image {
+    width: 1,
+    height: 1,
+    pixels: Pixels::Rgb565(&[7]),
+    encoding: Encoding::Srgb,
+    filter: Filter::Nearest,
+    ends: Ends::Repeat,
+};
 
 const BAD: [(f32, Fault); 5] = [
     (f32::NAN, Fault::NotFinite),
@@ -81,7 +91,19 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
         assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
         assert_refused(|parts| parts.camera.up = point, Part::Camera, fault);
         assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, fault);
-        assert_refused(|parts| parts.background = color, Part::Background, fault);
+        assert_refused(|parts| parts.background = color.into(), Part::Background, fault);
+        let sky = Sky::new(color, LinearRgb::WHITE);
+        assert_refused(
+            |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
+            Part::Background,
+            fault,
+        );
+        let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
+        assert_refused(
+            |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
+            Part::Background,
+            fault,
+        );
         for (i, object) in [
             Shape::Sphere(Sphere::new(point, 1.0)),
             Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
@@ -202,7 +224,7 @@ fn impossible_materials_are_refused() {
     refused(|glass| glass.color = LinearRgb::gray(1.1).into(), Fault::OutsideUnit);
     let black_hole = Light::Point { position: Vec3::ZERO, color: LinearRgb::gray(-1.0) };
     assert_refused(|parts| parts.lights[2] = black_hole, Part::Light(2), Fault::NegativeColor);
-    assert_refused(|parts| parts.background.g = -0.5, Part::Background, Fault::NegativeColor);
+    assert_refused(|parts| parts.background = Background::gray(-0.5), Part::Background, Fault::NegativeColor);
 }
 
 #[test]
@@ -330,7 +352,7 @@ proptest! {
     #[test]
     fn any_scene_is_refused_or_renders_finite_pixels(
         camera in (vector(), vector(), vector(), 0.01f32..3.0),
-        background in light_color(),
+        background in backgrounds(&number(), &light_color()),
         shapes in proptest::collection::vec((shapes(&number()), 0..3u16), 0..5),
         materials in proptest::collection::vec(material(), 3),
         lights in proptest::collection::vec(lights(&number(), &light_color()), 0..3),
@@ -342,7 +364,7 @@ proptest! {
         let empty = Scene { objects: &[], materials: &[], lights: &[], ..CLASSIC };
         let camera = if accepted(&Scene { camera, ..empty }) { camera } else { CLASSIC.camera };
         let background =
-            if accepted(&Scene { background, ..empty }) { background } else { LinearRgb::gray(0.5) };
+            if accepted(&Scene { background, ..empty }) { background } else { Background::gray(0.5) };
         let materials: Vec<_> = materials
             .into_iter()
             .map(|material| {

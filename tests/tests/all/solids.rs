@@ -8,7 +8,7 @@ use rayline::shape::{
     Blob, Cone, Csg, CsgStep, Cuboid, Cylinder, Ellipsoid, Instances, Mesh, Metaballs, Model, Plane, Pose,
     Quadric, Shape, Solid, Sphere, Torus,
 };
-use rayline::{Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
+use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Scene, Settings, Texture, Vec3};
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{Picture, PovrayPicture, assert_alike, core_picture, settings};
 
@@ -52,7 +52,7 @@ fn check_with(settings: Settings, name: &str, solids: &[(Shape<'_>, u16)]) {
     let floor = Shape::Plane(Plane::new(Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)));
     let objects: Vec<_> =
         solids.iter().chain([&(floor, 4)]).map(|(shape, material)| Object::new(*shape, *material)).collect();
-    let background = LinearRgb::new(0.2, 0.3, 0.5);
+    let background = Background::Solid(LinearRgb::new(0.2, 0.3, 0.5));
     let scene =
         Scene { camera: CAMERA, background, objects: &objects, materials: &MATERIALS, lights: &LIGHTS };
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));

@@ -49,8 +49,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     band: Option<Band>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
-    /// A pixel that sees nothing.
-    nothing: Sample,
+    /// A pixel that sees nothing, where all such pixels look alike.
+    nothing: Option<Sample>,
     marks: Marks<R>,
     cell: Cell,
     budget: Budget,
@@ -206,9 +206,11 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             top: band.top,
             side,
         };
-        if among.is_some_and(ObjectSet::is_empty) {
-            paint.blank(self.buffer.colors, self.nothing);
-            let corners = Corners::all(self.nothing);
+        if let Some(nothing) = self.nothing
+            && among.is_some_and(ObjectSet::is_empty)
+        {
+            paint.blank(self.buffer.colors, nothing);
+            let corners = Corners::all(nothing);
             self.finish_smooth(band, corners, side);
             return 0;
         }

@@ -162,8 +162,11 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     }
                 }
             }
-            Event::Miss if self.counts => self.path = fold(self.path, 1 << 25),
-            Event::Hit { .. } | Event::Light { .. } | Event::Miss | Event::Cut(_) => {}
+            Event::Miss { color } if self.counts => {
+                let mark = self.scene.background.mark(self.direction, color);
+                self.path = fold(self.path, 1 << 25 ^ mark);
+            }
+            Event::Hit { .. } | Event::Light { .. } | Event::Miss { .. } | Event::Cut(_) => {}
         }
     }
 }

@@ -34,13 +34,14 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
 }
 
 impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, '_, R, S, C, ()> {
-    /// A pixel that sees nothing.
-    pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Sample {
+    /// A pixel that sees nothing, where all such pixels look alike.
+    pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Option<Sample> {
+        let color = renderer.scene.background.solid()?;
         let mut probe = ();
         let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, &mut probe);
-        seen.record(Event::Miss);
-        let light = Light16::new(renderer.scene.background);
-        seen.sample(C::tone(light, &Quantizer::nearest(renderer.settings.transfer)))
+        seen.record(Event::Miss { color });
+        let quantizer = Quantizer::nearest(renderer.settings.transfer);
+        Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
     }
 }
 

@@ -1,0 +1,171 @@
+//! What a ray sees that hits nothing: a color, a sky that changes with the height above the horizon, or a picture all around.
+//!
+//! A ray sees it in its direction, however far away everything else is: rays from the eye, mirrored and refracted ones alike. It
+//! lights nothing by itself.
+
+mod panorama;
+mod sky;
+
+pub use panorama::Panorama;
+pub use sky::Sky;
+
+use crate::arena::Arena;
+use crate::color::{LinearRgb, check_emission};
+use crate::fault::Fault;
+use crate::math::{Real, Vec3};
+use crate::texture::{Needing, level_mark, present};
+use panorama::PreparedPanorama;
+use sky::PreparedSky;
+
+/// What a ray sees that hits nothing.
+///
+/// ```
+/// use rayline::{Background, LinearRgb, Sky};
+/// const NIGHT: Background = Background::gray(0.02);
+/// static BLUE: Sky = Sky::new(LinearRgb::gray(0.8), LinearRgb::new(0.1, 0.3, 0.8));
+/// const DAY: Background = Background::Gradient(&BLUE);
+/// assert_eq!(NIGHT, Background::Solid(LinearRgb::gray(0.02)));
+/// # assert_ne!(NIGHT, DAY);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Background<'a> {
+    /// The same color everywhere: 0 or more.
+    Solid(LinearRgb),
+    /// Colors by the height above the horizon. Needs the feature `textures`.
+    Gradient(&'a Sky),
+    /// A picture all around. Needs the feature `textures`.
+    Image(&'a Panorama<'a>),
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [] Background as Background<'m> { Solid(LinearRgb), Gradient(&'m Sky), Image(&'m Panorama<'m>) }
+}
+
+impl<'a> Background<'a> {
+    /// No light.
+    pub const BLACK: Self = Self::gray(0.0);
+
+    /// The same gray everywhere.
+    pub const fn gray(value: f32) -> Self {
+        Self::Solid(LinearRgb::gray(value))
+    }
+
+    /// Whether it asks for the feature `textures`.
+    pub(crate) const fn needs_textures(&self) -> bool {
+        !matches!(self, Self::Solid(_))
+    }
+
+    /// The most bytes that [`prepare`](Self::prepare) takes.
+    pub(crate) const fn bytes<R: Real>(&self) -> usize {
+        match self {
+            Self::Solid(_) => 0,
+            Self::Gradient(_) | Self::Image(_) => Arena::bytes::<Surroundings<'_, R>>(1),
+        }
+    }
+
+    /// Checks the background and converts it.
+    pub(crate) fn prepare<'m, R: Real>(
+        &self,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedBackground<'m, R>, Fault>
+    where
+        'a: 'm,
+    {
+        let (surroundings, present) = match self {
+            Self::Solid(color) => {
+                check_emission::<R>(*color)?;
+                return Ok(PreparedBackground::Solid(color.to()));
+            }
+            Self::Gradient(sky) => {
+                let present = present()?;
+                (Surroundings::Sky(sky.prepare()?), present)
+            }
+            Self::Image(panorama) => {
+                let present = present()?;
+                (Surroundings::Panorama(panorama.prepare()?), present)
+            }
+        };
+        Ok(PreparedBackground::Varying(Needing::new(memory.store(surroundings)?, present)))
+    }
+}
+
+impl From<LinearRgb> for Background<'_> {
+    fn from(color: LinearRgb) -> Self {
+        Self::Solid(color)
+    }
+}
+
+/// A background that was checked and converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum PreparedBackground<'m, R: Real> {
+    Solid(LinearRgb<R>),
+    /// Without the feature there is none, and no code for it.
+    Varying(Needing<'m, Surroundings<'m, R>>),
+}
+
+/// What differs from one direction to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Surroundings<'m, R: Real> {
+    Sky(PreparedSky<R>),
+    Panorama(PreparedPanorama<'m, R>),
+}
+
+impl<R: Real> PreparedBackground<'_, R> {
+    /// What is seen in a direction, a unit vector.
+    #[inline(always)]
+    pub(crate) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
+        match self {
+            Self::Solid(color) => *color,
+            Self::Varying(surroundings) => surroundings.get().color(direction),
+        }
+    }
+
+    /// The color, where it is the same everywhere.
+    #[inline(always)]
+    pub(crate) fn solid(&self) -> Option<LinearRgb<R>> {
+        match self {
+            Self::Solid(color) => Some(*color),
+            Self::Varying(_) => None,
+        }
+    }
+
+    /// A number for what is seen in a direction, which had this color: others have another where a straight line between
+    /// the two colors would not do. 0 where it is the same everywhere.
+    #[inline(always)]
+    pub(crate) fn mark(&self, direction: Vec3<R>, color: LinearRgb<R>) -> u32 {
+        match self {
+            Self::Solid(_) => 0,
+            Self::Varying(surroundings) => match surroundings.get() {
+                Surroundings::Sky(sky) => u32::from(sky.is_below(direction)),
+                Surroundings::Panorama(_) => level_mark(color),
+            },
+        }
+    }
+
+    /// Whether it surely is the same as another. Pictures are told by where they lie, not pixel by pixel.
+    pub(crate) fn is_same(&self, other: &PreparedBackground<'_, R>) -> bool {
+        match (self, other) {
+            (Self::Solid(one), PreparedBackground::Solid(other)) => one == other,
+            (Self::Varying(one), PreparedBackground::Varying(other)) => match (one.get(), other.get()) {
+                (Surroundings::Sky(one), Surroundings::Sky(other)) => one == other,
+                (Surroundings::Panorama(one), Surroundings::Panorama(other)) => one.is_same(other),
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+}
+
+impl<R: Real> Surroundings<'_, R> {
+    /// In one place, however many ask for it.
+    #[inline(never)]
+    fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
+        match self {
+            Self::Sky(sky) => sky.color(direction),
+            Self::Panorama(panorama) => panorama.color(direction),
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Colors by the height above the horizon.
+
+use crate::color::{LinearRgb, check_emission};
+use crate::fault::{Fault, check_direction};
+use crate::math::{Real, Vec3};
+use crate::texture::blend;
+
+/// Colors by the height above the horizon.
+///
+/// The height h of a direction is the sine of its angle above the horizon: 1 straight up, 0 at the horizon, -1 straight down. Seen
+/// is `horizon · (1 - |h|) + zenith · |h|`, and below the horizon the same with `nadir` for `zenith`: straight lines from color to color in
+/// linear light. Colors are 0 or more, and may be above 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Sky {
+    /// Where up is; of any length but 0.
+    pub up: Vec3,
+    /// The color straight above.
+    pub zenith: LinearRgb,
+    /// The color at the horizon.
+    pub horizon: LinearRgb,
+    /// The color straight below.
+    pub nadir: LinearRgb,
+}
+
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Sky as Sky { up = Vec3::new(0.0, 1.0, 0.0), zenith, horizon, nadir });
+
+impl Sky {
+    /// From one color to the other above the horizon, with up along the y axis; below, the color at the horizon.
+    pub const fn new(horizon: LinearRgb, zenith: LinearRgb) -> Self {
+        Self { up: Vec3::new(0.0, 1.0, 0.0), zenith, horizon, nadir: horizon }
+    }
+
+    pub(super) fn prepare<R: Real>(&self) -> Result<PreparedSky<R>, Fault> {
+        for color in [self.zenith, self.horizon, self.nadir] {
+            check_emission::<R>(color)?;
+        }
+        Ok(PreparedSky {
+            up: check_direction(self.up)?,
+            zenith: self.zenith.to(),
+            horizon: self.horizon.to(),
+            nadir: self.nadir.to(),
+        })
+    }
+}
+
+/// A [`Sky`], prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PreparedSky<R> {
+    /// A unit vector.
+    up: Vec3<R>,
+    zenith: LinearRgb<R>,
+    horizon: LinearRgb<R>,
+    nadir: LinearRgb<R>,
+}
+
+impl<R: Real> PreparedSky<R> {
+    pub(super) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
+        let height = self.up.dot(direction);
+        let (end, share) = if height < R::ZERO { (self.nadir, -height) } else { (self.zenith, height) };
+        // Unit vectors are a little longer or shorter than 1.
+        blend(self.horizon, end, if share < R::ONE { share } else { R::ONE })
+    }
+
+    /// Whether a direction is below the horizon.
+    pub(super) fn is_below(&self, direction: Vec3<R>) -> bool {
+        self.up.dot(direction) < R::ZERO
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    const SKY: Sky = Sky {
+        zenith: LinearRgb::new(0.0, 0.25, 2.0),
+        nadir: LinearRgb::gray(0.125),
+        ..Sky::new(LinearRgb::new(1.0, 0.75, 0.5), LinearRgb::WHITE)
+    };
+
+    fn assert_sky<R: Real>() {
+        let seen = |sky: Sky, x: f32, y: f32, z: f32| {
+            let direction = Vec3::new(x, y, z).to::<R>().normalized().unwrap();
+            let color = sky.prepare::<R>().unwrap().color(direction).to_f32();
+            [color.r, color.g, color.b]
+        };
+        for (direction, color) in [
+            ((0.0, 1.0, 0.0), [0.0, 0.25, 2.0]),
+            ((0.0, 0.0, -1.0), [1.0, 0.75, 0.5]),
+            ((1.0, 0.0, 0.0), [1.0, 0.75, 0.5]),
+            ((0.0, -1.0, 0.0), [0.125; 3]),
+            // A third of a right angle: the height is 1/2, in whatever direction.
+            ((0.75f32.sqrt(), 0.5, 0.0), [0.5, 0.5, 1.25]),
+            ((0.0, 0.5, 0.75f32.sqrt()), [0.5, 0.5, 1.25]),
+            ((0.6, -0.8, 0.0), [0.3, 0.25, 0.2]),
+        ] {
+            let (x, y, z) = direction;
+            let got = seen(SKY, x, y, z);
+            assert!(got.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6), "{got:?}, not {color:?}");
+            // The same on its side, whatever the length of the vector.
+            let aside = seen(Sky { up: Vec3::new(0.0, 0.0, -7.0), ..SKY }, x, z, -y);
+            assert!(aside.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6), "{aside:?}, not {color:?}");
+        }
+        let below = seen(Sky::new(SKY.horizon, SKY.zenith), 0.6, -0.8, 0.0);
+        assert!(below.iter().zip([1.0, 0.75, 0.5]).all(|(a, b)| (a - b).abs() < 1e-6), "{below:?}");
+    }
+
+    #[test]
+    fn straight_lines_from_color_to_color() {
+        assert_sky::<f32>();
+        assert_sky::<f64>();
+        assert_sky::<Fixed>();
+    }
+
+    #[test]
+    fn no_color_leaves_its_ends() {
+        // One of two colors that are both 0 stays so, although unit vectors may be longer than 1.
+        let sky = Sky::new(LinearRgb::gray(1.0), LinearRgb::gray(0.0)).prepare::<f32>().unwrap();
+        let color = sky.color(Vec3::new(0.0, 1.0 + 1e-6, 0.0));
+        assert_eq!(color, LinearRgb::gray(0.0));
+    }
+
+    #[test]
+    fn bad_skies_are_refused() {
+        let refusal = |sky: Sky| sky.prepare::<f32>().err();
+        assert_eq!(refusal(SKY), None);
+        assert_eq!(refusal(Sky { up: Vec3::ZERO, ..SKY }), Some(Fault::ZeroLength));
+        assert_eq!(refusal(Sky { up: Vec3::new(f32::NAN, 1.0, 0.0), ..SKY }), Some(Fault::NotFinite));
+        for sky in [
+            Sky { zenith: LinearRgb::gray(-0.5), ..SKY },
+            Sky { horizon: LinearRgb::gray(-0.5), ..SKY },
+            Sky { nadir: LinearRgb::gray(-0.5), ..SKY },
+        ] {
+            assert_eq!(refusal(sky), Some(Fault::NegativeColor));
+        }
+        let bright = Sky { nadir: LinearRgb::gray(100.0), ..SKY };
+        assert_eq!((refusal(bright), bright.prepare::<Fixed>().err()), (None, Some(Fault::OutOfRange)));
+    }
+}
