@@ -341,8 +341,9 @@ impl<'s, R: Real> Vertex<'s, R> {
     /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",
     /// 1989, p. 289); `None` under total internal reflection.
     ///
-    /// Which side is inside is told by the geometric normal alone: in front of a surface the index is 1, behind
-    /// it the material's. Nested and overlapping glass follows the same rule, surface by surface.
+    /// Which side is inside is told by the geometric normal alone: a material states the indices on both sides of a surface, so
+    /// that no ray needs to remember what it is in. Rejected: a list of the media that a ray is in, which every pending ray would carry
+    /// along, and from which a ray that grazes an edge drops out for ever.
     fn refracted(&self) -> Option<Vec3<R>> {
         let eta = self.eta();
         if eta == R::ONE {

@@ -7,8 +7,8 @@ use rayline::shape::{
 };
 use rayline::{
     Background, Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp,
-    Light, LightCone, LinearRgb, Map, Marble, Noise, Onto, Optics, Panorama, Pixels, Placed, Placement, Sky,
-    Space, Squares, Stripes, Texture, Vec3, Wood,
+    Light, LightCone, LinearRgb, Map, Marble, Medium, Noise, Onto, Optics, Panorama, Pixels, Placed,
+    Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood,
 };
 
 /// Coordinates and lengths: mostly near, a few as far away as may be, and those that often are special.
@@ -211,10 +211,14 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
         [number.clone(), number.clone(), number.clone()].prop_map(|[r, g, b]| LinearRgb::new(r, g, b));
     let fresnel = prop_oneof![Just(Fresnel::Constant), Just(Fresnel::Schlick), Just(Fresnel::Exact)];
     let highlight = prop_oneof![Just(Highlight::Phong), Just(Highlight::BlinnPhong)];
+    let outside = proptest::option::of(
+        (number.clone(), color.clone()).prop_map(|(ior, absorption)| Medium { ior, absorption }),
+    );
     let colors = (color.clone(), color.clone(), color.clone(), color);
-    let some =
-        (fresnel, highlight, colors, falloffs(number)).prop_map(|(fresnel, highlight, colors, falloff)| {
+    let some = (fresnel, highlight, colors, falloffs(number), outside).prop_map(
+        |(fresnel, highlight, colors, falloff, outside)| {
             let (reflection_color, transmission_color, absorption, emission) = colors;
+            let outside = outside.unwrap_or(Medium::AIR);
             let optics = Optics {
                 highlight,
                 fresnel,
@@ -223,9 +227,11 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
                 absorption,
                 emission,
                 reflection_falloff: falloff,
+                outside,
             };
             Some(&*Box::leak(Box::new(optics)))
-        });
+        },
+    );
     prop_oneof![1 => Just(None), 1 => some].boxed()
 }
 

@@ -1,11 +1,13 @@
 //! What a surface does with light.
 
 mod fresnel;
+mod medium;
 mod optics;
 pub mod presets;
 mod shininess;
 
 pub use fresnel::Fresnel;
+pub use medium::Medium;
 pub use optics::{Highlight, Optics};
 pub(crate) use optics::{PreparedOptics, Shares};
 pub(crate) use shininess::Shininess;
@@ -39,8 +41,8 @@ pub struct Material<'a> {
     pub reflectance: f32,
     /// Share of what the refracted ray sees, and of the light that a shadow ray keeps at each surface.
     pub transmittance: f32,
-    /// Index of refraction behind the surface: the side that its normal points away from. In front of it,
-    /// always 1.
+    /// Index of refraction behind the surface: the side that its normal points away from. In front of it, 1, or what
+    /// [`Optics::outside`] says; see [`Medium`] for what is nested.
     pub ior: f32,
     /// What goes beyond this model, if anything does.
     pub optics: Option<&'a Optics>,
@@ -110,13 +112,14 @@ impl<'a> Material<'a> {
         if self.shininess < 0.0 {
             return Err(Fault::NegativeShininess);
         }
-        check_coordinate(self.ior)?;
-        // A tiny index has a reciprocal that no longer is a sane number.
-        if self.ior < 1e-3 {
-            return Err(Fault::IorNotPositive);
+        let mut ior = medium::check_ior::<R>(self.ior)?;
+        // What bends rays is the ratio of both sides.
+        if cfg!(feature = "optics")
+            && let Some(optics) = self.optics
+        {
+            ior = ior / medium::check_ior::<R>(optics.outside.ior)?;
         }
         // Squared when a ray is refracted.
-        let ior = R::Setup::from_f32(self.ior);
         check_held::<R>(ior * ior)?;
         check_held::<R>((ior * ior).recip())?;
         if !cfg!(feature = "optics") && self.needs_optics() {
@@ -152,7 +155,7 @@ pub(crate) struct PreparedMaterial<'m, R: Real> {
     pub(crate) shininess: Shininess<R>,
     pub(crate) reflectance: R,
     pub(crate) transmittance: R,
-    /// Ratio of the indices of refraction for a ray that goes in at the front: outside over inside.
+    /// Ratio of the indices of refraction for a ray that goes in at the front: that in front over that behind.
     pub(crate) eta_entering: R,
     /// The same for a ray that comes out.
     pub(crate) eta_leaving: R,

@@ -3,10 +3,11 @@
 
 use super::Fresnel;
 use super::fresnel::{exact, schlick};
-use crate::color::{LinearRgb, check_channel, check_emission};
+use super::medium::{Absorption, Medium};
+use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Fault, check_share};
-use crate::math::{Product, Real, Scale, Vec3};
+use crate::math::{Real, Scale, Vec3};
 use crate::share::Share;
 
 /// What a [`Material`](super::Material) does with light beyond the models of Phong and Whitted.
@@ -43,6 +44,9 @@ pub struct Optics {
     pub emission: LinearRgb,
     /// How what is mirrored fades with the distance to what the mirrored ray meets. The background does not fade.
     pub reflection_falloff: Falloff,
+    /// What lies in front of the surface, where that is not air: for bubbles, for what lies in water, and for where two bodies touch. Rays
+    /// that leave the surface outward are dimmed by its absorption.
+    pub outside: Medium,
 }
 
 impl Optics {
@@ -55,7 +59,11 @@ impl Optics {
         absorption: LinearRgb::gray(0.0),
         emission: LinearRgb::gray(0.0),
         reflection_falloff: Falloff::NONE,
+        outside: Medium::AIR,
     };
+
+    /// Those of clear glass: light is shared between mirroring and refraction by Fresnel's equations.
+    pub const CLEAR: Self = Self { fresnel: Fresnel::Exact, ..Self::PLAIN };
 }
 
 impl Default for Optics {
@@ -88,8 +96,10 @@ pub(crate) struct PreparedOptics<R: Real> {
     straight: R,
     pub(crate) reflection_color: LinearRgb<R>,
     transmission_color: LinearRgb<R>,
-    /// How often light halves on each unit of length; `None` where it does not.
-    absorption: Option<LinearRgb<R>>,
+    /// Behind the surface; `None` where nothing is absorbed.
+    absorption: Option<Absorption<R>>,
+    /// In front of it.
+    outside: Option<Absorption<R>>,
     pub(crate) emission: LinearRgb<R>,
     falloff: Option<PreparedFalloff<R>>,
 }
@@ -102,19 +112,13 @@ pub(crate) struct Shares<R> {
 }
 
 impl Optics {
-    /// Checks every number and converts it, for a material of this index of refraction.
+    /// Checks every number and converts it, but for the index outside; for a material of this index, over that outside.
     pub(super) fn prepare<R: Real>(&self, ior: R::Setup, scale: Scale) -> Result<PreparedOptics<R>, Fault> {
-        let Self { reflection_color, transmission_color, absorption, emission, .. } = *self;
+        let Self { reflection_color, transmission_color, emission, .. } = *self;
         for share in reflection_color.channels().into_iter().chain(transmission_color.channels()) {
             check_share(share)?;
         }
         check_emission::<R>(emission)?;
-        absorption.channels().into_iter().try_for_each(check_channel)?;
-        // Where less than 2⁻¹²⁰ is left on a unit of the kernel, less is left on any way that shows.
-        let per_unit = core::f32::consts::LOG2_E / scale.to_f32();
-        let halvings = |coefficient: f32| R::from_f32((coefficient * per_unit).min(120.0));
-        let LinearRgb { r, g, b } = absorption;
-        let absorption = LinearRgb::new(halvings(r), halvings(g), halvings(b));
         let straight = (ior - R::Setup::ONE) / (ior + R::Setup::ONE);
         Ok(PreparedOptics {
             highlight: self.highlight,
@@ -122,7 +126,8 @@ impl Optics {
             straight: R::from_setup(straight * straight),
             reflection_color: reflection_color.to(),
             transmission_color: transmission_color.to(),
-            absorption: (r > 0.0 || g > 0.0 || b > 0.0).then_some(absorption),
+            absorption: Absorption::prepare(self.absorption, scale)?,
+            outside: Absorption::prepare(self.outside.absorption, scale)?,
             emission: emission.to(),
             falloff: self.reflection_falloff.prepare(scale)?,
         })
@@ -192,15 +197,11 @@ impl<R: Real> PreparedOptics<R> {
         self.fresnel == Fresnel::Exact
     }
 
-    /// What is left of light after a way of this length behind the surface; `None`: all of it.
-    pub(crate) fn left_after(&self, length: R) -> Option<Share<R>> {
-        let LinearRgb { r, g, b } = self.absorption?;
-        let left = |halvings: R| {
-            let times = halvings.times(length);
-            // Less than 2⁻²⁴ does not show, and may not be held.
-            if times > R::from_f32(24.0).times(R::ONE) { R::ZERO } else { times.over(R::ONE).halved() }
-        };
-        Some(Share::colored(LinearRgb::new(left(r), left(g), left(b))))
+    /// What is left of light after a way of this length in front of the surface, or behind it; `None`: all of it.
+    #[inline(always)]
+    pub(crate) fn left_after(&self, in_front: bool, length: R) -> Option<Share<R>> {
+        let absorption = if in_front { &self.outside } else { &self.absorption };
+        absorption.as_ref().map(|absorption| absorption.left_after(length))
     }
 
     /// What is left of a ray's throughput where it has left this surface outward or inward and gone this far; `None`: for ever, to the
@@ -213,7 +214,7 @@ impl<R: Real> PreparedOptics<R> {
         length: Option<R>,
     ) -> Share<R> {
         let mut left = throughput;
-        if !outward && let Some(through) = self.left_after(length.unwrap_or(R::FARTHEST)) {
+        if let Some(through) = self.left_after(outward, length.unwrap_or(R::FARTHEST)) {
             left = left * through;
         }
         // The background is at no distance.
@@ -228,8 +229,8 @@ impl<R: Real> PreparedOptics<R> {
         Share::colored(self.transmission_color)
     }
 
-    /// Whether light is lost behind the surface.
+    /// Whether light is lost on either side of the surface.
     pub(crate) fn absorbs(&self) -> bool {
-        self.absorption.is_some()
+        self.absorption.is_some() || self.outside.is_some()
     }
 }

@@ -72,7 +72,7 @@ const CLEAR: Material = Material {
     specular: 0.6,
     shininess: 600.0,
     transmittance: 1.0,
-    optics: Some(&Optics { fresnel: Fresnel::Exact, ..Optics::PLAIN }),
+    optics: Some(&Optics::CLEAR),
     ..PLAIN
 };
 
@@ -91,11 +91,7 @@ pub const ICE: Material = Material { ior: 1.309, ..CLEAR };
 /// Water; its absorption is per meter.
 pub const WATER: Material = Material {
     ior: 1.333,
-    optics: Some(&Optics {
-        fresnel: Fresnel::Exact,
-        absorption: LinearRgb::new(0.340, 0.056_5, 0.009_22),
-        ..Optics::PLAIN
-    }),
+    optics: Some(&Optics { absorption: LinearRgb::new(0.340, 0.056_5, 0.009_22), ..Optics::CLEAR }),
     ..CLEAR
 };
 

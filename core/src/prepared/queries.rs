@@ -123,8 +123,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.hit(ray, closest)
     }
 
-    /// What is left of a ray's throughput where it has gone this far from a surface, or for ever: behind a surface its material
-    /// absorbs, and what is mirrored may fade with distance.
+    /// What is left of a ray's throughput where it has gone this far from a surface, or for ever: its material tells what absorbs
+    /// behind a surface, and before it, and what is mirrored may fade with distance.
     #[inline(always)]
     pub(crate) fn dimmed(
         &self,
@@ -327,13 +327,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let light = light * transmittance;
         let Some(optics) = optics else { return light };
         let light = light * optics.transmission_color();
-        // From behind, light went through what absorbs it since the surface before.
-        match surface {
-            Some(surface) if surface.normal.dot(ray.direction) > R::ZERO => {
-                optics.left_after(part.max - part.min).map_or(light, |left| light * left)
-            }
-            _ => light,
-        }
+        // The side that the ray comes from tells what light went through since the surface before.
+        surface
+            .and_then(|surface| {
+                let comes_from_front = !(surface.normal.dot(ray.direction) > R::ZERO);
+                optics.left_after(comes_from_front, part.max - part.min)
+            })
+            .map_or(light, |left| light * left)
     }
 
     /// The most that an object lets through.

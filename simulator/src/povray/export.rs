@@ -7,8 +7,9 @@
 //! - The share of light that a pigment does not transmit is POV-Ray's factor of ambient and diffuse light, so both
 //!   are divided by it.
 //! - POV-Ray tells inside from outside by a list of the interiors that a ray is in. The faces of one material
-//!   therefore share one interior, which makes a closed solid of them. In a list, indices are absolute: a sphere
-//!   within a transparent one gets the product of both.
+//!   therefore share one interior, which makes a closed solid of them. In a list, indices are absolute: so are those
+//!   of materials that say what is outside of them; another sphere within a transparent one gets the product of both. Where bodies are put
+//!   together from open surfaces with one medium on each side, POV-Ray's list does not know what the core knows.
 //! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
 //! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
 //!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside.
@@ -234,8 +235,8 @@ fn lamp_source(lamp: &Lamp) -> Option<String> {
 
 /// Whether POV-Ray has these optics.
 fn is_known(optics: &Optics) -> bool {
-    let Optics { fresnel, emission, reflection_color, absorption, .. } = *optics;
-    let known = Optics { fresnel, emission, reflection_color, absorption, ..Optics::PLAIN };
+    let Optics { fresnel, emission, reflection_color, absorption, outside, .. } = *optics;
+    let known = Optics { fresnel, emission, reflection_color, absorption, outside, ..Optics::PLAIN };
     *optics == known && fresnel != Fresnel::Schlick
 }
 
@@ -332,13 +333,13 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         if material.transmittance > 0.0 && is_face(&object.shape) {
             *faces += &format!("  {kind} {{ {geometry} }}\n");
         } else {
-            let interior = interior(material, enclosing_ior(scene, object));
+            let interior = interior(material, absolute_ior(scene, object));
             text += &format!("{kind} {{ {geometry} texture {{ Material{number} }}{interior} }}\n");
         }
     }
     for (number, (faces, material)) in faces.iter().zip(scene.materials).enumerate() {
         if !faces.is_empty() {
-            let interior = interior(material, 1.0);
+            let interior = interior(material, f64::from(material.ior));
             text += &format!("union {{\n{faces}  texture {{ Material{number} }}{interior}\n}}\n");
         }
     }
@@ -350,13 +351,13 @@ fn is_face(shape: &Shape<'_>) -> bool {
     matches!(shape, Shape::Disc(_) | Shape::Rectangle(_) | Shape::Triangle(_) | Shape::Polygon(_))
 }
 
-/// What lies behind a surface that lets light through, or that mirrors by its index, within a medium of the index `outside`.
-fn interior(material: &Material, outside: f64) -> String {
+/// What lies behind a surface that lets light through, or that mirrors by its index, where that is `ior`.
+fn interior(material: &Material, ior: f64) -> String {
     let optics = material.optics.unwrap_or(&Optics::PLAIN);
     if material.transmittance == 0.0 && optics.fresnel != Fresnel::Exact {
         return String::new();
     }
-    let relative = if material.ior == 1.0 { 1.000_001 } else { f64::from(material.ior) };
+    let ior = if ior == 1.0 { 1.000_001 } else { ior };
     let LinearRgb { r, g, b } = optics.absorption;
     let most = f64::from(r.max(g).max(b));
     // With a power of 1000 or more, exp(-(1 - color) d / distance) is left.
@@ -366,21 +367,26 @@ fn interior(material: &Material, outside: f64) -> String {
     } else {
         String::new()
     };
-    format!(" interior {{ ior {}{fade} }}", relative * outside)
+    format!(" interior {{ ior {ior}{fade} }}")
 }
 
-/// The index of what a sphere lies in: the product over all transparent spheres around it.
-fn enclosing_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
-    let Shape::Sphere(inner) = object.shape else { return 1.0 };
+/// The index of what an object is made of. Where its material does not say what is outside, its index is that over the index of
+/// the smallest transparent sphere around it.
+fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
+    let material = |object: &Object<Shape<'_>>| scene.materials.get(usize::from(object.material.0));
+    let Some(own) = material(object) else { return 1.0 };
+    let ior = f64::from(own.ior);
+    let is_stated = own.optics.is_some_and(|optics| optics.outside.ior != 1.0);
+    let (false, Shape::Sphere(inner)) = (is_stated, object.shape) else { return ior };
     let encloses = |outer: &Sphere| (outer.center - inner.center).length() + inner.radius < outer.radius;
-    scene
-        .objects
-        .iter()
-        .filter(|object| matches!(&object.shape, Shape::Sphere(outer) if encloses(outer)))
-        .filter_map(|object| scene.materials.get(usize::from(object.material.0)))
-        .filter(|material| material.transmittance > 0.0)
-        .map(|material| f64::from(material.ior))
-        .product()
+    let around = scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Sphere(outer) if encloses(&outer) => Some((outer.radius, object)),
+        _ => None,
+    });
+    let transparent = around.filter(|(_, object)| material(object).is_some_and(|m| m.transmittance > 0.0));
+    let next = transparent.min_by(|(a, _), (b, _)| a.total_cmp(b));
+    // Larger each time: it ends.
+    ior * next.map_or(1.0, |(_, outer)| absolute_ior(scene, outer))
 }
 
 /// A shape's keyword and numbers.

@@ -6,8 +6,8 @@ use rayline::shape::{
 };
 use rayline::{
     Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
-    Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Noise, Object, Onto, Optics,
-    Panorama, Pixels, Placed, Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object, Onto,
+    Optics, Panorama, Pixels, Placed, Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -115,6 +115,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
         absorption: GRAY,
         emission: GRAY,
         reflection_falloff: Falloff { constant: 1.0, linear: 0.5, quadratic: 0.25 },
+        outside: Medium { ior: 1.25, absorption: GRAY },
     };
     let materials = textures.into_iter().chain(more).map(|color| Material {
         color,

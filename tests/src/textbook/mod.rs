@@ -97,8 +97,8 @@ impl<'s> Textbook<'s> {
         all.into_iter().find(|(_, crossing)| crossing.t <= least + NEAR)
     }
 
-    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part, and what
-    /// lies between it and the one before, if the ray comes out there.
+    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part, and so
+    /// does what lies between it and the one before.
     fn transmission(&self, ray: Ray, distance: f64) -> DVec3 {
         let objects = self.scene.objects.iter();
         let mut all: Vec<_> = objects
@@ -113,9 +113,8 @@ impl<'s> Textbook<'s> {
             let material = &self.scene.materials[usize::from(object.material.0)];
             let optics = material.optics.unwrap_or(&Optics::PLAIN);
             share *= color(optics.transmission_color) * f64::from(material.transmittance);
-            if crossing.geometric.dot(ray.direction) > 0.0 {
-                share *= optics::absorbed(optics, crossing.t - last);
-            }
+            let comes_from_behind = crossing.geometric.dot(ray.direction) > 0.0;
+            share *= optics::absorbed(optics, comes_from_behind, crossing.t - last);
             last = crossing.t;
         }
         share

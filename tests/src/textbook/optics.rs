@@ -5,9 +5,11 @@ use rayline::{Falloff, Fresnel, Highlight, Lamp, Material, Optics};
 
 use super::{color, vector};
 
-/// What is left of light on a way behind a surface (Beer).
-pub(super) fn absorbed(optics: &Optics, length: f64) -> DVec3 {
-    (color(optics.absorption) * -length).exp()
+/// What is left of light on a way behind a surface, or in front of it (Beer).
+pub(super) fn absorbed(optics: &Optics, is_behind: bool, length: f64) -> DVec3 {
+    let coefficients = color(if is_behind { optics.absorption } else { optics.outside.absorption });
+    // Where nothing is absorbed, nothing is for ever.
+    coefficients.map(|coefficient| if coefficient > 0.0 { (-coefficient * length).exp() } else { 1.0 })
 }
 
 /// What is left of light at a distance.

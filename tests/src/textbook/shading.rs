@@ -21,7 +21,8 @@ impl Textbook<'_> {
 
         let from_outside = crossing.geometric.dot(view) > 0.0;
         let ior = f64::from(material.ior);
-        let indices = if from_outside { (1.0, ior) } else { (ior, 1.0) };
+        let before = f64::from(optics.outside.ior);
+        let indices = if from_outside { (before, ior) } else { (ior, before) };
         let refraction = snell(ray.direction, normal, indices);
         let behind = refraction.map(|direction| -direction.dot(normal));
         let (mirror, glass) = optics::shares(material, optics, indices, normal.dot(view), behind);
@@ -36,9 +37,8 @@ impl Textbook<'_> {
             let next = Ray { origin: point, direction };
             let length = self.nearest(next).map(|(_, crossing)| crossing.t);
             let mut dimmed = DVec3::ONE;
-            if crossing.geometric.dot(direction) < 0.0 {
-                dimmed = optics::absorbed(optics, length.unwrap_or(1e30));
-            }
+            let is_behind = crossing.geometric.dot(direction) < 0.0;
+            dimmed *= optics::absorbed(optics, is_behind, length.unwrap_or(1e30));
             if let (true, Some(length)) = (is_mirrored, length) {
                 dimmed *= optics::faded(&optics.reflection_falloff, length);
             }

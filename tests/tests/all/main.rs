@@ -13,6 +13,7 @@ mod closed_forms;
 mod drawing;
 mod fixed;
 mod goldens;
+mod media;
 mod operations;
 mod optics;
 mod own_shape;

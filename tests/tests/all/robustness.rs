@@ -9,9 +9,9 @@ use rayline::shape::{
     Quadric, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Background, Camera, Encoding, Ends, Fault, Filter, Image, Light, LinearRgb, Material, Object, Panorama,
-    Part, Pixels, PreparedScene, RayCounts, Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Texture,
-    Vec3,
+    Background, Camera, Encoding, Ends, Fault, Filter, Image, Light, LinearRgb, Material, Medium, Object,
+    Optics, Panorama, Part, Pixels, PreparedScene, RayCounts, Renderer, Scene, SceneBuf, SceneError,
+    Settings, Sky, Texture, Vec3,
 };
 use rayline_tests::{backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
 
@@ -219,6 +219,11 @@ fn impossible_materials_are_refused() {
     refused(|glass| glass.specular = -0.1, Fault::OutsideUnit);
     refused(|glass| glass.ior = 0.0, Fault::IorNotPositive);
     refused(|glass| glass.ior = -1.5, Fault::IorNotPositive);
+    const IN_NOTHING: Optics = Optics { outside: Medium::clear(0.0), ..Optics::PLAIN };
+    const IN_LIGHT: Optics =
+        Optics { outside: Medium { ior: 1.0, absorption: LinearRgb::gray(-1.0) }, ..Optics::PLAIN };
+    refused(|glass| glass.optics = Some(&IN_NOTHING), Fault::IorNotPositive);
+    refused(|glass| glass.optics = Some(&IN_LIGHT), Fault::NegativeColor);
     refused(|glass| glass.shininess = -1.0, Fault::NegativeShininess);
     refused(|glass| glass.color = LinearRgb::gray(-0.1).into(), Fault::NegativeColor);
     refused(|glass| glass.color = LinearRgb::gray(1.1).into(), Fault::OutsideUnit);

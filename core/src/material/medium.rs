@@ -1,0 +1,101 @@
+//! What light goes through between two surfaces: its index of refraction, and what it absorbs (Beer's law).
+
+use crate::color::{LinearRgb, check_channel};
+use crate::fault::{Fault, check_coordinate};
+use crate::math::{Product, Real, Scale};
+use crate::share::Share;
+
+/// What fills the space on one side of a surface.
+///
+/// Behind a surface there is what its [`Material`](super::Material) says: its index and its absorption. In front there is air, unless
+/// [`Optics::outside`](super::Optics::outside) says otherwise. Each surface knows what lies on its two sides, and no ray has to remember
+/// where it is: one rule for what is solid, open, nested or put together from faces. Where two bodies touch there is *one*
+/// surface, with the one in front and the other behind.
+///
+/// | surface | normal toward | [`ior`](super::Material::ior), behind | `outside`, in front |
+/// |---|---|---|---|
+/// | a bubble in a ball of glass | the glass | 1 | 1.5 |
+/// | ice in water, all of it | the water | 1.31 | 1.33 |
+/// | a glass: outer wall, foot, rim, inner wall above the water | the air | 1.5 | 1 |
+/// | its inner wall below the water | the water | 1.5 | 1.33 |
+/// | the water's surface | the air | 1.33 | 1 |
+///
+/// The inside of an open cylinder is behind it: for an inner wall, swap the two.
+///
+/// ```
+/// use rayline::{Material, Medium, Optics, materials};
+/// const GLASS: f32 = materials::GLASS.ior;
+/// const BUBBLE: Material = Material {
+///     ior: 1.0,
+///     optics: Some(&Optics { outside: Medium::clear(GLASS), ..Optics::CLEAR }),
+///     ..materials::GLASS
+/// };
+/// /// The wall of a cylinder of water within glass.
+/// const WATER_IN_GLASS: Material = Material { ior: materials::WATER.ior, ..BUBBLE };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+pub struct Medium {
+    /// Index of refraction: air is 1, water 1.33, glass about 1.5.
+    pub ior: f32,
+    /// Coefficients of absorption, per unit of length, 0 or more: after a way s, exp(-coefficient s) is left of light.
+    pub absorption: LinearRgb,
+}
+
+impl Medium {
+    /// Air, or nothing at all.
+    pub const AIR: Self = Self::clear(1.0);
+
+    /// Something of this index of refraction that absorbs nothing.
+    pub const fn clear(ior: f32) -> Self {
+        Self { ior, absorption: LinearRgb::gray(0.0) }
+    }
+}
+
+impl Default for Medium {
+    fn default() -> Self {
+        Self::AIR
+    }
+}
+
+/// Refuses an index of refraction that is not positive.
+pub(super) fn check_ior<R: Real>(ior: f32) -> Result<R::Setup, Fault> {
+    check_coordinate(ior)?;
+    // A tiny index has a reciprocal that no longer is a sane number.
+    if ior < 1e-3 { Err(Fault::IorNotPositive) } else { Ok(R::Setup::from_f32(ior)) }
+}
+
+/// What a medium absorbs, prepared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Absorption<R> {
+    /// How often light halves on each unit of length.
+    halvings: LinearRgb<R>,
+}
+
+impl<R: Real> Absorption<R> {
+    /// Checks the coefficients and converts them; `None` where nothing is absorbed.
+    pub(super) fn prepare(coefficients: LinearRgb, scale: Scale) -> Result<Option<Self>, Fault> {
+        coefficients.channels().into_iter().try_for_each(check_channel)?;
+        // Where less than 2⁻¹²⁰ is left on a unit of the kernel, less is left on any way that shows.
+        let per_unit = core::f32::consts::LOG2_E / scale.to_f32();
+        let halvings = |coefficient: f32| R::from_f32((coefficient * per_unit).min(120.0));
+        let LinearRgb { r, g, b } = coefficients;
+        let halvings = LinearRgb::new(halvings(r), halvings(g), halvings(b));
+        Ok((r > 0.0 || g > 0.0 || b > 0.0).then_some(Self { halvings }))
+    }
+
+    /// What is left of light after a way of this length.
+    pub(super) fn left_after(&self, length: R) -> Share<R> {
+        let LinearRgb { r, g, b } = self.halvings;
+        let left = |halvings: R| {
+            let times = halvings.times(length);
+            // Less than 2⁻²⁴ does not show, and may not be held.
+            if times > R::from_f32(24.0).times(R::ONE) { R::ZERO } else { times.over(R::ONE).halved() }
+        };
+        Share::colored(LinearRgb::new(left(r), left(g), left(b)))
+    }
+}
