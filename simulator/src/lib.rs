@@ -18,6 +18,7 @@ mod display;
 mod file;
 mod gallery;
 mod loaded;
+mod model;
 mod nearest;
 pub mod nff;
 pub mod obj;

@@ -29,11 +29,9 @@
 
 mod error;
 mod materials;
-mod pieces;
 mod statements;
 #[cfg(test)]
 mod tests;
-mod view;
 
 use std::collections::HashSet;
 use std::fs;
@@ -41,16 +39,14 @@ use std::path::Path;
 
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
-use rayline::shape::{Mesh, Shape};
-use rayline::{Background, Object, Part, Scene, Vec3};
+use rayline::shape::Shape;
+use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
-pub use error::{ObjError, ObjFault};
-use pieces::{Piece, has_area, pieces};
-use statements::Statements;
+use crate::model::{FARTHEST_UV, Whole, view};
 
-/// Texture coordinates beyond this fixed point cannot compute with.
-const FARTHEST_UV: f32 = 59.0;
+pub use error::{ObjError, ObjFault};
+use statements::Statements;
 
 /// A scene that was read from a file.
 #[derive(Clone, Debug)]
@@ -137,37 +133,31 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
             notes.push(format!("`{}`: texture coordinates are left out: {flaw}", name.escape_debug()));
         }
         let (triangles, _) = mesh.indices.as_chunks::<3>();
-        for piece in pieces(triangles, vertices.len(), MAX_COUNT) {
-            let vertices = pick(arena, &piece, &vertices, Vec3::ZERO);
-            if !piece.triangles.iter().any(|triangle| has_area(triangle, vertices)) {
-                continue;
-            }
-            let normals = is_smooth.then(|| pick(arena, &piece, &normals, Vec3::ZERO));
-            let uvs = flaw.is_none().then(|| pick(arena, &piece, uvs, [0.0; 2]));
-            let triangles = arena.alloc_slice_copy(&piece.triangles);
+        let whole = Whole {
+            vertices: &vertices,
+            triangles,
+            normals: is_smooth.then_some(&normals),
+            uvs: flaw.is_none().then_some(uvs),
+        };
+        for mesh_of_piece in whole.meshes(arena) {
             let material = mesh.material_id.unwrap_or(materials.len().saturating_sub(1));
             let material = u16::try_from(material)
                 .map_err(|_| error(ObjFault::TooManyMaterials { given: materials.len(), most: MAX_COUNT }))?;
-            objects.push(Object::new(Shape::Mesh(Mesh { vertices, triangles, normals, uvs }), material));
+            objects.push(Object::new(Shape::Mesh(mesh_of_piece), material));
             names.push(name.clone());
         }
     }
-    let view = view::of(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
-    notes.push(format!("{}: no camera and no light in such a file; {}", path.display(), view::NOTE));
+    let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
+    let (path, seen, lit) = (path.display(), view::SEEN, view::LIT);
+    notes.push(format!("{path}: no camera and no light in such a file; {seen}, {lit}"));
     let scene = Scene {
-        camera: view,
-        background: Background::gray(0.1),
+        camera: view::of(bounds),
+        background: view::BACKGROUND,
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials),
         lights: &view::LIGHTS,
     };
     Ok(Import { scene, resolution: view::SIZE, notes, names })
-}
-
-/// What belongs to the vertices of a piece, out of what belongs to those of its mesh.
-fn pick<'a, T: Copy>(arena: &'a Bump, piece: &Piece, from: &[T], missing: T) -> &'a [T] {
-    let indices = piece.vertices.iter();
-    arena.alloc_slice_fill_iter(indices.map(|index| from.get(*index as usize).copied().unwrap_or(missing)))
 }
 
 /// The text of a file.

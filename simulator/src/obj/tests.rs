@@ -5,6 +5,7 @@
 use core::mem::MaybeUninit;
 
 use proptest::prelude::*;
+use rayline::shape::Mesh;
 use rayline::{LinearRgb, Material, PreparedScene};
 
 use super::*;
@@ -273,22 +274,6 @@ fn what_is_not_text_is_refused() {
     assert_eq!((error.line, error.fault), (Some(2), ObjFault::NotUtf8));
     let error = read(&Bump::new(), &folder.path().join("none.obj")).unwrap_err();
     assert!(error.to_string().starts_with("cannot read "), "{error}");
-}
-
-#[test]
-fn large_meshes_are_cut_in_pieces() {
-    // A strip of squares, in pieces of at most ten vertices and six triangles.
-    let squares = (0..50u32).map(|i| [2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3]);
-    let strip: Vec<_> = squares.flat_map(|[a, b, c, d]| [[a, b, c], [c, b, d]]).collect();
-    for most in [3, 6, 10, 99] {
-        let pieces = pieces(&strip, 102, most);
-        let whole = pieces.iter().flat_map(|piece| {
-            assert!(piece.vertices.len() <= most && piece.triangles.len() <= most);
-            piece.triangles.iter().map(|triangle| triangle.map(|at| piece.vertices[usize::from(at)]))
-        });
-        assert_eq!(whole.collect::<Vec<_>>(), strip);
-    }
-    assert_eq!(pieces(&strip, 102, 102).len(), 1);
 }
 
 #[test]

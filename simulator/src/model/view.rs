@@ -2,10 +2,13 @@
 
 use rayline::math::Aabb;
 use rayline::shape::{Mesh, Shape};
-use rayline::{Camera, Light, LinearRgb, Object, Vec3};
+use rayline::{Background, Camera, Light, LinearRgb, Object, Vec3};
 
-/// What is said of it.
-pub(super) const NOTE: &str = "all of it is seen from the front, a little from the right and from above (y is up), lit from the upper left";
+/// What is said of the camera.
+pub(crate) const SEEN: &str =
+    "all of it is seen from the front, a little from the right and from above (y is up)";
+/// What is said of the light.
+pub(crate) const LIT: &str = "lit from the upper left";
 
 /// From there toward the middle.
 const TOWARD_EYE: Vec3 = Vec3::new(0.45, 0.4, 1.0);
@@ -16,15 +19,18 @@ const TANGENT_OF_HALF: f32 = 0.309_336_25;
 /// How much farther than to the edge of the picture it may be.
 const MARGIN: f32 = 1.1;
 /// Width and height that such a scene is meant to be seen in, and width over height.
-pub(super) const SIZE: (u32, u32) = (640, 480);
+pub(crate) const SIZE: (u32, u32) = (640, 480);
 const ASPECT: f32 = 4.0 / 3.0;
 
 /// The light.
-pub(super) static LIGHTS: [Light; 1] =
+pub(crate) static LIGHTS: [Light; 1] =
     [Light::Directional { direction: Vec3::new(0.6, -1.0, -0.6), color: LinearRgb::gray(0.9) }];
 
-/// A camera that sees the boxes around all meshes in full; `None` where there are none.
-pub(super) fn of(objects: &[Object<Shape<'_>>]) -> Option<Camera> {
+/// What is behind all of it.
+pub(crate) const BACKGROUND: Background<'static> = Background::gray(0.1);
+
+/// The box around all meshes; `None` where there are none.
+pub(crate) fn bounds(objects: &[Object<Shape<'_>>]) -> Option<Aabb<f32>> {
     let corners = objects.iter().filter_map(|object| match object.shape {
         Shape::Mesh(Mesh { vertices, triangles, .. }) => Some((vertices, triangles)),
         _ => None,
@@ -32,7 +38,11 @@ pub(super) fn of(objects: &[Object<Shape<'_>>]) -> Option<Camera> {
     let corners = corners.flat_map(|(vertices, triangles)| {
         triangles.as_flattened().iter().filter_map(|corner| vertices.get(usize::from(*corner)))
     });
-    let bounds = corners.map(|corner| Aabb::point(*corner)).reduce(Aabb::union)?;
+    corners.map(|corner| Aabb::point(*corner)).reduce(Aabb::union)
+}
+
+/// A camera that sees the box around all in full.
+pub(crate) fn of(bounds: Aabb<f32>) -> Camera {
     let target = bounds.center();
     let up = Vec3::new(0.0, 1.0, 0.0);
     let backward = TOWARD_EYE * TOWARD_EYE.length().recip();
@@ -45,5 +55,5 @@ pub(super) fn of(objects: &[Object<Shape<'_>>]) -> Option<Camera> {
         let across = corner.dot(upward).abs().max(corner.dot(right).abs() / ASPECT);
         distance.max(across * MARGIN / TANGENT_OF_HALF + corner.dot(backward))
     });
-    Some(Camera { eye: target + backward * distance, target, up, vertical_fov: FOV })
+    Camera { eye: target + backward * distance, target, up, vertical_fov: FOV }
 }

@@ -1,0 +1,110 @@
+//! Meshes of any size, in pieces that a mesh of the core can be.
+
+use std::collections::HashMap;
+
+use bumpalo::Bump;
+use rayline::Vec3;
+use rayline::limits::MAX_COUNT;
+use rayline::shape::Mesh;
+
+/// A mesh as a file has it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Whole<'m> {
+    pub(crate) vertices: &'m [Vec3],
+    pub(crate) triangles: &'m [[u32; 3]],
+    /// As many as vertices.
+    pub(crate) normals: Option<&'m [Vec3]>,
+    /// As many as vertices.
+    pub(crate) uvs: Option<&'m [[f32; 2]]>,
+}
+
+impl Whole<'_> {
+    /// The meshes that it becomes, but for those without area.
+    pub(crate) fn meshes<'a>(&self, arena: &'a Bump) -> Vec<Mesh<'a>> {
+        let of_piece = |piece: Piece| {
+            let vertices = pick(arena, &piece, self.vertices, Vec3::ZERO);
+            piece.triangles.iter().any(|triangle| has_area(triangle, vertices)).then(|| Mesh {
+                vertices,
+                triangles: arena.alloc_slice_copy(&piece.triangles),
+                normals: self.normals.map(|normals| pick(arena, &piece, normals, Vec3::ZERO)),
+                uvs: self.uvs.map(|uvs| pick(arena, &piece, uvs, [0.0; 2])),
+            })
+        };
+        pieces(self.triangles, self.vertices.len(), MAX_COUNT).into_iter().filter_map(of_piece).collect()
+    }
+}
+
+/// What belongs to the vertices of a piece, out of what belongs to those of its mesh.
+fn pick<'a, T: Copy>(arena: &'a Bump, piece: &Piece, from: &[T], missing: T) -> &'a [T] {
+    let indices = piece.vertices.iter();
+    arena.alloc_slice_fill_iter(indices.map(|index| from.get(*index as usize).copied().unwrap_or(missing)))
+}
+
+/// A part of a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Piece {
+    /// Positions of its vertices in the whole mesh.
+    vertices: Vec<u32>,
+    /// Its triangles, by positions in `vertices`.
+    triangles: Vec<[u16; 3]>,
+}
+
+/// Cuts a mesh in pieces of at most `most` vertices and triangles, in the order of its triangles. Pieces join without a gap, as they
+/// have the same vertices where they do.
+fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
+    let most = most.min(usize::from(u16::MAX));
+    if vertices <= most && triangles.len() <= most {
+        let all = (0..vertices as u32).collect();
+        let triangles = triangles.iter().map(|corners| corners.map(|corner| corner as u16)).collect();
+        return vec![Piece { vertices: all, triangles }];
+    }
+    let mut pieces = Vec::new();
+    let mut piece = Piece::default();
+    let mut places = HashMap::new();
+    for corners in triangles {
+        // Three more vertices are the most that a triangle adds.
+        if piece.vertices.len() + 3 > most || piece.triangles.len() >= most {
+            pieces.push(core::mem::take(&mut piece));
+            places.clear();
+        }
+        let triangle = corners.map(|corner| {
+            *places.entry(corner).or_insert_with(|| {
+                piece.vertices.push(corner);
+                (piece.vertices.len() - 1) as u16
+            })
+        });
+        piece.triangles.push(triangle);
+    }
+    pieces.push(piece);
+    pieces
+}
+
+/// Whether a triangle is thicker than two millionths of its sides: twice as thick as the core demands, so that it never refuses a
+/// mesh of which one is.
+fn has_area(triangle: &[u16; 3], vertices: &[Vec3]) -> bool {
+    let [a, b, c] = triangle.map(|corner| vertices.get(usize::from(corner)).copied().unwrap_or(Vec3::ZERO));
+    let (ab, ac) = ((b - a).to::<f64>(), (c - a).to::<f64>());
+    ab.cross(ac).length() > 2e-6 * ab.length() * ac.length()
+}
+
+#[cfg(test)]
+#[allow(clippy::indexing_slicing)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_meshes_are_cut_in_pieces() {
+        // A strip of squares, in pieces of at most ten vertices and six triangles.
+        let squares = (0..50u32).map(|i| [2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3]);
+        let strip: Vec<_> = squares.flat_map(|[a, b, c, d]| [[a, b, c], [c, b, d]]).collect();
+        for most in [3, 6, 10, 99] {
+            let pieces = pieces(&strip, 102, most);
+            let whole = pieces.iter().flat_map(|piece| {
+                assert!(piece.vertices.len() <= most && piece.triangles.len() <= most);
+                piece.triangles.iter().map(|triangle| triangle.map(|at| piece.vertices[usize::from(at)]))
+            });
+            assert_eq!(whole.collect::<Vec<_>>(), strip);
+        }
+        assert_eq!(pieces(&strip, 102, 102).len(), 1);
+    }
+}
