@@ -128,7 +128,8 @@ pub(crate) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// The name of a built-in scene, or a file: Rayline's own (.ron, .rayline), NFF (.nff) or Wavefront OBJ (.obj)
+    /// The name of a built-in scene, or a file: Rayline's own (.ron, .rayline), NFF (.nff), Wavefront
+    /// OBJ (.obj) or glTF (.gltf, .glb)
     #[arg(value_name = "SCENE")]
     pub(crate) source: PathBuf,
 }
@@ -136,7 +137,8 @@ pub(crate) struct SceneArgs {
 /// What decides the colors of the pixels.
 #[derive(Debug, Args)]
 pub(crate) struct Look {
-    /// Width and height in pixels [default: what an .nff file says, else 640x480]
+    /// Width and height in pixels [default: what an .nff file or the camera of a .gltf file says, else
+    /// 640x480]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<(u32, u32)>,
     /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 6 for

@@ -1,7 +1,7 @@
 //! Rayline on the desktop: pictures on several threads, scene files, and what can be measured and watched.
 //!
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
-//! - [`ron`] reads and writes scene files, [`nff`] and [`obj`] read those of others, and [`LoadedScene`] finds a scene by name or file;
+//! - [`ron`] reads and writes scene files, [`nff`], [`obj`] and [`gltf`] read those of others, and [`LoadedScene`] finds a scene by name or file;
 //! - [`SceneFile`] writes scenes, also as Rust source and for POV-Ray;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`Gallery`] renders a directory of scenes and holds them against other number systems and POV-Ray;
@@ -17,6 +17,7 @@ mod convert;
 mod display;
 mod file;
 mod gallery;
+pub mod gltf;
 mod loaded;
 mod model;
 mod nearest;

@@ -10,6 +10,7 @@ use rayline::builtin;
 use rayline::{BytesError, Scene, SceneError};
 
 use crate::RenderOptions;
+use crate::gltf::{self, GltfError};
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
@@ -37,6 +38,7 @@ pub struct LoadedScene<'a> {
 enum Import<'a> {
     Nff(nff::Import<'a>),
     Obj(obj::Import<'a>),
+    Gltf(gltf::Import<'a>),
     Ron(ron::Import<'a>),
     Bytes,
 }
@@ -46,7 +48,7 @@ enum Import<'a> {
 #[non_exhaustive]
 pub enum LoadError {
     /// There is no such built-in scene. Name one that there is, or a file that ends in
-    /// `.ron`, `.rayline`, `.nff` or `.obj`.
+    /// `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb`.
     Unknown {
         /// What was asked for.
         name: String,
@@ -67,6 +69,8 @@ pub enum LoadError {
     },
     /// The file, or one that it names, cannot be read or breaks the grammar of its format. Mend the line.
     Obj(ObjError),
+    /// The file, or one that it names, cannot be read or is broken. Mend the part that the error names.
+    Gltf(GltfError),
     /// The file holds bytes that are no scene. Write it again.
     Bytes {
         /// The file.
@@ -79,7 +83,7 @@ pub enum LoadError {
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads a `.ron`, `.rayline`, `.nff` or `.obj` file into `arena`, or finds a built-in scene.
+    /// Reads a `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb` file into `arena`, or finds a built-in scene.
     ///
     /// # Errors
     /// The scene does not exist or cannot be read.
@@ -94,6 +98,8 @@ impl<'a> LoadedScene<'a> {
             Self::read_nff(source, arena)
         } else if ends_in("obj") {
             Self::read_obj(source, arena)
+        } else if ends_in("gltf") || ends_in("glb") {
+            Self::read_gltf(source, arena)
         } else {
             Self::find(&source.to_string_lossy())
         }
@@ -145,6 +151,18 @@ impl<'a> LoadedScene<'a> {
             bounces: 4,
             notes: import.notes.clone(),
             file: Some((path.to_owned(), Import::Obj(import))),
+        })
+    }
+
+    fn read_gltf(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        let import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
+        Ok(Self {
+            name: name_of(path),
+            scene: import.scene,
+            size: import.resolution,
+            bounces: 4,
+            notes: import.notes.clone(),
+            file: Some((path.to_owned(), Import::Gltf(import))),
         })
     }
 
@@ -211,6 +229,10 @@ impl<'a> LoadedScene<'a> {
                 Some(name) => format!("{}: `{}`: {}", path.display(), name.escape_debug(), error.fault),
                 None => format!("{}: {error}", path.display()),
             },
+            Some((path, Import::Gltf(import))) => match import.name_of(error.part) {
+                Some(name) => format!("{}: {name}: {}", path.display(), error.fault),
+                None => format!("{}: {error}", path.display()),
+            },
             Some((path, Import::Ron(import))) => match import.position_of(error.part) {
                 Some(Position { line, column }) => {
                     format!("{}:{line}:{column}: {}", path.display(), error.fault)
@@ -231,13 +253,14 @@ impl fmt::Display for LoadError {
                 f.write_str(if meant.is_some() { " " } else { ". " })?;
                 write!(
                     f,
-                    "There are {}, and files that end in .ron, .rayline, .nff or .obj",
+                    "There are {}, and files that end in .ron, .rayline, .nff, .obj, .gltf or .glb",
                     names.join(", ")
                 )
             }
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
             Self::Obj(error) => error.fmt(f),
+            Self::Gltf(error) => error.fmt(f),
             Self::Ron(error) => error.fmt(f),
             Self::Bytes { path, error } => write!(f, "{}: {error}", path.display()),
         }
@@ -251,6 +274,7 @@ impl core::error::Error for LoadError {
             Self::Read { error, .. } => Some(error),
             Self::Nff { error, .. } => Some(error),
             Self::Obj(error) => Some(error),
+            Self::Gltf(error) => Some(error),
             Self::Ron(error) => Some(error),
             Self::Bytes { error, .. } => Some(error),
         }

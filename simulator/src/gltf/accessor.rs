@@ -1,0 +1,181 @@
+//! Lists of numbers out of buffers (glTF 2.0 Specification, section 3.6.2).
+
+use gltf_json::Index;
+use gltf_json::accessor::{Accessor, ComponentType, Type};
+use gltf_json::validation::Checked;
+use gltf_json::{Root, buffer};
+
+use super::buffers::Buffers;
+use super::error::{At, GltfFault, Wrong, find, name};
+
+/// The most elements of a list, and the most triangles of a file: what a controller can hold is a thousandth of that.
+pub(super) const MOST: usize = 1 << 22;
+
+/// Reads lists.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lists<'f> {
+    pub(super) root: &'f Root,
+    pub(super) buffers: &'f Buffers<'f>,
+}
+
+impl Lists<'_> {
+    /// How many elements a list has, which may be a lie.
+    pub(super) fn count(&self, index: Index<Accessor>) -> Result<usize, Wrong> {
+        let accessor = find(&self.root.accessors, "accessor", index.value())?;
+        Ok(usize::try_from(accessor.count.0).unwrap_or(usize::MAX))
+    }
+
+    /// A list of vectors. Whole numbers that are `normalized` are shares of their largest.
+    pub(super) fn vectors<const N: usize>(&self, index: Index<Accessor>) -> Result<Vec<[f32; N]>, Wrong> {
+        let (expected, kind) = match N {
+            2 => ("VEC2", Type::Vec2),
+            _ => ("VEC3", Type::Vec3),
+        };
+        self.read(index, (expected, kind), [0.0; N], |bytes, component, normalized| {
+            let mut vector = [0.0; N];
+            for (number, bytes) in vector.iter_mut().zip(bytes.chunks(component.size())) {
+                *number = float(bytes, component, normalized)?;
+                if !number.is_finite() {
+                    return Err(GltfFault::Number { meaning: "a coordinate", found: (*number).into() });
+                }
+            }
+            Ok(vector)
+        })
+    }
+
+    /// A list of the numbers of vertices.
+    pub(super) fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, Wrong> {
+        self.read(index, ("SCALAR", Type::Scalar), 0, |bytes, component, _| whole(bytes, component))
+    }
+
+    fn read<T: Copy>(
+        &self,
+        index: Index<Accessor>,
+        expected: (&'static str, Type),
+        zero: T,
+        element: impl Fn(&[u8], ComponentType, bool) -> Result<T, GltfFault>,
+    ) -> Result<Vec<T>, Wrong> {
+        let accessor = find(&self.root.accessors, "accessor", index.value())?;
+        self.of(accessor, expected, zero, element)
+            .at(|| name("accessor", index.value(), accessor.name.as_ref()))
+    }
+
+    fn of<T: Copy>(
+        &self,
+        accessor: &Accessor,
+        (expected, kind): (&'static str, Type),
+        zero: T,
+        element: impl Fn(&[u8], ComponentType, bool) -> Result<T, GltfFault>,
+    ) -> Result<Vec<T>, Wrong> {
+        let component = component(&accessor.component_type)?;
+        if accessor.type_ != Checked::Valid(kind) {
+            let found = match &accessor.type_ {
+                Checked::Valid(kind) => format!("{kind:?}").to_uppercase(),
+                Checked::Invalid => "what is none of its types".to_owned(),
+            };
+            return Err(GltfFault::Kind { expected, found }.into());
+        }
+        let size = component.size() * kind.multiplicity();
+        let element = |bytes: &[u8]| element(bytes, component, accessor.normalized);
+        let count = counted(accessor.count.0)?;
+        let mut list = match accessor.buffer_view {
+            Some(view) => {
+                let offset = accessor.byte_offset.unwrap_or_default().0;
+                self.strided(view, offset, size, count)?.map(element).collect::<Result<Vec<_>, _>>()?
+            }
+            None => vec![zero; count],
+        };
+        if let Some(sparse) = &accessor.sparse {
+            let count = counted(sparse.count.0)?;
+            let (at, values) = (&sparse.indices, &sparse.values);
+            let component = match &at.component_type {
+                Checked::Valid(component) => component.0,
+                Checked::Invalid => return Err(not_whole("another number").into()),
+            };
+            let places = self.strided(at.buffer_view, at.byte_offset.0, component.size(), count)?;
+            let values = self.strided(values.buffer_view, values.byte_offset.0, size, count)?;
+            for (place, value) in places.zip(values) {
+                let named = whole(place, component)? as usize;
+                let count = list.len();
+                let place = list.get_mut(named);
+                *place.ok_or(GltfFault::Unknown { what: "element", named, count })? = element(value)?;
+            }
+        }
+        Ok(list)
+    }
+
+    /// The bytes of each element; all of them are there.
+    fn strided(
+        &self,
+        view: Index<buffer::View>,
+        offset: u64,
+        size: usize,
+        count: usize,
+    ) -> Result<impl Iterator<Item = &[u8]>, Wrong> {
+        let (bytes, stride) = self.buffers.view(view)?;
+        let stride = stride.unwrap_or(size);
+        if stride < size {
+            let found = format!("a stride of {stride} bytes");
+            return Err(GltfFault::Kind { expected: "one that its elements fit in", found }.into());
+        }
+        let needed = match count.checked_sub(1) {
+            Some(before_last) => (before_last as u64)
+                .saturating_mul(stride as u64)
+                .saturating_add(offset)
+                .saturating_add(size as u64),
+            None => 0,
+        };
+        let given = bytes.len() as u64;
+        if needed > given {
+            return Err(GltfFault::Short { needed, given }.into());
+        }
+        let bytes = bytes.get(usize::try_from(offset).unwrap_or(usize::MAX)..).unwrap_or_default();
+        Ok(bytes.chunks(stride).take(count).filter_map(move |element| element.get(..size)))
+    }
+}
+
+fn counted(count: u64) -> Result<usize, GltfFault> {
+    let counted = usize::try_from(count).ok().filter(|count| *count <= MOST);
+    counted.ok_or(GltfFault::TooMany { what: "elements", most: MOST })
+}
+
+fn component(given: &Checked<gltf_json::accessor::GenericComponentType>) -> Result<ComponentType, GltfFault> {
+    match given {
+        Checked::Valid(component) => Ok(component.0),
+        Checked::Invalid => Err(GltfFault::Kind {
+            expected: "a type of numbers",
+            found: "what is none of its types".to_owned(),
+        }),
+    }
+}
+
+fn not_whole(found: &str) -> GltfFault {
+    GltfFault::Kind { expected: "whole numbers without sign", found: found.to_owned() }
+}
+
+fn whole(bytes: &[u8], component: ComponentType) -> Result<u32, GltfFault> {
+    match (component, bytes) {
+        (ComponentType::U8, [a]) => Ok((*a).into()),
+        (ComponentType::U16, [a, b]) => Ok(u16::from_le_bytes([*a, *b]).into()),
+        (ComponentType::U32, [a, b, c, d]) => Ok(u32::from_le_bytes([*a, *b, *c, *d])),
+        _ => Err(not_whole(&format!("{component:?}"))),
+    }
+}
+
+fn float(bytes: &[u8], component: ComponentType, normalized: bool) -> Result<f32, GltfFault> {
+    // Section 3.11 tells how shares are coded: the smallest number is -1, as is the one above it.
+    let share = |number: f32, largest: f32| {
+        if normalized { (number / largest).max(-1.0) } else { number }
+    };
+    match (component, bytes) {
+        (ComponentType::F32, [a, b, c, d]) => Ok(f32::from_le_bytes([*a, *b, *c, *d])),
+        (ComponentType::U8, [a]) => Ok(share((*a).into(), 255.0)),
+        (ComponentType::I8, [a]) => Ok(share(a.cast_signed().into(), 127.0)),
+        (ComponentType::U16, [a, b]) => Ok(share(u16::from_le_bytes([*a, *b]).into(), 65_535.0)),
+        (ComponentType::I16, [a, b]) => Ok(share(i16::from_le_bytes([*a, *b]).into(), 32_767.0)),
+        _ => Err(GltfFault::Kind {
+            expected: "numbers of 8 or 16 bits, or with a fraction",
+            found: format!("{component:?}"),
+        }),
+    }
+}

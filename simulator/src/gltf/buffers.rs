@@ -1,0 +1,115 @@
+//! The bytes that a file has or names.
+
+use std::borrow::Cow;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use gltf_json::{Index, Root, buffer};
+
+use super::error::{At, GltfFault, Wrong, find, name};
+
+/// The most bytes of all buffers together.
+const MOST: usize = 1 << 30;
+
+/// All buffers of a file.
+#[derive(Debug)]
+pub(super) struct Buffers<'f> {
+    root: &'f Root,
+    /// The folder of the file.
+    folder: &'f Path,
+    bytes: Vec<Cow<'f, [u8]>>,
+}
+
+impl<'f> Buffers<'f> {
+    /// Reads them all; `binary` is the first of a binary file.
+    pub(super) fn read(root: &'f Root, folder: &'f Path, binary: Option<&'f [u8]>) -> Result<Self, Wrong> {
+        let mut all = Self { root, folder, bytes: Vec::new() };
+        let mut sum = 0usize;
+        for (index, buffer) in root.buffers.iter().enumerate() {
+            let bytes = match (&buffer.uri, binary) {
+                (Some(uri), _) => all.resource(uri),
+                (None, Some(binary)) if index == 0 => Ok(Cow::Borrowed(binary)),
+                _ => Err(GltfFault::NoBytes),
+            };
+            let cut = bytes.and_then(|bytes| {
+                let (needed, given) = (buffer.byte_length.0, bytes.len());
+                sum = sum.saturating_add(given);
+                if sum > MOST {
+                    return Err(GltfFault::TooMany { what: "bytes of buffers", most: MOST });
+                }
+                if needed > given as u64 {
+                    return Err(GltfFault::Short { needed, given: given as u64 });
+                }
+                Ok(bytes)
+            });
+            all.bytes.push(cut.at(|| name("buffer", index, buffer.name.as_ref()))?);
+        }
+        Ok(all)
+    }
+
+    /// The bytes of a view, and the distance of its elements if it says one.
+    pub(super) fn view(&self, index: Index<buffer::View>) -> Result<(&[u8], Option<usize>), Wrong> {
+        let view = find(&self.root.buffer_views, "buffer view", index.value())?;
+        let of_view = || {
+            let bytes = find(&self.bytes, "buffer", view.buffer.value())?;
+            let (start, length) = (view.byte_offset.unwrap_or_default().0, view.byte_length.0);
+            let end = start.saturating_add(length);
+            let place = usize::try_from(start).ok().zip(usize::try_from(end).ok());
+            let part = place.and_then(|(start, end)| bytes.get(start..end));
+            part.ok_or(GltfFault::Short { needed: end, given: bytes.len() as u64 })
+        };
+        let bytes = of_view().at(|| name("buffer view", index.value(), view.name.as_ref()))?;
+        Ok((bytes, view.byte_stride.map(|stride| stride.0)))
+    }
+
+    /// What a URI stands for: bytes written in itself, or a file in the folder or below.
+    pub(super) fn resource(&self, uri: &str) -> Result<Cow<'f, [u8]>, GltfFault> {
+        if let Some(data) = strip_scheme(uri, "data:") {
+            let (_, text) = data
+                .split_once(";base64,")
+                .ok_or_else(|| GltfFault::NotBase64("there is no `;base64,` before them".to_owned()))?;
+            let bytes = BASE64_STANDARD.decode(text.trim_ascii());
+            return Ok(Cow::Owned(bytes.map_err(|error| GltfFault::NotBase64(error.to_string()))?));
+        }
+        let path = self.folder.join(below(uri).ok_or_else(|| GltfFault::Outside(uri.to_owned()))?);
+        match fs::read(&path) {
+            Ok(bytes) => Ok(Cow::Owned(bytes)),
+            Err(error) => Err(GltfFault::Unreadable(format!("cannot read {}: {error}", path.display()))),
+        }
+    }
+}
+
+fn strip_scheme<'u>(uri: &'u str, scheme: &str) -> Option<&'u str> {
+    let (start, rest) = uri.split_at_checked(scheme.len())?;
+    start.eq_ignore_ascii_case(scheme).then_some(rest)
+}
+
+/// The path from the folder of the file, if it stays in it.
+fn below(uri: &str) -> Option<PathBuf> {
+    let path = unescaped(uri)?;
+    // A scheme, a drive, or a separator of other systems.
+    if path.is_empty() || path.contains([':', '\\', '\0']) {
+        return None;
+    }
+    let path = PathBuf::from(path);
+    path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)).then_some(path)
+}
+
+/// The text that stands in a URI with some characters written as `%` and two digits.
+fn unescaped(uri: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let [byte, behind @ ..] = rest {
+        rest = behind;
+        if *byte != b'%' {
+            bytes.push(*byte);
+            continue;
+        }
+        let (digits, behind) = rest.split_at_checked(2)?;
+        bytes.push(u8::from_str_radix(core::str::from_utf8(digits).ok()?, 16).ok()?);
+        rest = behind;
+    }
+    String::from_utf8(bytes).ok()
+}

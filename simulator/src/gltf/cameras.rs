@@ -1,0 +1,68 @@
+//! The camera (glTF 2.0 Specification, section 3.10).
+
+use gltf_json::Root;
+use gltf_json::camera::Perspective;
+use rayline::math::Aabb;
+use rayline::{Camera, Vec3};
+
+use super::error::{At, GltfFault, Wrong, find, name};
+use super::nodes::Placed;
+use super::notes::Notes;
+use crate::model::view;
+
+/// A camera, the size of its picture, and what it is called.
+pub(super) type Named = (Camera, (u32, u32), String);
+
+/// The first camera of the scene that is perspective; `None`: there is none.
+pub(super) fn first(
+    root: &Root,
+    nodes: &[Placed<'_>],
+    bounds: Aabb<f32>,
+    notes: &mut Notes,
+) -> Result<Option<Named>, Wrong> {
+    let mut first = None;
+    for placed in nodes {
+        let Some(index) = placed.node.camera else { continue };
+        let camera = find(&root.cameras, "camera", index.value()).at(|| placed.name())?;
+        let called = format!("{}, {}", placed.name(), name("camera", index.value(), camera.name.as_ref()));
+        let Some(perspective) = &camera.perspective else {
+            notes.add(called, "left out: it is not perspective");
+            continue;
+        };
+        if first.is_some() {
+            notes.add(called, "left out, as one camera takes the picture");
+            continue;
+        }
+        let camera = described(placed, perspective, bounds).at(|| called.clone())?;
+        first = Some((camera, size(perspective.aspect_ratio), called));
+    }
+    Ok(first)
+}
+
+fn described(placed: &Placed<'_>, perspective: &Perspective, bounds: Aabb<f32>) -> Result<Camera, GltfFault> {
+    let nothing = || GltfFault::Number { meaning: "the length of its direction", found: 0.0 };
+    let eye = placed.place.point([0.0; 3]);
+    let forward = placed.place.direction([0.0, 0.0, -1.0]).ok_or_else(nothing)?;
+    let up = placed.place.direction([0.0, 1.0, 0.0]).ok_or_else(nothing)?;
+    Ok(Camera {
+        eye,
+        target: eye + forward * depth(eye, forward, bounds),
+        up,
+        vertical_fov: perspective.yfov,
+    })
+}
+
+/// How far along its way a camera comes nearest to the middle of the scene; 1 where it leads away.
+fn depth(eye: Vec3, forward: Vec3, bounds: Aabb<f32>) -> f32 {
+    let depth = (bounds.center() - eye).dot(forward);
+    if depth > 1e-3 { depth } else { 1.0 }
+}
+
+/// Width and height of a picture of this width over height.
+fn size(aspect: Option<f32>) -> (u32, u32) {
+    let (width, height) = view::SIZE;
+    match aspect {
+        Some(aspect) if (0.1..=10.0).contains(&aspect) => ((height as f32 * aspect).round() as u32, height),
+        _ => (width, height),
+    }
+}

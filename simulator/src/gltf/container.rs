@@ -1,0 +1,93 @@
+//! The JSON of a file, and the bytes behind it in a binary one (glTF 2.0 Specification, section 4.4).
+
+use gltf_json::Root;
+use serde::Deserialize;
+
+use super::error::{At, GltfFault, Wrong};
+
+/// What the crate `gltf-json` or this one knows.
+const EXTENSIONS: [&str; 8] = [
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
+
+/// Reads the JSON; the bytes are those of the first buffer.
+pub(super) fn open(bytes: &[u8]) -> Result<(Root, Option<&[u8]>), Wrong> {
+    let (json, buffer) = if bytes.starts_with(b"glTF") { split(bytes)? } else { (bytes, None) };
+    Ok((parse(json)?, buffer))
+}
+
+/// The extensions that a file uses and that are not known.
+pub(super) fn unknown_extensions(used: &[String]) -> impl Iterator<Item = &String> {
+    used.iter().filter(|name| !EXTENSIONS.contains(&name.as_str()))
+}
+
+fn parse(json: &[u8]) -> Result<Root, Wrong> {
+    /// As little as tells the version: in other versions, all else may be different.
+    #[derive(Deserialize)]
+    struct Versioned {
+        asset: Asset,
+    }
+    #[derive(Deserialize)]
+    struct Asset {
+        version: String,
+    }
+    let broken = |error: serde_json::Error| GltfFault::Json(error.to_string());
+    let Versioned { asset: Asset { version } } = serde_json::from_slice(json).map_err(broken)?;
+    if version != "2" && !version.starts_with("2.") {
+        return Err(GltfFault::Version(version).into());
+    }
+    let root: Root = serde_json::from_slice(json).map_err(broken)?;
+    if let Some(name) = unknown_extensions(&root.extensions_required).next() {
+        return Err(GltfFault::Extension(name.clone()).into());
+    }
+    Ok(root)
+}
+
+/// The chunks of a binary file: JSON, and bytes if there are any.
+fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Wrong> {
+    let (header, _) = words::<3>(bytes)?;
+    let [_, version, length] = header;
+    if version != 2 {
+        return Err(GltfFault::Version(version.to_string()).into());
+    }
+    let truncated = || GltfFault::Truncated { needed: length.into(), given: bytes.len() as u64 };
+    let all = usize::try_from(length).ok().and_then(|length| bytes.get(..length)).ok_or_else(truncated)?;
+    let rest = all.get(12..).ok_or_else(truncated)?;
+    let (kind, json, rest) = chunk(rest).at(|| "first chunk".to_owned())?;
+    if kind != u32::from_le_bytes(*b"JSON") {
+        return Err(GltfFault::NoJson.into());
+    }
+    // A file ends here that has all of its bytes elsewhere.
+    if rest.is_empty() {
+        return Ok((json, None));
+    }
+    let (kind, bytes, _) = chunk(rest).at(|| "second chunk".to_owned())?;
+    Ok((json, (kind == u32::from_le_bytes(*b"BIN\0")).then_some(bytes)))
+}
+
+/// What kind the first chunk is of, what is in it, and what follows it.
+fn chunk(bytes: &[u8]) -> Result<(u32, &[u8], &[u8]), GltfFault> {
+    let ([length, kind], rest) = words::<2>(bytes)?;
+    let truncated = || GltfFault::Truncated { needed: length.into(), given: rest.len() as u64 };
+    let split = usize::try_from(length).ok().and_then(|length| rest.split_at_checked(length));
+    let (content, rest) = split.ok_or_else(truncated)?;
+    Ok((kind, content, rest))
+}
+
+/// The first numbers of 32 bits, and what follows them.
+fn words<const N: usize>(bytes: &[u8]) -> Result<([u32; N], &[u8]), GltfFault> {
+    let truncated = || GltfFault::Truncated { needed: 4 * N as u64, given: bytes.len() as u64 };
+    let (head, rest) = bytes.split_at_checked(4 * N).ok_or_else(truncated)?;
+    let mut words = [0; N];
+    for (word, bytes) in words.iter_mut().zip(head.as_chunks::<4>().0) {
+        *word = u32::from_le_bytes(*bytes);
+    }
+    Ok((words, rest))
+}

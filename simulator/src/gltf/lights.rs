@@ -1,0 +1,129 @@
+//! Lights (`KHR_lights_punctual`).
+
+use gltf_json::extensions::scene::khr_lights_punctual::{Light as Punctual, Type};
+use gltf_json::validation::Checked;
+use gltf_json::{Index, Root};
+use rayline::math::Aabb;
+use rayline::{Falloff, Lamp, Light, LightCone, LinearRgb};
+
+use super::error::{At, GltfFault, Wrong, find, name};
+use super::nodes::{Place, Placed};
+use super::notes::Notes;
+
+/// The lights of a scene and what they are called.
+pub(super) type Named = (Vec<Light>, Vec<String>);
+
+/// A light of the file, in the place of a node.
+#[derive(Clone, Debug)]
+struct Lit<'f> {
+    light: &'f Punctual,
+    kind: Type,
+    place: Place,
+    /// By how much it lights a surface in the middle of the scene that faces it, in lux.
+    illuminance: f64,
+    name: String,
+}
+
+/// The nearest distance that a lamp falls off from.
+const NEAREST: f32 = 2e-3;
+
+/// How much brighter than white a surface is lit where a lamp no longer grows brighter.
+const BRIGHTEST: f32 = 16.0;
+
+/// All lights, in such a measure that in the middle of the scene the root of the sum of their squares is white.
+pub(super) fn of(
+    root: &Root,
+    nodes: &[Placed<'_>],
+    bounds: Aabb<f32>,
+    notes: &mut Notes,
+) -> Result<Named, Wrong> {
+    let mut all = Vec::new();
+    for placed in nodes {
+        let extension = placed.node.extensions.as_ref().and_then(|all| all.khr_lights_punctual.as_ref());
+        let Some(extension) = extension else { continue };
+        let lit = lit(root, extension.light, placed, bounds).at(|| placed.name())?;
+        if lit.light.range.is_some() {
+            notes.add(&*lit.name, "its range is left out: it shines for ever");
+        }
+        if lit.illuminance > 0.0 {
+            all.push(lit);
+        } else {
+            notes.add(&*lit.name, "left out: it gives no light");
+        }
+    }
+    let sum: f64 = all.iter().map(|lit| lit.illuminance * lit.illuminance).sum();
+    let white = sum.sqrt();
+    let light = |lit: &Lit<'_>| lit.described(white).at(|| lit.name.clone());
+    let lights = all.iter().map(light).collect::<Result<_, _>>()?;
+    Ok((lights, all.into_iter().map(|lit| lit.name).collect()))
+}
+
+fn lit<'f>(
+    root: &'f Root,
+    index: Index<Punctual>,
+    placed: &Placed<'_>,
+    bounds: Aabb<f32>,
+) -> Result<Lit<'f>, Wrong> {
+    let lights: &[Punctual] = root.as_ref();
+    let light = find(lights, "light", index.value())?;
+    let at = || name("light", index.value(), light.name.as_ref());
+    let [red, green, blue] = light.color;
+    for (meaning, number) in
+        [("its intensity", light.intensity), ("its color", red), ("its color", green), ("its color", blue)]
+    {
+        if !(0.0..=1e9).contains(&number) {
+            return Err(GltfFault::Number { meaning, found: number.into() }).at(at);
+        }
+    }
+    let kind = match &light.type_ {
+        Checked::Valid(kind) => *kind,
+        Checked::Invalid => {
+            let found = "another type".to_owned();
+            return Err(GltfFault::Kind { expected: "a point, spot or directional light", found }).at(at);
+        }
+    };
+    let brightest = f64::from(light.intensity * red.max(green).max(blue));
+    let illuminance = match kind {
+        Type::Directional => brightest,
+        Type::Point | Type::Spot => {
+            // A lamp amid the scene does not stand for what it does to what touches it.
+            let radius = (bounds.max - bounds.min).length() * 0.5;
+            let distance = (placed.place.point([0.0; 3]) - bounds.center()).length().max(radius);
+            brightest / f64::from(distance).powi(2)
+        }
+    };
+    Ok(Lit { light, kind, place: placed.place, illuminance, name: format!("{}, {}", placed.name(), at()) })
+}
+
+impl Lit<'_> {
+    /// The light of the core, where so many lux are white.
+    fn described(&self, white: f64) -> Result<Light, GltfFault> {
+        let Punctual { color: [red, green, blue], intensity, .. } = self.light;
+        let measured = (f64::from(*intensity) / white) as f32;
+        let colored = |strength: f32| {
+            let share = measured * strength;
+            LinearRgb::new(red * share, green * share, blue * share)
+        };
+        let nothing = GltfFault::Number { meaning: "the length of its direction", found: 0.0 };
+        let direction = || self.place.direction([0.0, 0.0, -1.0]).ok_or(nothing);
+        let cone = match (self.kind, &self.light.spot) {
+            (Type::Directional, _) => {
+                return Ok(Light::Directional { direction: direction()?, color: colored(1.0) });
+            }
+            (Type::Point, _) => None,
+            (Type::Spot, spot) => {
+                let angles = spot.as_ref().map(|spot| (spot.inner_cone_angle, spot.outer_cone_angle));
+                let (bright, dark) = angles.unwrap_or((0.0, core::f32::consts::FRAC_PI_4));
+                Some(LightCone { direction: direction()?, bright, dark })
+            }
+        };
+        let brightest = measured * red.max(*green).max(*blue);
+        let distance = (brightest / BRIGHTEST).sqrt().clamp(NEAREST, 1e6);
+        Ok(Light::Lamp(Lamp {
+            position: self.place.point([0.0; 3]),
+            color: colored(1.0 / (distance * distance)),
+            falloff: Falloff::inverse_square(distance),
+            cone,
+        }))
+    }
+}

@@ -1,0 +1,262 @@
+//! Materials (glTF 2.0 Specification, section 3.9 and appendix B); what becomes of them, the table of [`gltf`](super) tells.
+
+use std::collections::HashMap;
+
+use bumpalo::Bump;
+use gltf_json::Root;
+use gltf_json::extensions::material::Volume;
+use gltf_json::material::{AlphaMode, Material as Described};
+use gltf_json::validation::Checked;
+use rayline::limits::MAX_COUNT;
+use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Texture};
+
+use super::error::{At, GltfFault, Wrong, find, name};
+use super::notes::Notes;
+use super::textures::{Coordinates, Picture, Textures};
+
+/// How much of what is diffuse is ambient, as in `obj`.
+const AMBIENT: f32 = 0.1;
+
+/// The largest exponent of a highlight: a smaller spot falls between the pixels of small displays.
+const SMOOTHEST: f32 = 2000.0;
+
+/// The most light that a surface gives off: white is 1, and fixed point holds no more than 127.
+const BRIGHTEST: f32 = 100.0;
+
+/// The materials of a scene, described as objects ask for them.
+#[derive(Debug)]
+pub(super) struct Materials<'a, 'f> {
+    arena: &'a Bump,
+    root: &'f Root,
+    textures: Textures<'a, 'f>,
+    /// By the number in the file, and whether the object has texture coordinates.
+    known: HashMap<(Option<usize>, bool), u16>,
+    pub(super) all: Vec<Material<'a>>,
+    /// What the file calls them.
+    pub(super) names: Vec<String>,
+}
+
+impl<'a, 'f> Materials<'a, 'f> {
+    pub(super) fn new(arena: &'a Bump, root: &'f Root, textures: Textures<'a, 'f>) -> Self {
+        Self { arena, root, textures, known: HashMap::new(), all: Vec::new(), names: Vec::new() }
+    }
+
+    /// What the texture of a material lies by.
+    pub(super) fn coordinates(&self, index: Option<usize>) -> Result<Coordinates, Wrong> {
+        let Some(index) = index else { return Ok(Coordinates::of(None)) };
+        let material = find(&self.root.materials, "material", index)?;
+        Ok(Coordinates::of(material.pbr_metallic_roughness.base_color_texture.as_ref()))
+    }
+
+    /// The number of a material in the scene, for an object that has texture coordinates or not; that of glTF's default where the
+    /// file names none.
+    pub(super) fn id(
+        &mut self,
+        index: Option<usize>,
+        has_uvs: bool,
+        notes: &mut Notes,
+    ) -> Result<u16, Wrong> {
+        if let Some(id) = self.known.get(&(index, has_uvs)) {
+            return Ok(*id);
+        }
+        let too_many = |_| GltfFault::TooMany { what: "materials", most: MAX_COUNT };
+        let id = u16::try_from(self.all.len()).map_err(too_many)?;
+        let default = Described::default();
+        let (described, name) = match index {
+            Some(index) => {
+                let described = find(&self.root.materials, "material", index)?;
+                (described, name("material", index, described.name.as_ref()))
+            }
+            None => (&default, "the default material".to_owned()),
+        };
+        let material = self.material(described, &name, has_uvs, notes).at(|| name.clone())?;
+        self.known.insert((index, has_uvs), id);
+        self.all.push(material);
+        self.names.push(name);
+        Ok(id)
+    }
+
+    fn material(
+        &mut self,
+        described: &Described,
+        name: &str,
+        has_uvs: bool,
+        notes: &mut Notes,
+    ) -> Result<Material<'a>, Wrong> {
+        let pbr = &described.pbr_metallic_roughness;
+        let [red, green, blue, alpha] = pbr.base_color_factor.0.map(share);
+        let factor = [red, green, blue];
+        let mut picture = None;
+        if let Some(info) = &pbr.base_color_texture {
+            picture = self.textures.picture(info.index, notes)?;
+            if !has_uvs && picture.take().is_some() {
+                notes.add(name, "the texture is left out where a mesh has no coordinates for it");
+            }
+        }
+        let (color, mean) = match &picture {
+            Some(picture) => {
+                let [r, g, b] = picture.light();
+                let placed = self.textures.colored(picture, factor)?;
+                (Texture::Placed(placed), rgb([red * r, green * g, blue * b]))
+            }
+            None => (Texture::Solid(rgb(factor)), rgb(factor)),
+        };
+        let extensions = described.extensions.as_ref();
+        let plain = Material { color, ambient: AMBIENT, ..Material::matte(mean) };
+        if extensions.is_some_and(|extensions| extensions.unlit.is_some()) {
+            let seen = Material { ambient: 1.0, diffuse: 0.0, ..plain };
+            return self.faded(seen, described, picture.as_ref(), alpha);
+        }
+
+        let (metallic, roughness) = self.metallic_roughness(described, notes)?;
+        for (left_out, what) in [
+            (described.normal_texture.is_some(), "the normal texture is left out"),
+            (described.occlusion_texture.is_some(), "the occlusion texture is left out"),
+        ] {
+            if left_out {
+                notes.add(name, what);
+            }
+        }
+        let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
+        if transmission.is_some_and(|transmission| transmission.transmission_texture.is_some()) {
+            notes.add(name, "the transmission texture is left out");
+        }
+        let transmittance =
+            transmission.map_or(0.0, |transmission| share(transmission.transmission_factor.0));
+        let volume = extensions.and_then(|extensions| extensions.volume.as_ref());
+        let is_metal = metallic >= 0.5;
+        let is_glass = transmittance > 0.0 && !is_metal;
+        let ior = extensions.and_then(|extensions| Some(extensions.ior.as_ref()?.ior.0)).unwrap_or(1.5);
+        // Fixed point holds no others; the file's 0 asks for a mirror, of which this is near enough.
+        let ior = ior.clamp(0.14, 7.0);
+        let straight = ((ior - 1.0) / (ior + 1.0)).powi(2);
+
+        // Mirrors are sharp here: from half of the roughness on there are none.
+        let sharpness = (1.0 - 2.0 * roughness).max(0.0);
+        let squared = roughness.powi(4);
+        let shininess = (2.0 / squared - 2.0).min(SMOOTHEST);
+        let peak = if is_metal { 1.0 } else { straight } * shininess / 8.0;
+        let specular = peak.min(1.0) * (1.0 - roughness);
+        let material =
+            Material { specular, shininess: if specular > 0.0 { shininess } else { 0.0 }, ..plain };
+        let mut optics = Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN };
+        let material = if is_metal {
+            (optics.fresnel, optics.reflection_color) = (Fresnel::Schlick, mean);
+            let diffuse = 1.0 - sharpness;
+            Material { diffuse, ambient: AMBIENT * diffuse, reflectance: sharpness, ..material }
+        } else if is_glass {
+            optics.fresnel = Fresnel::Exact;
+            optics.transmission_color = rgb(channels(mean).map(f32::sqrt));
+            optics.absorption = absorption(volume);
+            let diffuse = 1.0 - transmittance;
+            Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
+        } else {
+            optics.fresnel = Fresnel::Exact;
+            Material { reflectance: sharpness, ior, ..material }
+        };
+        optics.emission = self.emission(described, name, notes);
+        let material = self.faded(material, described, picture.as_ref(), alpha)?;
+        if material.transmittance > 0.0 && !is_glass {
+            optics.fresnel = Fresnel::Constant;
+        }
+        let is_plain = material.specular <= 0.0
+            && material.reflectance <= 0.0
+            && material.transmittance <= 0.0
+            && optics.emission == Optics::PLAIN.emission;
+        Ok(match is_plain {
+            true => Material { ior: 1.0, ..material },
+            false => Material { optics: Some(self.arena.alloc(optics)), ..material },
+        })
+    }
+
+    /// How metallic and how rough a surface is; of a texture, the mean.
+    fn metallic_roughness(&mut self, described: &Described, notes: &mut Notes) -> Result<(f32, f32), Wrong> {
+        let pbr = &described.pbr_metallic_roughness;
+        let (mut metallic, mut roughness) = (share(pbr.metallic_factor.0), share(pbr.roughness_factor.0));
+        if let Some(info) = &pbr.metallic_roughness_texture
+            && let Some(picture) = self.textures.picture(info.index, notes)?
+        {
+            let [_, rough, metal] = picture.numbers();
+            (metallic, roughness) = (metallic * metal, roughness * rough);
+        }
+        Ok((metallic, roughness))
+    }
+
+    fn emission(&self, described: &Described, name: &str, notes: &mut Notes) -> LinearRgb {
+        if described.emissive_texture.is_some() {
+            notes.add(name, "the emissive texture is left out, and all light that the surface gives off");
+            return Optics::PLAIN.emission;
+        }
+        let strength =
+            described.extensions.as_ref().and_then(|extensions| extensions.emissive_strength.as_ref());
+        let strength = strength.map_or(1.0, |strength| strength.emissive_strength.0);
+        let [r, g, b] = described.emissive_factor.0.map(|factor| (factor * strength).clamp(0.0, BRIGHTEST));
+        LinearRgb::new(r, g, b)
+    }
+
+    /// The material, let through by as much as the file's alpha says.
+    fn faded(
+        &mut self,
+        material: Material<'a>,
+        described: &Described,
+        picture: Option<&Picture>,
+        alpha: f32,
+    ) -> Result<Material<'a>, Wrong> {
+        let cutoff = described.alpha_cutoff.map_or(0.5, |cutoff| cutoff.0);
+        let opacity = move |alpha: f32| match described.alpha_mode {
+            Checked::Valid(AlphaMode::Blend) => alpha,
+            Checked::Valid(AlphaMode::Mask) if alpha < cutoff => 0.0,
+            _ => 1.0,
+        };
+        // Behind glass, alpha has nothing to hide.
+        if material.transmittance > 0.0 {
+            return Ok(material);
+        }
+        let faded = |opacity: f32| Material {
+            ambient: material.ambient * opacity,
+            diffuse: material.diffuse * opacity,
+            specular: material.specular * opacity,
+            reflectance: 0.0,
+            transmittance: 1.0 - opacity,
+            ior: 1.0,
+            ..material
+        };
+        if let Some(picture) = picture
+            && let Some([opaque, clear]) = self.textures.alpha(picture, |texel| opacity(texel * alpha))?
+        {
+            let map = |onto, placed| Map { onto, texture: Texture::Placed(placed) };
+            let [ambient, diffuse, specular] =
+                [Onto::Ambient, Onto::Diffuse, Onto::Specular].map(|onto| map(onto, opaque));
+            let maps = [ambient, diffuse, specular, map(Onto::Transmittance, clear)];
+            let maps = self.arena.alloc_slice_copy(&maps);
+            return Ok(Material { transmittance: 1.0, maps, ..faded(1.0) });
+        }
+        let opacity = opacity(alpha);
+        Ok(if opacity < 1.0 && picture.is_none() { faded(opacity) } else { material })
+    }
+}
+
+/// What is lost on each unit of the way through glass: after the distance that the file says, its color is left.
+fn absorption(volume: Option<&Volume>) -> LinearRgb {
+    let Some(volume) = volume else { return Optics::PLAIN.absorption };
+    let per_unit = 1.0 / volume.attenuation_distance.0;
+    let lost = |left: f32| (-share(left).max(1e-6).ln() * per_unit).clamp(0.0, 1e6);
+    let [r, g, b] = volume.attenuation_color.0.map(lost);
+    if [r, g, b].iter().all(|lost| lost.is_finite()) {
+        LinearRgb::new(r, g, b)
+    } else {
+        Optics::PLAIN.absorption
+    }
+}
+
+fn share(number: f32) -> f32 {
+    number.clamp(0.0, 1.0)
+}
+
+fn rgb([r, g, b]: [f32; 3]) -> LinearRgb {
+    LinearRgb::new(share(r), share(g), share(b))
+}
+
+fn channels(color: LinearRgb) -> [f32; 3] {
+    [color.r, color.g, color.b]
+}

@@ -1,0 +1,230 @@
+//! Models and scenes in glTF 2.0, `.gltf` and `.glb`, as modeling programs and stores of models write them (The Khronos Group, "glTF 2.0
+//! Specification", 2021; ISO/IEC 12113). The crate `gltf-json` reads the JSON; every number in it is checked here.
+//!
+//! What a file says becomes:
+//!
+//! | in the file | in the scene |
+//! |---|---|
+//! | `scene` | that scene; without, the first; without any, all nodes |
+//! | nodes | what hangs on them, where their matrices put it; where one mirrors, triangles are turned so that fronts stay outside |
+//! | a primitive of a mesh, at a node | a mesh; one of more than 65535 vertices or triangles, several |
+//! | triangles, strips, fans | triangles; points and lines are left out |
+//! | `NORMAL` | smooth normals; without, it is flat |
+//! | `TEXCOORD_n` | u, and 1 - v for v, since v grows downward there; n is what the base color texture asks for, else 0; moved, turned and stretched as `KHR_texture_transform` says |
+//! | the first perspective camera of the nodes | the camera; `aspectRatio` becomes the shape of the picture |
+//! | `KHR_lights_punctual` | directional lights, and lamps that fall off with the square of the distance; see below |
+//! | buffers, images | read from the file itself, from `data:` URIs, and from files in its folder or below; from nowhere else |
+//!
+//! A camera or light that is missing is added. Animations, skins (meshes rest as they are written), morph targets, colors of vertices, other
+//! cameras and other scenes are left out, and so are extensions that are not named here. [`Import::notes`] say what was
+//! added and left out.
+//!
+//! # Materials
+//! | in the file | in the scene |
+//! |---|---|
+//! | `baseColorFactor` | the color, in linear light |
+//! | `baseColorTexture` | an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`; beyond its edges as `wrapS` says |
+//! | `metallicFactor` | from 0.5 on, a metal: what it mirrors has its color (Schlick's Fresnel; of a texture, the mean). Below: the color is diffuse, and a clear coat mirrors by Fresnel's equations |
+//! | `roughnessFactor` | mirrors are sharp here, so their share is 1 - 2 roughness, and none from 0.5 on; a metal is diffuse for the rest |
+//! | | the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, up to 2000; its strength (1 - roughness) f n / 8, up to 1 - roughness, where f is 1 for metals, else what the coat mirrors straight on |
+//! | `metallicRoughnessTexture` | its mean, times the factors |
+//! | `emissiveFactor`, `KHR_materials_emissive_strength` | light of its own, up to 100 |
+//! | `KHR_materials_transmission` | glass: the factor is the transmittance; the root of the color at each surface, so that the way in and out has the color. Each surface refracts, so a pane must have two |
+//! | `KHR_materials_ior` | the index of refraction; without, 1.5 |
+//! | `KHR_materials_volume` | absorption in glass, from distance and color |
+//! | `KHR_materials_unlit` | the color, seen without any light |
+//! | `alphaMode` | `BLEND`: what is not opaque is seen through, without refraction; such a surface mirrors nothing. `MASK`: there is all or nothing |
+//! | `doubleSided` | nothing: all surfaces are seen from both sides |
+//!
+//! A tenth of what is diffuse is ambient, as by [`obj`](crate::obj). Normal, occlusion, emissive and transmission textures are left out.
+//!
+//! # Lights
+//! Files measure light in lux and candela, with no word of how bright the picture shall be. So all lights are brought
+//! to one measure: each by what it does to a surface that faces it in the middle of the scene (a lamp that is nearer than half the
+//! diagonal of the scene, at that distance), such that the root of the sum of the squares is white.
+
+mod accessor;
+mod buffers;
+mod cameras;
+mod container;
+mod error;
+mod geometry;
+mod lights;
+mod materials;
+mod nodes;
+mod notes;
+#[cfg(test)]
+mod tests;
+mod textures;
+
+use std::fs;
+use std::path::Path;
+
+use bumpalo::Bump;
+use gltf_json::Root;
+use rayline::limits::MAX_COUNT;
+use rayline::shape::Shape;
+use rayline::{Object, Part, Scene};
+
+use crate::model::view;
+use accessor::{Lists, MOST};
+use buffers::Buffers;
+use error::{At, Wrong, find, name};
+pub use error::{GltfError, GltfFault};
+use geometry::Geometry;
+use materials::Materials;
+use nodes::Placed;
+use notes::Notes;
+use textures::Textures;
+
+/// A scene that was read from a file.
+#[derive(Clone, Debug)]
+pub struct Import<'a> {
+    /// The scene; it is checked when it is prepared.
+    pub scene: Scene<'a>,
+    /// Width and height of the picture that the camera frames.
+    pub resolution: (u32, u32),
+    /// What was added to the file's, and what was left out.
+    pub notes: Vec<String>,
+    names: Names,
+}
+
+/// What the file calls the parts of the scene.
+#[derive(Clone, Debug, Default)]
+struct Names {
+    camera: Option<String>,
+    objects: Vec<String>,
+    materials: Vec<String>,
+    lights: Vec<String>,
+}
+
+impl Import<'_> {
+    /// What the file calls this part of the scene, where to look when the scene is refused. `None` for what is not in the file.
+    pub fn name_of(&self, part: Part) -> Option<&str> {
+        let name = match part {
+            Part::Camera => self.names.camera.as_ref(),
+            Part::Object(index) => self.names.objects.get(index),
+            Part::Material(index) => self.names.materials.get(index),
+            Part::Light(index) => self.names.lights.get(index),
+            _ => None,
+        };
+        name.map(String::as_str)
+    }
+}
+
+/// Reads a scene from a `.gltf` or `.glb` file and the files that it names. Its lists are kept in `arena`.
+///
+/// # Errors
+/// The file that cannot be read, or the part of it that is wrong, and why. A picture that does not exist or is in another
+/// format is no error but a [note](Import::notes).
+pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, GltfError> {
+    let error = |Wrong { place, fault }| GltfError { path: path.to_owned(), place, fault };
+    let unreadable = |reason: std::io::Error| error(GltfFault::Unreadable(reason.to_string()).into());
+    let bytes = fs::read(path).map_err(unreadable)?;
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let mut import = of_bytes(arena, &bytes, folder).map_err(error)?;
+    for note in &mut import.notes {
+        *note = format!("{}: {note}", path.display());
+    }
+    Ok(import)
+}
+
+fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'a>, Wrong> {
+    let (root, binary) = container::open(bytes)?;
+    let buffers = Buffers::read(&root, folder, binary)?;
+    let lists = Lists { root: &root, buffers: &buffers };
+    let mut notes = Notes::default();
+    for extension in container::unknown_extensions(&root.extensions_used) {
+        notes.add(format!("extension `{}`", extension.escape_debug()), "left out, as it is not known here");
+    }
+    for (index, animation) in root.animations.iter().enumerate() {
+        notes.add(name("animation", index, animation.name.as_ref()), "left out: nothing moves");
+    }
+    let nodes = nodes::placed(&root, &mut notes)?;
+    let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
+    let mut names = Names::default();
+    let (mut objects, mut room) = (Vec::new(), MOST);
+    for placed in &nodes {
+        if placed.node.skin.is_some() {
+            notes.add(placed.name(), "its skin is left out");
+        }
+        let mut meshes =
+            Meshes { arena, lists, materials: &mut materials, notes: &mut notes, room: &mut room };
+        meshes.add(&root, placed, &mut objects, &mut names.objects).at(|| placed.name())?;
+    }
+    let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
+    let camera = cameras::first(&root, &nodes, bounds, &mut notes)?;
+    let (lights, of_lights) = lights::of(&root, &nodes, bounds, &mut notes)?;
+    if camera.is_none() {
+        notes.add("no camera", view::SEEN);
+    }
+    if lights.is_empty() {
+        notes.add("no light", format!("it is {}", view::LIT));
+    }
+    let (camera, resolution) = match camera {
+        Some((camera, size, called)) => {
+            names.camera = Some(called);
+            (camera, size)
+        }
+        None => (view::of(bounds), view::SIZE),
+    };
+    (names.materials, names.lights) = (materials.names, of_lights);
+    let scene = Scene {
+        camera,
+        background: view::BACKGROUND,
+        objects: arena.alloc_slice_copy(&objects),
+        materials: arena.alloc_slice_copy(&materials.all),
+        lights: if lights.is_empty() { &view::LIGHTS } else { arena.alloc_slice_copy(&lights) },
+    };
+    Ok(Import { scene, resolution, notes: notes.lines(), names })
+}
+
+/// What is needed to read the meshes of nodes.
+struct Meshes<'s, 'a, 'f> {
+    arena: &'a Bump,
+    lists: Lists<'f>,
+    materials: &'s mut Materials<'a, 'f>,
+    notes: &'s mut Notes,
+    room: &'s mut usize,
+}
+
+impl<'a> Meshes<'_, 'a, '_> {
+    /// Adds the mesh of a node, if it has one, to the objects and what they are called.
+    fn add(
+        &mut self,
+        root: &Root,
+        placed: &Placed<'_>,
+        objects: &mut Vec<Object<Shape<'a>>>,
+        names: &mut Vec<String>,
+    ) -> Result<(), Wrong> {
+        let Some(index) = placed.node.mesh else { return Ok(()) };
+        let mesh = find(&root.meshes, "mesh", index.value())?;
+        for (number, primitive) in mesh.primitives.iter().enumerate() {
+            let called =
+                || format!("{}, primitive {number}", name("mesh", index.value(), mesh.name.as_ref()));
+            let material = primitive.material.map(|material| material.value());
+            let coordinates = self.materials.coordinates(material).at(called)?;
+            let geometry =
+                Geometry::read(self.lists, primitive, &placed.place, &coordinates, self.room).at(called)?;
+            for note in &geometry.notes {
+                self.notes.add(called(), *note);
+            }
+            let meshes = geometry.whole().meshes(self.arena);
+            if meshes.is_empty() {
+                if !geometry.is_empty() {
+                    self.notes.add(called(), "left out: none of its triangles has an area");
+                }
+                continue;
+            }
+            let material = self.materials.id(material, geometry.has_uvs(), self.notes).at(called)?;
+            for mesh in meshes {
+                if objects.len() >= MAX_COUNT {
+                    return Err(GltfFault::TooMany { what: "objects", most: MAX_COUNT }.into());
+                }
+                objects.push(Object::new(Shape::Mesh(mesh), material));
+                names.push(format!("{}, {}", placed.name(), called()));
+            }
+        }
+        Ok(())
+    }
+}

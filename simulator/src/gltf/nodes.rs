@@ -1,0 +1,149 @@
+//! Where the nodes of a scene stand (glTF 2.0 Specification, section 3.5).
+
+use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
+use gltf_json::Root;
+use gltf_json::scene::Node;
+use rayline::Vec3;
+
+use super::error::{At, GltfFault, Wrong, find, name};
+use super::notes::Notes;
+
+/// A node in the scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed<'f> {
+    pub(super) index: usize,
+    pub(super) node: &'f Node,
+    pub(super) place: Place,
+}
+
+impl Placed<'_> {
+    /// What to call it.
+    pub(super) fn name(&self) -> String {
+        name("node", self.index, self.node.name.as_ref())
+    }
+}
+
+/// From the coordinates of a node to those of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place(DAffine3);
+
+impl Place {
+    /// Of the scene itself.
+    const ROOT: Self = Self(DAffine3::IDENTITY);
+
+    fn of(node: &Node) -> Result<DAffine3, GltfFault> {
+        let place = match node.matrix {
+            Some(matrix) => {
+                let matrix = DMat4::from_cols_array(&matrix.map(f64::from));
+                let last = matrix.row(3) - glam::DVec4::W;
+                if last.abs().max_element() > 1e-6 {
+                    return Err(GltfFault::Kind {
+                        expected: "0, 0, 0 and 1 as the last row of its matrix",
+                        found: format!("{}", matrix.row(3)),
+                    });
+                }
+                DAffine3::from_mat4(matrix)
+            }
+            None => {
+                let vector = |given: Option<[f32; 3]>, default| {
+                    given.map_or(default, |vector| DVec3::from_array(vector.map(f64::from)))
+                };
+                let rotation = DQuat::from_array(node.rotation.unwrap_or_default().0.map(f64::from));
+                if rotation.length_squared() <= 0.0 {
+                    return Err(GltfFault::Number { meaning: "the length of its rotation", found: 0.0 });
+                }
+                DAffine3::from_scale_rotation_translation(
+                    vector(node.scale, DVec3::ONE),
+                    rotation.normalize(),
+                    vector(node.translation, DVec3::ZERO),
+                )
+            }
+        };
+        Self::checked(place)
+    }
+
+    fn checked(place: DAffine3) -> Result<DAffine3, GltfFault> {
+        match place.to_cols_array().into_iter().find(|number| !number.is_finite()) {
+            Some(found) => Err(GltfFault::Number { meaning: "a number of its place", found }),
+            None => Ok(place),
+        }
+    }
+
+    /// Whether right and left change places, and so the fronts and backs of triangles.
+    pub(super) fn mirrors(&self) -> bool {
+        self.0.matrix3.determinant() < 0.0
+    }
+
+    /// A point of the node, rounded once.
+    pub(super) fn point(&self, point: [f32; 3]) -> Vec3 {
+        rounded(self.0.transform_point3(DVec3::from_array(point.map(f64::from))))
+    }
+
+    /// What is a direction along the node's surfaces, of length 1; `None` where nothing is left of it.
+    pub(super) fn direction(&self, direction: [f32; 3]) -> Option<Vec3> {
+        let direction = self.0.transform_vector3(DVec3::from_array(direction.map(f64::from)));
+        direction.try_normalize().map(rounded)
+    }
+
+    /// What turns normals so that they stay normal to surfaces: the inverse, transposed, but for its length.
+    pub(super) fn of_normals(&self) -> impl Fn([f32; 3]) -> Vec3 {
+        // The cofactors: where the node is flattened, there is no inverse.
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.0.matrix3;
+        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+        let sign = if self.mirrors() { -1.0 } else { 1.0 };
+        move |normal| {
+            let normal = cofactors * DVec3::from_array(normal.map(f64::from)) * sign;
+            rounded(normal.try_normalize().unwrap_or(DVec3::ZERO))
+        }
+    }
+}
+
+fn rounded(vector: DVec3) -> Vec3 {
+    let [x, y, z] = vector.as_vec3().to_array();
+    Vec3::new(x, y, z)
+}
+
+/// All nodes of the scene that is to be shown, parents before their children.
+pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed<'f>>, Wrong> {
+    let (mut open, mut is_there) = (Vec::new(), vec![false; root.nodes.len()]);
+    let mut placed = Vec::new();
+    for top in tops(root, notes)?.into_iter().rev() {
+        open.push((top, Place::ROOT));
+    }
+    while let Some((index, Place(outer))) = open.pop() {
+        let node = find(&root.nodes, "node", index)?;
+        let at = || name("node", index, node.name.as_ref());
+        if let Some(is_there) = is_there.get_mut(index)
+            && core::mem::replace(is_there, true)
+        {
+            return Err(GltfFault::Repeated).at(at);
+        }
+        let own = Place::of(node).at(at)?;
+        let place = Place(Place::checked(outer * own).at(at)?);
+        for child in node.children.iter().flatten().rev() {
+            find(&root.nodes, "node", child.value()).at(at)?;
+            open.push((child.value(), place));
+        }
+        placed.push(Placed { index, node, place });
+    }
+    Ok(placed)
+}
+
+/// The nodes of the scene that have no parent: those of the scene that the file names, else of its first, else of all.
+fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
+    let named = root.scene.map_or(0, |scene| scene.value());
+    if root.scenes.is_empty() && root.scene.is_none() {
+        let mut is_child = vec![false; root.nodes.len()];
+        for child in root.nodes.iter().flat_map(|node| node.children.iter().flatten()) {
+            if let Some(is_child) = is_child.get_mut(child.value()) {
+                *is_child = true;
+            }
+        }
+        return Ok((0..root.nodes.len()).filter(|index| is_child.get(*index) == Some(&false)).collect());
+    }
+    let scene = find(&root.scenes, "scene", named)?;
+    for (index, other) in root.scenes.iter().enumerate().filter(|(index, _)| *index != named) {
+        notes.add(name("scene", index, other.name.as_ref()), "left out, as one scene alone is shown");
+    }
+    Ok(scene.nodes.iter().map(|node| node.value()).collect())
+}

@@ -1,0 +1,231 @@
+//! Meshes and where they lie.
+
+use rayline::Vec3;
+
+use super::*;
+
+/// The least and greatest of all coordinates.
+fn bounds(mesh: &Mesh<'_>) -> ([f32; 3], [f32; 3]) {
+    let mut bounds = ([f32::MAX; 3], [f32::MIN; 3]);
+    for Vec3 { x, y, z } in mesh.vertices {
+        for (axis, at) in [*x, *y, *z].into_iter().enumerate() {
+            bounds.0[axis] = bounds.0[axis].min(at);
+            bounds.1[axis] = bounds.1[axis].max(at);
+        }
+    }
+    bounds
+}
+
+fn assert_bounds(file: &Value, least: [f32; 3], greatest: [f32; 3]) {
+    with_file(file, |import| {
+        let found = bounds(&mesh(&import, 0));
+        for (found, expected) in [(found.0, least), (found.1, greatest)] {
+            let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-5);
+            assert!(near, "{found:?}, not {expected:?}");
+        }
+    });
+}
+
+/// By how much each triangle, and each of its normals, looks away from a point.
+fn outward(mesh: &Mesh<'_>, from: Vec3) -> Vec<f32> {
+    let triangles = mesh.triangles.iter().flat_map(|corners| {
+        let [a, b, c] = corners.map(|corner| mesh.vertices[usize::from(corner)]);
+        let normal = (b - a).cross(c - a);
+        let smooth = mesh.normals.map_or(normal, |normals| normals[usize::from(corners[0])]);
+        [(a - from).dot(normal), (a - from).dot(smooth)]
+    });
+    triangles.collect()
+}
+
+#[test]
+fn a_cube_is_where_its_nodes_put_it() {
+    let mut file = cube();
+    assert_bounds(&file, [-0.5; 3], [0.5; 3]);
+    let half = core::f32::consts::FRAC_1_SQRT_2;
+    // Stretched, turned upright about z and moved; then twice as large and moved again.
+    file["nodes"] = json!([
+        { "children": [1], "translation": [10, 0, 0], "scale": [2, 2, 2] },
+        { "mesh": 0, "translation": [0, 1, 0], "rotation": [0, 0, half, half], "scale": [1, 2, 3] },
+    ]);
+    assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
+    // The same by matrices, of which each line here is a column.
+    file["nodes"] = json!([
+        { "children": [1], "matrix": [2, 0, 0, 0,  0, 2, 0, 0,  0, 0, 2, 0,  10, 0, 0, 1] },
+        { "mesh": 0, "matrix": [0, 1, 0, 0,  -2, 0, 0, 0,  0, 0, 3, 0,  0, 1, 0, 1] },
+    ]);
+    assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
+    // Without any scene, what is no child is shown.
+    file.as_object_mut().unwrap().remove("scene");
+    file.as_object_mut().unwrap().remove("scenes");
+    assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
+    // A node that is shown twice is two objects.
+    file["nodes"].as_array_mut().unwrap().push(json!({ "name": "Other", "mesh": 0 }));
+    with_file(&file, |import| {
+        assert_eq!(import.scene.objects.len(), 2);
+        assert_eq!(import.name_of(Part::Object(1)), Some("node 2 `Other`, mesh 0 `Cube`, primitive 0"));
+        assert_eq!(import.name_of(Part::Material(0)), Some("material 0 `Red`"));
+        assert_eq!((import.name_of(Part::Object(2)), import.name_of(Part::Camera)), (None, None));
+    });
+}
+
+#[test]
+fn fronts_stay_outside_where_nodes_mirror() {
+    let lists = cube_lists().floats(&corners());
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "NORMAL": 2 }, "indices": 1 }));
+    for scale in [[1, 1, 1], [-1, 1, 1], [-2, -3, 1], [-1, -4, -1]] {
+        file["nodes"][0] = json!({ "mesh": 0, "scale": scale, "translation": [3, 4, 5] });
+        with_file(&file, |import| {
+            let faces = outward(&mesh(&import, 0), Vec3::new(3.0, 4.0, 5.0));
+            assert!(faces.len() == 24 && faces.iter().all(|away| *away > 0.0), "{scale:?}: {faces:?}");
+        });
+    }
+    // A child that mirrors in a parent that does, too.
+    file["nodes"] = json!([{ "children": [1], "scale": [1, 1, -1] }, { "mesh": 0, "scale": [-1, 1, 1] }]);
+    with_file(&file, |import| assert!(outward(&mesh(&import, 0), Vec3::ZERO).iter().all(|away| *away > 0.0)));
+}
+
+#[test]
+fn normals_stay_normal_where_nodes_stretch() {
+    let slope = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, -1.0, 0.0]];
+    let lists = Lists::default().floats(&slope).floats(&[[0.5, 0.5, 0.0]; 3]);
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "NORMAL": 1 } }));
+    file["nodes"][0]["scale"] = json!([2, 1, 1]);
+    with_file(&file, |import| {
+        let mesh = mesh(&import, 0);
+        let expected = Vec3::new(0.2f32.sqrt(), 0.8f32.sqrt(), 0.0);
+        assert!(mesh.normals.unwrap().iter().all(|normal| (*normal - expected).length() < 1e-6));
+        assert_eq!(mesh.vertices[2], Vec3::new(2.0, -1.0, 0.0));
+    });
+    // Flattened, there is no inverse.
+    let lists = Lists::default().floats(&slope).floats(&[[0.0, 1.0, 0.0]; 3]);
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "NORMAL": 1 } }));
+    file["nodes"][0]["scale"] = json!([1, 0, 1]);
+    with_file(&file, |import| {
+        assert_eq!(mesh(&import, 0).normals.unwrap(), [Vec3::new(0.0, 1.0, 0.0); 3]);
+    });
+}
+
+#[test]
+fn strips_and_fans_are_triangles() {
+    let points: Vec<_> = (0..6u8).map(|i| [f32::from(i), f32::from(i * i), 1.0]).collect();
+    let lists = Lists::default().floats(&points).corners(&[5, 4, 3, 2, 1]);
+    let triangles = |mode: u8, indices: Option<u8>| {
+        let mut primitive = json!({ "attributes": { "POSITION": 0 }, "mode": mode });
+        if let Some(indices) = indices {
+            primitive["indices"] = json!(indices);
+        }
+        with_file(&lists.file(primitive), |import| mesh(&import, 0).triangles.to_vec())
+    };
+    assert_eq!(triangles(4, None), [[0, 1, 2], [3, 4, 5]]);
+    // What is left over is no triangle.
+    assert_eq!(triangles(4, Some(1)), [[5, 4, 3]]);
+    assert_eq!(triangles(5, None), [[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]]);
+    assert_eq!(triangles(6, Some(1)), [[4, 3, 5], [3, 2, 5], [2, 1, 5]]);
+}
+
+#[test]
+fn numbers_are_read_in_all_types_and_steps() {
+    // Between positions of signed bytes lies a byte that is none.
+    let bytes = [0, 0, 127, 9, 127, 0, 0, 9, 0, 0x80, 0, 9];
+    let lists = Lists::default()
+        .list(&bytes, json!({ "componentType": 5120, "count": 3, "type": "VEC3", "normalized": true }))
+        .list(&[0, 1, 2], json!({ "componentType": 5121, "count": 3, "type": "SCALAR" }));
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0 }, "indices": 1 }));
+    file["bufferViews"][0]["byteStride"] = json!(4);
+    file["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
+    let vertices = |file: &Value| with_file(file, |import| mesh(&import, 0).vertices.to_vec());
+    let [x, y, z] = [(1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0)].map(|(x, y, z)| Vec3::new(x, y, z));
+    assert_eq!(vertices(&file), [z, x, y]);
+    file["accessors"][0]["normalized"] = json!(false);
+    assert_eq!(vertices(&file), [z * 127.0, x * 127.0, y * 128.0]);
+
+    // Zeros, but for two elements.
+    let lists = Lists::default().corners(&[1, 2]).floats(&[[1.0f32, 0.0, 0.0], [0.0, 1.0, 0.0]]).list(
+        &[0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0],
+        json!({ "componentType": 5125, "count": 3, "type": "SCALAR" }),
+    );
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 3 }, "indices": 2 }));
+    let sparse = json!({
+        "count": 2,
+        "indices": { "bufferView": 0, "byteOffset": 0, "componentType": 5123 },
+        "values": { "bufferView": 1, "byteOffset": 0 },
+    });
+    let accessor = json!({ "componentType": 5126, "count": 3, "type": "VEC3", "sparse": sparse });
+    file["accessors"].as_array_mut().unwrap().push(accessor);
+    assert_eq!(vertices(&file), [Vec3::ZERO, x, -y]);
+}
+
+#[test]
+fn texture_coordinates_grow_upward() {
+    let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let lists = Lists::default().floats(&triangle).floats(&[[0.0, 0.0], [1.0, 0.25], [-2.0, 3.0]]);
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 } }));
+    let uvs = |file: &Value| with_file(file, |import| mesh(&import, 0).uvs.map(<[_]>::to_vec));
+    assert_eq!(uvs(&file).unwrap(), [[0.0, 1.0], [1.0, 0.75], [-2.0, -2.0]]);
+    // As shares of what 16 bits hold.
+    file["accessors"][1] =
+        json!({ "bufferView": 0, "componentType": 5123, "count": 3, "type": "VEC2", "normalized": true });
+    assert_eq!(uvs(&file).unwrap().len(), 3);
+
+    let lists = Lists::default().floats(&triangle).floats(&[[0.0, 0.0], [1.0, 0.0], [-2.0, 70.0]]);
+    let file = lists.file(json!({ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 } }));
+    assert_eq!(uvs(&file), None);
+    let note =
+        "model.gltf: mesh 0 `Cube`, primitive 0: texture coordinates are left out: some are beyond ±59";
+    assert_eq!(notes(&file), [note]);
+}
+
+#[test]
+fn large_meshes_are_several() {
+    let side = 300u32;
+    let points: Vec<_> = (0..side * side).map(|i| [(i % side) as f32, (i / side) as f32, 0.0]).collect();
+    let starts = (0..side * (side - 1)).filter(|i| i % side != side - 1);
+    let corners: Vec<u8> = starts
+        .flat_map(|i| [i, i + 1, i + side, i + 1, i + 1 + side, i + side])
+        .flat_map(u32::to_le_bytes)
+        .collect();
+    let count = corners.len() / 4;
+    let lists = Lists::default()
+        .floats(&points)
+        .list(&corners, json!({ "componentType": 5125, "count": count, "type": "SCALAR" }));
+    with_file(&lists.file(json!({ "attributes": { "POSITION": 0 }, "indices": 1 })), |import| {
+        let meshes: Vec<_> = (0..import.scene.objects.len()).map(|index| mesh(&import, index)).collect();
+        assert!(meshes.len() >= 3);
+        assert_eq!(meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>(), count / 3);
+    });
+}
+
+#[test]
+fn what_is_left_out_is_said() {
+    let mut file = cube();
+    file["meshes"][0]["primitives"][0]["targets"] = json!([{ "POSITION": 0 }]);
+    file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = json!(0);
+    let lines = json!({ "attributes": { "POSITION": 0 }, "mode": 1 });
+    let empty = json!({ "attributes": { "POSITION": 0 }, "indices": 2 });
+    file["meshes"].as_array_mut().unwrap().push(json!({ "primitives": [lines, lines, empty] }));
+    file["accessors"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({ "componentType": 5123, "count": 3, "type": "SCALAR" }));
+    file["nodes"] = json!([{ "mesh": 0, "skin": 0 }, { "mesh": 1 }]);
+    file["skins"] = json!([{ "joints": [0] }]);
+    file["scenes"] = json!([{ "nodes": [0, 1] }, { "name": "Attic", "nodes": [0] }]);
+    file["extensionsUsed"] = json!(["KHR_materials_ior", "KHR_materials_clearcoat"]);
+    file["animations"] = json!([{ "name": "Turn", "channels": [], "samplers": [] }]);
+    let expected = [
+        "extension `KHR_materials_clearcoat`: left out, as it is not known here",
+        "animation 0 `Turn`: left out: nothing moves",
+        "scene 1 `Attic`: left out, as one scene alone is shown",
+        "node 0: its skin is left out",
+        "mesh 0 `Cube`, primitive 0: morph targets are left out",
+        "mesh 0 `Cube`, primitive 0: colors of vertices are left out",
+        "mesh 1, primitive 0, and 1 more: points and lines are left out",
+        "mesh 1, primitive 2: left out: none of its triangles has an area",
+    ];
+    assert_eq!(notes(&file), expected.map(|note| format!("model.gltf: {note}")));
+    with_file(&cube(), |import| {
+        assert_eq!(import.notes.len(), 2, "{:?}", import.notes);
+        assert!(import.notes[0].starts_with("model.gltf: no camera: all of it is seen from the front"));
+        assert_eq!(import.notes[1], "model.gltf: no light: it is lit from the upper left");
+    });
+}

@@ -1,0 +1,334 @@
+//! Materials and textures.
+
+use std::io::Cursor;
+
+use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
+use rayline::{
+    Encoding, Ends, Figure, Filter, Fresnel, Highlight, Image, LinearRgb, Material, Onto, Optics, Pixels,
+    Placed, Texture,
+};
+
+use super::*;
+
+/// The material of the cube where the file describes it so.
+fn with_material(material: Value, look: impl FnOnce(Material<'_>)) {
+    let mut file = cube();
+    file["materials"] = json!([material]);
+    with_file(&file, |import| look(import.scene.materials[0]));
+}
+
+fn pbr(base: [f32; 4], metallic: f32, roughness: f32) -> Value {
+    json!({ "pbrMetallicRoughness": {
+        "baseColorFactor": base, "metallicFactor": metallic, "roughnessFactor": roughness,
+    } })
+}
+
+const RED: LinearRgb = LinearRgb::new(0.75, 0.25, 0.0);
+const MATTE_RED: Material<'static> = Material { ambient: 0.1, ..Material::matte(RED) };
+
+#[test]
+fn rough_plastic_is_matte() {
+    with_material(pbr([0.75, 0.25, 0.0, 0.5], 0.0, 1.0), |material| assert_eq!(material, MATTE_RED));
+    // Without any material it is a white metal, but as rough as can be.
+    let mut file = cube();
+    file["meshes"][0]["primitives"][0].as_object_mut().unwrap().remove("material");
+    with_file(&file, |import| {
+        let Material { color, diffuse, reflectance, .. } = import.scene.materials[0];
+        assert_eq!((color, diffuse, reflectance), (Texture::Solid(LinearRgb::WHITE), 1.0, 0.0));
+        assert_eq!(import.name_of(Part::Material(0)), Some("the default material"));
+    });
+}
+
+#[test]
+fn smooth_plastic_has_a_coat_that_mirrors() {
+    with_material(pbr([0.75, 0.25, 0.0, 1.0], 0.0, 0.25), |material| {
+        // 2 / 0.25⁴ - 2, and (1 - 0.25) 0.04 n / 8, which is more than 1 - 0.25.
+        assert_eq!((material.shininess, material.specular), (510.0, 0.75));
+        assert_eq!((material.diffuse, material.reflectance, material.ior), (1.0, 0.5, 1.5));
+        let optics = Optics { highlight: Highlight::BlinnPhong, fresnel: Fresnel::Exact, ..Optics::PLAIN };
+        assert_eq!(material.optics, Some(&optics));
+    });
+    with_material(pbr([0.75, 0.25, 0.0, 1.0], 0.0, 0.5), |material| {
+        assert_eq!((material.shininess, material.reflectance), (30.0, 0.0));
+        assert!((material.specular - 0.5 * 0.04 * 30.0 / 8.0).abs() < 1e-6);
+    });
+    with_material(pbr([1.0; 4], 0.0, 0.0), |material| {
+        assert_eq!((material.shininess, material.specular, material.reflectance), (2000.0, 1.0, 1.0));
+    });
+}
+
+#[test]
+fn metals_mirror_in_their_color() {
+    with_material(pbr([0.75, 0.25, 0.0, 1.0], 1.0, 0.125), |material| {
+        assert_eq!((material.diffuse, material.reflectance, material.transmittance), (0.25, 0.75, 0.0));
+        let optics = material.optics.unwrap();
+        assert_eq!((optics.fresnel, optics.reflection_color), (Fresnel::Schlick, RED));
+    });
+}
+
+#[test]
+fn glass_refracts_and_absorbs() {
+    let mut glass = pbr([0.25, 1.0, 0.0, 1.0], 0.0, 0.0);
+    glass["extensions"] = json!({
+        "KHR_materials_transmission": { "transmissionFactor": 0.75 },
+        "KHR_materials_ior": { "ior": 1.25 },
+        "KHR_materials_volume": { "attenuationDistance": 2, "attenuationColor": [0.5, 1, 1] },
+    });
+    with_material(glass, |material| {
+        assert_eq!((material.diffuse, material.transmittance, material.ior), (0.25, 0.75, 1.25));
+        let optics = material.optics.unwrap();
+        assert_eq!(
+            (optics.fresnel, optics.transmission_color),
+            (Fresnel::Exact, LinearRgb::new(0.5, 1.0, 0.0))
+        );
+        // Half of the red is left after two units.
+        assert!(((-2.0 * optics.absorption.r).exp() - 0.5).abs() < 1e-6);
+        assert_eq!((optics.absorption.g, optics.absorption.b), (0.0, 0.0));
+    });
+    let window = json!({ "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": {} },
+        "pbrMetallicRoughness": { "metallicFactor": 0 } });
+    with_material(window, |material| {
+        assert_eq!((material.diffuse, material.transmittance, material.ior), (0.0, 1.0, 1.5));
+        assert_eq!(material.optics.unwrap().absorption, Optics::PLAIN.absorption);
+    });
+}
+
+#[test]
+fn what_glows_and_what_fades() {
+    let mut lamp = pbr([0.0, 0.0, 0.0, 1.0], 0.0, 1.0);
+    lamp["emissiveFactor"] = json!([1, 0.5, 0]);
+    lamp["extensions"] = json!({ "KHR_materials_emissive_strength": { "emissiveStrength": 4 } });
+    with_material(lamp, |material| {
+        assert_eq!(material.optics.unwrap().emission, LinearRgb::new(4.0, 2.0, 0.0));
+    });
+    let mut unlit = pbr([0.75, 0.25, 0.0, 1.0], 1.0, 0.0);
+    unlit["extensions"] = json!({ "KHR_materials_unlit": {} });
+    with_material(unlit, |material| {
+        assert_eq!(material, Material { ambient: 1.0, diffuse: 0.0, ..Material::matte(RED) });
+    });
+    let mut veil = pbr([0.75, 0.25, 0.0, 0.25], 0.0, 1.0);
+    veil["alphaMode"] = json!("BLEND");
+    with_material(veil.clone(), |material| {
+        let expected = Material { ambient: 0.025, diffuse: 0.25, transmittance: 0.75, ..MATTE_RED };
+        assert_eq!(Material { optics: None, ..material }, expected);
+    });
+    veil["alphaMode"] = json!("MASK");
+    with_material(veil.clone(), |material| {
+        assert_eq!((material.diffuse, material.transmittance), (0.0, 1.0))
+    });
+    veil["alphaCutoff"] = json!(0.25);
+    with_material(veil, |material| assert_eq!(material, MATTE_RED));
+}
+
+#[test]
+fn numbers_beyond_their_range_are_brought_into_it() {
+    let mut wild = pbr([1e38, -5.0, 2.0, 1.0], 0.0, -7.0);
+    wild["emissiveFactor"] = json!([1e30, -1, 0]);
+    wild["extensions"] = json!({
+        "KHR_materials_transmission": { "transmissionFactor": 9 },
+        "KHR_materials_ior": { "ior": 0 },
+        "KHR_materials_volume": { "attenuationDistance": 0, "attenuationColor": [2, 0, 0] },
+        "KHR_materials_emissive_strength": { "emissiveStrength": 1e30 },
+    });
+    let mut file = cube();
+    file["materials"] = json!([wild]);
+    with_file(&file, |import| crate::check(&import.scene).unwrap());
+}
+
+/// Red and green above, blue and white below; the white is half clear.
+const PIXELS: [u8; 16] = [255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 128];
+
+fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
+    let mut bytes = Cursor::new(Vec::new());
+    image.write_to(&mut bytes, format).unwrap();
+    bytes.into_inner()
+}
+
+fn picture() -> Vec<u8> {
+    encoded(&RgbaImage::from_raw(2, 2, PIXELS.to_vec()).unwrap().into(), ImageFormat::Png)
+}
+
+/// A triangle with coordinates in sets 0 and 1, and a picture on it.
+fn textured() -> Value {
+    let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let lists = Lists::default().floats(&triangle).floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).floats(&[
+        [0.5, 0.5],
+        [1.0, 0.0],
+        [0.0, 1.0],
+    ]);
+    let attributes = json!({ "POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 2 });
+    let mut file = lists.file(json!({ "attributes": attributes, "material": 0 }));
+    file["materials"] =
+        json!([{ "pbrMetallicRoughness": { "metallicFactor": 0, "baseColorTexture": { "index": 0 } } }]);
+    file["textures"] = json!([{ "source": 0, "sampler": 0 }]);
+    file["images"] = json!([{ "uri": uri(&picture()) }]);
+    file["samplers"] = json!([{ "wrapS": 33071, "wrapT": 33648 }]);
+    file
+}
+
+fn image<'a>(texture: Texture<'a>) -> Image<'a> {
+    let Texture::Placed(Placed { figure: Figure::Image(image), .. }) = texture else {
+        unreachable!("{texture:?}")
+    };
+    *image
+}
+
+#[test]
+fn pictures_lie_on_surfaces() {
+    let mut file = textured();
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        let expected = Image {
+            width: 2,
+            height: 2,
+            pixels: Pixels::Rgb888(&[255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255]),
+            encoding: Encoding::Srgb,
+            filter: Filter::Bilinear,
+            ends: Ends::Extend,
+        };
+        assert_eq!((image(material.color), material.maps), (expected, &[][..]));
+        assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.0, 1.0]);
+        crate::check(&import.scene).unwrap();
+    });
+    assert_eq!(
+        notes(&file),
+        ["model.gltf: texture 0: beyond its upper and lower edge it goes on as beyond the others"]
+    );
+    // Half of the light is code 188; a metal takes on the mean.
+    let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
+    pbr["baseColorFactor"] = json!([0.5, 1, 1, 1]);
+    pbr["metallicFactor"] = json!(1);
+    pbr["roughnessFactor"] = json!(0);
+    file["samplers"] = json!([{ "magFilter": 9728, "wrapS": 33648, "wrapT": 33648 }]);
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        let image = image(material.color);
+        assert_eq!((image.filter, image.ends), (Filter::Nearest, Ends::Mirror));
+        assert_eq!(image.pixels, Pixels::Rgb888(&[188, 0, 0, 0, 255, 0, 0, 0, 255, 188, 255, 255]));
+        assert_eq!(material.optics.unwrap().reflection_color, LinearRgb::new(0.25, 0.5, 0.5));
+    });
+}
+
+#[test]
+fn textures_choose_and_move_their_coordinates() {
+    let first = |info: Value| {
+        let mut file = textured();
+        file["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = info;
+        with_file(&file, |import| mesh(&import, 0).uvs.unwrap()[1])
+    };
+    assert_eq!(first(json!({ "index": 0, "texCoord": 0 })), [1.0, 1.0]);
+    let moved = |transform: Value| {
+        first(json!({ "index": 0, "texCoord": 1, "extensions": { "KHR_texture_transform": transform } }))
+    };
+    assert_eq!(moved(json!({})), [1.0, 1.0]);
+    assert_eq!(moved(json!({ "offset": [0.25, 0.5], "scale": [3, 2] })), [3.25, 0.5]);
+    // Counterclockwise, where v grows downward: from the right up.
+    let [u, v] = moved(json!({ "rotation": core::f32::consts::FRAC_PI_2 }));
+    assert!(u.abs() < 1e-6 && (v - 2.0).abs() < 1e-6, "{u}, {v}");
+}
+
+#[test]
+fn alpha_of_pictures_is_seen_through() {
+    let mut file = textured();
+    file["materials"][0]["alphaMode"] = json!("BLEND");
+    let palettes = |file: &Value| {
+        with_file(file, |import| {
+            let material = import.scene.materials[0];
+            crate::check(&import.scene).unwrap();
+            assert_eq!((material.diffuse, material.transmittance, material.ior), (1.0, 1.0, 1.0));
+            let map = |onto| image(material.maps.iter().find(|map| map.onto == onto).unwrap().texture);
+            [Onto::Diffuse, Onto::Transmittance].map(|onto| {
+                let Pixels::Palette8 { indices, palette } = map(onto).pixels else { unreachable!() };
+                [0, 3].map(|pixel: usize| palette[usize::from(indices[pixel])])
+            })
+        })
+    };
+    assert_eq!(palettes(&file), [[[255; 3], [128; 3]], [[0; 3], [127; 3]]]);
+    file["materials"][0]["alphaMode"] = json!("MASK");
+    file["materials"][0]["alphaCutoff"] = json!(0.6);
+    assert_eq!(palettes(&file), [[[255; 3], [0; 3]], [[0; 3], [255; 3]]]);
+    // All of it is there.
+    file["materials"][0]["alphaCutoff"] = json!(0.5);
+    with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
+}
+
+#[test]
+fn of_pictures_of_metal_and_roughness_the_mean_counts() {
+    let mut file = textured();
+    file["images"][0]["uri"] = json!(uri(&encoded(
+        &RgbImage::from_raw(1, 2, vec![9, 255, 0, 9, 0, 255]).unwrap().into(),
+        ImageFormat::Png
+    )));
+    file["materials"] = json!([{ "pbrMetallicRoughness": {
+        "metallicFactor": 0.8, "roughnessFactor": 0.5, "metallicRoughnessTexture": { "index": 0 },
+    } }]);
+    with_file(&file, |import| {
+        // 0.4 and 0.25.
+        assert_eq!((import.scene.materials[0].reflectance, import.scene.materials[0].diffuse), (0.5, 1.0));
+    });
+}
+
+#[test]
+fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("my pictures")).unwrap();
+    let jpeg = encoded(&RgbImage::from_pixel(8, 8, image::Rgb([200; 3])).into(), ImageFormat::Jpeg);
+    fs::write(folder.path().join("my pictures/gray.jpg"), jpeg).unwrap();
+    let mut file = textured();
+    file["images"][0]["uri"] = json!("my%20pictures/./gray.jpg");
+    let path = folder.path().join("model.gltf");
+    fs::write(&path, file.to_string()).unwrap();
+    let arena = Bump::new();
+    let import = read(&arena, &path).unwrap();
+    let Pixels::Rgb888(pixels) = image(import.scene.materials[0].color).pixels else { unreachable!() };
+    assert!(pixels.len() == 192 && pixels.iter().all(|code| code.abs_diff(200) <= 2), "{pixels:?}");
+
+    let bytes = picture();
+    file["images"][0] = json!({ "bufferView": 3, "mimeType": "image/png" });
+    file["buffers"].as_array_mut().unwrap().push(json!({ "uri": uri(&bytes), "byteLength": bytes.len() }));
+    let view = json!({ "buffer": 1, "byteLength": bytes.len() });
+    file["bufferViews"].as_array_mut().unwrap().push(view);
+    with_file(&file, |import| assert_eq!(image(import.scene.materials[0].color).width, 2));
+}
+
+#[test]
+fn what_is_left_out_of_materials_is_said() {
+    let mut file = textured();
+    file["samplers"] = json!([{}]);
+    file["materials"][0]["normalTexture"] = json!({ "index": 0 });
+    file["materials"][0]["occlusionTexture"] = json!({ "index": 0 });
+    file["materials"][0]["emissiveTexture"] = json!({ "index": 0 });
+    file["materials"][0]["emissiveFactor"] = json!([1, 1, 1]);
+    file["materials"][0]["extensions"] = json!({ "KHR_materials_transmission": { "transmissionFactor": 1, "transmissionTexture": { "index": 0 } } });
+    let expected = [
+        "the normal texture is left out",
+        "the occlusion texture is left out",
+        "the transmission texture is left out",
+        "the emissive texture is left out, and all light that the surface gives off",
+    ];
+    assert_eq!(notes(&file), expected.map(|note| format!("model.gltf: material 0: {note}")));
+
+    // Two meshes of one material, of which one has no coordinates, are of two in the scene.
+    let mut file = textured();
+    file["samplers"] = json!([{}]);
+    let bare = json!({ "attributes": { "POSITION": 0 }, "material": 0 });
+    file["meshes"][0]["primitives"].as_array_mut().unwrap().push(bare);
+    let note = "model.gltf: material 0: the texture is left out where a mesh has no coordinates for it";
+    assert_eq!(notes(&file), [note]);
+    with_file(&file, |import| {
+        assert_eq!(import.scene.materials.len(), 2);
+        assert_eq!(import.scene.materials[1].color, Texture::Solid(LinearRgb::WHITE));
+    });
+
+    // Of pictures that cannot be read, the rest of the file is shown.
+    file["images"][0]["uri"] = json!("none.png");
+    assert!(
+        notes(&file)[0].starts_with("model.gltf: image 0: left out: cannot read none.png: "),
+        "{:?}",
+        notes(&file)
+    );
+    file["images"][0]["uri"] = json!(uri(b"no picture"));
+    assert!(notes(&file)[0].starts_with("model.gltf: image 0: left out: "), "{:?}", notes(&file));
+    file["textures"] = json!([{ "extensions": { "EXT_texture_webp": { "source": 0 } } }]);
+    assert_eq!(notes(&file)[0], "model.gltf: texture 0: left out: it is of another format than PNG and JPEG");
+}
