@@ -20,6 +20,9 @@ const AMBIENT: f32 = 0.1;
 /// The largest exponent of a highlight: a smaller spot falls between the pixels of small displays.
 const SMOOTHEST: f32 = 2000.0;
 
+/// The strength of a highlight that is still seen: one of 256 levels.
+const FAINTEST: f32 = 1.0 / 256.0;
+
 /// The most light that a surface gives off: white is 1, and fixed point holds no more than 127.
 const BRIGHTEST: f32 = 100.0;
 
@@ -136,7 +139,9 @@ impl<'a, 'f> Materials<'a, 'f> {
         let squared = roughness.powi(4);
         let shininess = (2.0 / squared - 2.0).min(SMOOTHEST);
         let peak = if is_metal { 1.0 } else { straight } * shininess / 8.0;
-        let specular = peak.min(1.0) * (1.0 - roughness);
+        let strength = peak.min(1.0) * (1.0 - roughness);
+        // What no display shows is not worth the time.
+        let specular = if strength < FAINTEST { 0.0 } else { strength };
         let material =
             Material { specular, shininess: if specular > 0.0 { shininess } else { 0.0 }, ..plain };
         let mut optics = Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN };

@@ -26,7 +26,7 @@
 //! | `baseColorTexture` | an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`; beyond its edges as `wrapS` says |
 //! | `metallicFactor` | from 0.5 on, a metal: what it mirrors has its color (Schlick's Fresnel; of a texture, the mean). Below: the color is diffuse, and a clear coat mirrors by Fresnel's equations |
 //! | `roughnessFactor` | mirrors are sharp here, so their share is 1 - 2 roughness, and none from 0.5 on; a metal is diffuse for the rest |
-//! | | the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, up to 2000; its strength (1 - roughness) f n / 8, up to 1 - roughness, where f is 1 for metals, else what the coat mirrors straight on |
+//! | | the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, up to 2000; its strength (1 - roughness) f n / 8, up to 1 - roughness, where f is 1 for metals, else what the coat mirrors straight on; none below 1/256 |
 //! | `metallicRoughnessTexture` | its mean, times the factors |
 //! | `emissiveFactor`, `KHR_materials_emissive_strength` | light of its own, up to 100 |
 //! | `KHR_materials_transmission` | glass: the factor is the transmittance; the root of the color at each surface, so that the way in and out has the color. Each surface refracts, so a pane must have two |

@@ -28,7 +28,11 @@ const MATTE_RED: Material<'static> = Material { ambient: 0.1, ..Material::matte(
 
 #[test]
 fn rough_plastic_is_matte() {
-    with_material(pbr([0.75, 0.25, 0.0, 0.5], 0.0, 1.0), |material| assert_eq!(material, MATTE_RED));
+    for roughness in [0.9, 1.0] {
+        with_material(pbr([0.75, 0.25, 0.0, 0.5], 0.0, roughness), |material| {
+            assert_eq!(material, MATTE_RED)
+        });
+    }
     // Without any material it is a white metal, but as rough as can be.
     let mut file = cube();
     file["meshes"][0]["primitives"][0].as_object_mut().unwrap().remove("material");
