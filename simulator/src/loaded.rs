@@ -186,7 +186,7 @@ impl<'a> LoadedScene<'a> {
     }
 
     fn find(name: &str) -> Result<Self, LoadError> {
-        let builtin = builtin::ALL.iter().find(|builtin| builtin.name == name);
+        let builtin = builtin::all().find(|builtin| builtin.name == name);
         let builtin = builtin.ok_or_else(|| LoadError::Unknown { name: name.to_owned() })?;
         Ok(Self {
             name: builtin.name.to_owned(),

@@ -1,12 +1,14 @@
 //! Scenes to start with: `static`, so that firmware can draw them from flash.
 
 mod classic;
+mod costs;
 mod flake;
 mod prism;
 mod table;
 mod whitted;
 
 pub use classic::CLASSIC;
+pub use costs::{CSG, MESH, SPHERES, TORUS};
 pub use flake::{FLAKE, FLAKE_10, FLAKE_820};
 pub use prism::PRISM;
 pub use table::TABLE;
@@ -77,3 +79,16 @@ pub static GROWTH: [Builtin; 3] = [
         bounces: 4,
     },
 ];
+
+/// One kind of shape each, to measure what it costs.
+pub static COSTS: [Builtin; 4] = [
+    Builtin { name: "spheres", description: "three balls on a plane", scene: &SPHERES, bounces: 3 },
+    Builtin { name: "torus", description: "a torus on a plane", scene: &TORUS, bounces: 3 },
+    Builtin { name: "csg", description: "a rounded cube with a hole, on a plane", scene: &CSG, bounces: 3 },
+    Builtin { name: "mesh", description: "a ball of 80 triangles on a plane", scene: &MESH, bounces: 3 },
+];
+
+/// All scenes: those to look at, and those to measure.
+pub fn all() -> impl Iterator<Item = &'static Builtin> {
+    ALL.iter().chain(&GROWTH).chain(&COSTS)
+}

@@ -47,8 +47,7 @@ pub const BOUNCES: u8 = {bounces};
 
 /// A built-in scene as Rust, and how often light is mirrored in it.
 fn of_builtin(name: &str) -> Result<(String, u8), Box<dyn Error>> {
-    let mut all = builtin::ALL.iter().chain(&builtin::GROWTH);
-    let builtin = all.find(|builtin| builtin.name == name);
+    let builtin = builtin::all().find(|builtin| builtin.name == name);
     let builtin =
         builtin.ok_or_else(|| format!("there is no built-in scene {name:?}, and files end in .rayline"))?;
     Ok((bake::scene(builtin.scene)?, builtin.bounces))

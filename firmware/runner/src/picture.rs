@@ -97,9 +97,8 @@ impl Source {
         if source.ends_with(".rayline") {
             return Self::read(Path::new(source));
         }
-        let mut all = builtin::ALL.iter().chain(&builtin::GROWTH);
         let Builtin { name, scene, bounces, .. } =
-            *all.find(|builtin| builtin.name == source).with_context(|| {
+            *builtin::all().find(|builtin| builtin.name == source).with_context(|| {
                 let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
                 format!(
                     "no built-in scene is called {source:?}: there are {}; files end in .rayline",

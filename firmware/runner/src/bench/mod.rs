@@ -45,7 +45,7 @@ const M0: &str = "microbit";
 
 const SIZE: Size = Size { width: 320, height: 240 };
 
-const ENTRIES: [Entry; 9] = [
+const ENTRIES: [Entry; 13] = [
     entry(M4F, "classic", Number::F32, Mode::Exact),
     entry(M3, "classic", Number::Fixed, Mode::Exact),
     entry(M0, "classic", Number::Fixed, Mode::Exact),
@@ -55,6 +55,10 @@ const ENTRIES: [Entry; 9] = [
     entry(M4F, "flake-10", Number::F32, Mode::Exact),
     entry(M4F, "flake-91", Number::F32, Mode::Exact),
     entry(M4F, "flake-820", Number::F32, Mode::Exact),
+    entry(M4F, "spheres", Number::F32, Mode::Exact),
+    entry(M4F, "torus", Number::F32, Mode::Exact),
+    entry(M4F, "csg", Number::F32, Mode::Exact),
+    entry(M4F, "mesh", Number::F32, Mode::Exact),
 ];
 
 /// Measures all entries and prints the tables; tells whether everything holds.

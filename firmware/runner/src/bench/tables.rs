@@ -22,6 +22,17 @@ const GROWTH: [(&str, u64); 3] = [("flake-10", 10), ("flake-91", 91), ("flake-82
 /// How much more a ray may take among nine times the objects.
 const MOST_GROWTH: f64 = 1.6;
 
+/// The scenes of the third table, with what stands on the plane.
+const COSTS: [(&str, &str); 4] = [
+    ("spheres", "three balls"),
+    ("torus", "a torus"),
+    ("csg", "a cube, two balls"),
+    ("mesh", "80 smooth triangles"),
+];
+
+/// The most flash of spheres and planes: they do not pay for the rest.
+const MOST_FLASH_OF_SPHERES: u64 = 20 * 1024;
+
 /// The most flash, and the most RAM with stack and line buffer, of `classic` on an M4F.
 const MOST_FLASH: u64 = 32 * 1024;
 const MOST_RAM: u64 = 8 * 1024;
@@ -34,6 +45,11 @@ impl fmt::Display for Tables<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Instructions per pixel of `classic`, four levels, 320x240:\n\n{}", self.pixels())?;
         writeln!(f, "Growth: `flake` on M4F, f32, exact:\n\n{}", self.growth())?;
+        writeln!(
+            f,
+            "Shapes on a plane, M4F, f32, exact, 320x240, in programs that name no others:\n\n{}",
+            self.costs()
+        )?;
         writeln!(f, "Memory of `classic` on M4F, f32, with a line of 320 pixels:\n\n{}", self.memory())
     }
 }
@@ -90,6 +106,38 @@ impl Tables<'_> {
                 if index == 0 { "-".into() } else { format!("≤ x{MOST_GROWTH}") },
             ]);
             fewer = each;
+        }
+        table
+    }
+
+    fn costs(&self) -> Table {
+        let mut table = Table::new([
+            ("scene", Align::Left),
+            ("on the plane", Align::Left),
+            ("instr/pixel", Align::Right),
+            ("instr/ray", Align::Right),
+            ("flash", Align::Right),
+            ("target", Align::Right),
+            ("RAM in all", Align::Right),
+        ]);
+        for (scene, what) in COSTS {
+            let measured = self.find(M4F, scene, "f32", "exact");
+            let cell = |number: &dyn Fn(&Measured) -> u64, unit| {
+                measured.map_or("-".into(), |measured| with_commas(number(measured)) + unit)
+            };
+            table.push([
+                scene.into(),
+                what.into(),
+                cell(&|measured| measured.instructions_per_pixel().round() as u64, ""),
+                cell(&|measured| measured.instructions_per_ray().round() as u64, ""),
+                cell(&|measured| measured.text_bytes, " B"),
+                if scene == "spheres" {
+                    format!("≤ {} B", with_commas(MOST_FLASH_OF_SPHERES))
+                } else {
+                    "-".into()
+                },
+                cell(&|measured| measured.static_ram_bytes + measured.stack_bytes, " B"),
+            ]);
         }
         table
     }
