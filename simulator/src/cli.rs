@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Dither, Settings, Transfer};
-use rayline_simulator::{Bench, Display, LoadedScene, Mode, Number, RenderOptions};
+use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -37,6 +37,11 @@ pub(crate) enum Command {
     ///
     /// It defines SCENE, in a set of just the shapes that the scene has, so that nothing else is linked; take it in by include!.
     Bake(Convert),
+    /// Tell whether a scene can be drawn, and whether it fits boards: flash, RAM, rays and time
+    ///
+    /// Memory for the scene and rays are computed. Flash and time are estimated from instructions that were counted on emulated
+    /// boards; `cargo boards --scene FILE.rayline` tells them exactly.
+    Check(CheckArgs),
     /// Render all .ron scenes of a directory, and write a page that shows them
     ///
     /// Each gets a .png beside it; README.md shows all, and how each agrees with the reference in f64 and with POV-Ray 3.7, where
@@ -99,6 +104,22 @@ pub(crate) struct Convert {
     /// Say nothing unless something fails
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The board; fails if the scene does not fit [default: all that are known]
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(BOARDS.map(|board| board.name)))]
+    pub(crate) board: Option<String>,
+    /// Width and height of the picture on the board's display
+    #[arg(long, value_name = "WxH", default_value = "160x120", value_parser = size)]
+    pub(crate) size: (u32, u32),
+    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 6 for .ron and .rayline
+    /// files, 4 for others]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]
+    pub(crate) bounces: Option<u8>,
 }
 
 #[derive(Debug, Args)]

@@ -7,13 +7,14 @@ use std::time::{Duration, Instant};
 
 use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
-use rayline::{Scene, builtin};
+use rayline::{Scene, Settings, builtin};
 use rayline_simulator::{
-    Bench, Gallery, LoadedScene, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile,
-    Stats, check, check_writable, half_blocks, render_watched, report_pixel, write_file,
+    BOARDS, Bench, Demand, Demands, Gallery, LoadedScene, Picture, PictureFile, RenderError, RenderOptions,
+    ReportError, SceneFile, Stats, check, check_writable, half_blocks, render_watched, report_pixel,
+    write_file,
 };
 
-use crate::cli::{BenchArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
+use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -25,6 +26,7 @@ pub(crate) fn run(cli: Cli) -> Outcome {
         Some(Command::Pixel(arguments)) => pixel(&arguments),
         Some(Command::Convert(arguments)) => convert(&arguments),
         Some(Command::Bake(arguments)) => bake(&arguments),
+        Some(Command::Check(arguments)) => fit(&arguments),
         Some(Command::Gallery(arguments)) => gallery(&arguments),
         Some(Command::Window(arguments)) => window(&arguments),
         Some(Command::Bench(arguments)) => bench(&arguments),
@@ -124,6 +126,42 @@ fn bake(arguments: &Convert) -> Outcome {
     match arguments.output.extension() {
         Some(extension) if extension == "rs" => convert(arguments),
         _ => Err(format!("cannot write {}: Rust source is in .rs files", arguments.output.display()).into()),
+    }
+}
+
+fn fit(arguments: &CheckArgs) -> Outcome {
+    let arena = Bump::new();
+    let scene = open(&arguments.scene.source, &arena, false)?;
+    check(&scene.scene).map_err(|error| scene.explain(&error))?;
+    let Scene { objects, materials, lights, .. } = scene.scene;
+    let (width, height) = arguments.size;
+    let bounces = arguments.bounces.unwrap_or(scene.bounces);
+    let settings = Settings { bounces, ..Settings::new(width, height) };
+    let boards = BOARDS.iter().filter(|board| arguments.board.as_ref().is_none_or(|name| name == board.name));
+    let demands = boards
+        .map(|board| Demand::new(&scene.scene, board, settings).map_err(|error| explain(&scene, error)));
+    let demands: Vec<Demand> = demands.collect::<Result<_, _>>()?;
+    let mut out = io::stdout();
+    writeln!(
+        out,
+        "{}: {} objects, {} materials, {} lights; {width}x{height}, {bounces} bounces",
+        scene.name,
+        objects.len(),
+        materials.len(),
+        lights.len()
+    )?;
+    if let Some(Demand { mean_rays, worst_rays, .. }) = demands.first() {
+        writeln!(
+            out,
+            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst of the picture; never more than {}\n",
+            settings.rays_per_pixel
+        )?;
+    }
+    let fits = demands.iter().any(Demand::fits);
+    write!(out, "{}", Demands(demands))?;
+    match &arguments.board {
+        Some(board) if !fits => Err(format!("{} does not fit {board}", scene.name).into()),
+        _ => Ok(()),
     }
 }
 

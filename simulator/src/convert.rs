@@ -86,7 +86,7 @@ impl SceneFile {
 }
 
 /// The bytes of a scene, however many.
-fn to_bytes(scene: &Scene<'_>) -> Result<Vec<u8>, ConvertError> {
+pub(crate) fn to_bytes(scene: &Scene<'_>) -> Result<Vec<u8>, ConvertError> {
     /// More than anything that fits a controller.
     const MOST: usize = 1 << 30;
     let mut room = 1 << 12;

@@ -3,6 +3,7 @@
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
 //! - [`ron`] reads and writes scene files, [`nff`], [`obj`] and [`gltf`] read those of others, and [`LoadedScene`] finds a scene by name or file;
 //! - [`SceneFile`] writes scenes, also as Rust source and for POV-Ray;
+//! - [`Demand`] tells whether a scene fits a board;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`Gallery`] renders a directory of scenes and holds them against other number systems and POV-Ray;
 //! - [`report_pixel`] tells all that happened to one pixel;
@@ -13,6 +14,7 @@
 //! The program `rayline` is a thin shell around these.
 
 mod bench;
+mod check;
 mod convert;
 mod display;
 mod file;
@@ -37,6 +39,7 @@ mod terminal;
 mod window;
 
 pub use bench::{Bench, BenchError};
+pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
 pub use file::{FileError, PictureFile, check_writable, write_file};
@@ -44,7 +47,7 @@ pub use gallery::{Gallery, GalleryError};
 pub use loaded::{LoadError, LoadedScene};
 pub use options::{Mode, Number, RenderOptions};
 pub use orbit::Orbit;
-pub use picture::{Picture, RenderError, check, render, render_watched};
+pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;

@@ -129,14 +129,6 @@ fn render_in<R: Real>(
     Ok(Picture { width, height, rgb, rays, prepared_bytes })
 }
 
-/// Whether a scene can be drawn.
-///
-/// # Errors
-/// What is wrong with it.
-pub fn check(scene: &Scene<'_>) -> Result<(), SceneError> {
-    PreparedScene::<f32, _>::new(scene, &mut memory_for::<f32>(scene)).map(|_| ())
-}
-
 /// Memory to lend for a prepared scene.
 pub(crate) fn memory_for<R: Real>(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
     vec![MaybeUninit::uninit(); scene.bytes::<R>()]

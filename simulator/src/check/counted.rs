@@ -1,0 +1,123 @@
+//! What was counted on emulated boards.
+
+use rayline::Scene;
+use rayline::shape::Shape;
+use serde::Deserialize;
+
+use super::boards::Core;
+
+/// The table that is kept with the source, as `cargo boards --bench --update` wrote it.
+const TABLE: &str = include_str!("../../../firmware/boards.json");
+
+#[derive(Deserialize)]
+struct Counts {
+    measured: Vec<Count>,
+}
+
+#[derive(Deserialize)]
+struct Count {
+    board: String,
+    scene: String,
+    mode: String,
+    rays: u64,
+    instructions: u64,
+    text_bytes: u64,
+    stack_bytes: u64,
+}
+
+/// What a kind of processor takes.
+pub(super) struct Counted {
+    /// Of the program that draws balls and a polygon.
+    classic: Figures,
+    /// By how much code for another core is longer than for an M4F.
+    length: f64,
+    /// The scenes of one kind of shape each, on an M4F.
+    spheres: Figures,
+    torus: Figures,
+    csg: Figures,
+    mesh: Figures,
+    /// Bytes of stack.
+    pub(super) stack: u64,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Figures {
+    text: f64,
+    per_ray: f64,
+}
+
+impl Counted {
+    pub(super) fn new(core: Core) -> Self {
+        // The table is part of the program: a test reads it.
+        let counts = serde_json::from_str(TABLE).unwrap_or(Counts { measured: Vec::new() });
+        let find = |board: &str, scene: &str| {
+            let is_it =
+                |count: &&Count| count.board == board && count.scene == scene && count.mode == "exact";
+            counts.measured.iter().find(is_it)
+        };
+        let figures = |board: &str, scene: &str| {
+            find(board, scene).map_or(Figures::default(), |count| Figures {
+                text: count.text_bytes as f64,
+                per_ray: count.instructions as f64 / count.rays as f64,
+            })
+        };
+        let board = match core {
+            Core::M0 => "microbit",
+            Core::M3 => "mps2-an385",
+            Core::M4F => M4F,
+        };
+        let classic = figures(board, "classic");
+        Self {
+            classic,
+            length: classic.text / figures(M4F, "classic").text,
+            spheres: figures(M4F, "spheres"),
+            torus: figures(M4F, "torus"),
+            csg: figures(M4F, "csg"),
+            mesh: figures(M4F, "mesh"),
+            stack: find(board, "classic").map_or(0, |count| count.stack_bytes),
+        }
+    }
+
+    /// The kinds of shapes that were measured, and whether the scene has them.
+    fn kinds(&self, scene: &Scene<'_>) -> [(Figures, bool); 3] {
+        let has = |is_it: fn(&Shape<'_>) -> bool| scene.objects.iter().any(|object| is_it(&object.shape));
+        [
+            (self.torus, has(|shape| matches!(shape, Shape::Torus(_)))),
+            (self.csg, has(|shape| matches!(shape, Shape::Csg(_)))),
+            (self.mesh, has(|shape| matches!(shape, Shape::Mesh(_)))),
+        ]
+    }
+
+    /// Bytes of code, as far as was measured.
+    pub(super) fn code(&self, scene: &Scene<'_>) -> u64 {
+        let more = self.kinds(scene).into_iter().filter(|(_, is_there)| *is_there);
+        let more: f64 = more.map(|(figures, _)| (figures.text - self.spheres.text).max(0.0)).sum();
+        (self.classic.text + more * self.length) as u64
+    }
+
+    /// Instructions of a ray, about: those of `classic`, and as many times more as the scene's dearest kind of shape takes.
+    pub(super) fn instructions_per_ray(&self, scene: &Scene<'_>) -> f64 {
+        let there = self.kinds(scene).into_iter().filter(|(_, is_there)| *is_there);
+        let dearest = there.map(|(figures, _)| figures.per_ray / self.spheres.per_ray).fold(1.0, f64::max);
+        self.classic.per_ray * dearest
+    }
+}
+
+const M4F: &str = "mps2-an386";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_has_what_is_asked_for() {
+        for core in [Core::M0, Core::M3, Core::M4F] {
+            let counted = Counted::new(core);
+            let Counted { classic, spheres, torus, csg, mesh, .. } = counted;
+            for figures in [classic, spheres, torus, csg, mesh] {
+                assert!(figures.text > 8192.0 && figures.per_ray > 50.0);
+            }
+            assert!(counted.stack > 1024 && counted.length >= 1.0);
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Whether a scene can be drawn, and whether it fits a board.
+//!
+//! What a scene takes in memory and rays is computed. Flash and time are estimated from what `cargo boards --bench` counted on emulated
+//! boards (`firmware/boards.json`): of the scene that was built for a board itself, `cargo boards` tells exactly.
+
+mod boards;
+mod counted;
+
+use core::fmt;
+
+use rayline::math::Fixed;
+use rayline::{PreparedScene, Real, Renderer, Scene, SceneError, Settings};
+
+pub use boards::{BOARDS, Board};
+use counted::Counted;
+
+use crate::RenderError;
+use crate::picture::memory_for;
+use crate::table::{Table, thousands};
+
+/// Whether a scene can be drawn.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn check(scene: &Scene<'_>) -> Result<(), SceneError> {
+    PreparedScene::<f32, _>::new(scene, &mut memory_for::<f32>(scene)).map(|_| ())
+}
+
+/// What a scene takes of a board.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Demand {
+    /// The board.
+    pub board: &'static Board,
+    /// Bytes of flash, at least: the kernel with as many of the scene's kinds of shapes as were measured, and the scene.
+    pub flash: u64,
+    /// Bytes of RAM, at most: the prepared scene, a line of 16-bit colors, and stack.
+    pub ram: u64,
+    /// Rays of the pixel that takes most.
+    pub worst_rays: u32,
+    /// Rays of a pixel in the mean.
+    pub mean_rays: f64,
+    /// Seconds for a picture, about.
+    pub seconds: f64,
+}
+
+impl Demand {
+    /// What a scene takes of a board in a picture of these settings.
+    ///
+    /// # Errors
+    /// It cannot be drawn in the board's number system, or with these settings.
+    pub fn new(scene: &Scene<'_>, board: &'static Board, settings: Settings) -> Result<Self, RenderError> {
+        if board.core.has_fpu() {
+            Self::of::<f32>(scene, board, settings)
+        } else {
+            Self::of::<Fixed>(scene, board, settings)
+        }
+    }
+
+    fn of<R: Real>(
+        scene: &Scene<'_>,
+        board: &'static Board,
+        settings: Settings,
+    ) -> Result<Self, RenderError> {
+        let mut memory = memory_for::<R>(scene);
+        let prepared_bytes = memory.len() as u64;
+        let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+        let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
+        let (mut worst_rays, mut sum, mut pixels) = (0, 0u64, 0u64);
+        for y in 0..settings.height as u16 {
+            for x in 0..settings.width as u16 {
+                let (_, rays) = renderer.pixel(x, y, &mut ());
+                worst_rays = worst_rays.max(rays);
+                sum += u64::from(rays);
+                pixels += 1;
+            }
+        }
+        let counted = Counted::new(board.core);
+        let line = u64::from(settings.width) * 2;
+        Ok(Self {
+            board,
+            flash: counted.code(scene) + description_bytes(scene),
+            ram: prepared_bytes + line + counted.stack,
+            worst_rays,
+            mean_rays: sum as f64 / pixels.max(1) as f64,
+            seconds: counted.instructions_per_ray(scene) * sum as f64 / (board.megahertz * 1e6),
+        })
+    }
+
+    /// Whether flash and RAM suffice.
+    pub fn fits(&self) -> bool {
+        self.flash <= self.board.flash && self.ram <= self.board.ram
+    }
+}
+
+/// Bytes that the description takes in flash, about: as many as in a file of bytes, where most numbers have as many bytes as in memory.
+fn description_bytes(scene: &Scene<'_>) -> u64 {
+    crate::convert::to_bytes(scene).map_or(0, |bytes| bytes.len() as u64)
+}
+
+/// What a scene takes of several boards, as a table.
+#[derive(Clone, Debug)]
+pub struct Demands(pub Vec<Demand>);
+
+impl fmt::Display for Demands {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let heads =
+            ["board", "chip", "number", "flash, at least", "of", "RAM, at most", "of", "s a frame", "fits"];
+        let mut table = Table::new(3, heads);
+        for demand in &self.0 {
+            let Demand { board, flash, ram, seconds, .. } = demand;
+            let kilobytes = |bytes: u64| format!("{} KB", thousands(bytes.div_ceil(1024)));
+            table.push([
+                board.name.to_owned(),
+                board.chip.to_owned(),
+                if board.core.has_fpu() { "f32" } else { "fixed" }.to_owned(),
+                kilobytes(*flash),
+                kilobytes(board.flash),
+                kilobytes(*ram),
+                kilobytes(board.ram),
+                if *seconds < 10.0 { format!("{seconds:.2}") } else { format!("{seconds:.0}") },
+                if demand.fits() { "yes" } else { "no" }.to_owned(),
+            ]);
+        }
+        table.fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayline::builtin::{CLASSIC, FLAKE_820, SPHERES, TABLE};
+
+    const SETTINGS: Settings = Settings { bounces: 3, ..Settings::new(32, 24) };
+
+    fn demand(scene: &Scene<'_>, board: &str) -> Demand {
+        let board = BOARDS.iter().find(|known| known.name == board).unwrap();
+        Demand::new(scene, board, SETTINGS).unwrap()
+    }
+
+    #[test]
+    fn small_scenes_fit_and_large_ones_do_not() {
+        for board in &BOARDS {
+            let demand = Demand::new(&CLASSIC, board, SETTINGS).unwrap();
+            assert!(demand.fits(), "{demand:?}");
+            assert!(demand.mean_rays > 1.0 && f64::from(demand.worst_rays) > demand.mean_rays, "{demand:?}");
+        }
+        // 820 balls take more RAM than a microbit has.
+        let flake = demand(&FLAKE_820, "microbit");
+        assert!(!flake.fits() && flake.ram > 16 * 1024, "{flake:?}");
+        assert!(demand(&FLAKE_820, "pico").fits());
+    }
+
+    #[test]
+    fn more_kinds_of_shapes_take_more() {
+        let (spheres, table) = (demand(&SPHERES, "pico"), demand(&TABLE, "pico"));
+        assert!(table.flash > spheres.flash + 8 * 1024, "{table:?} {spheres:?}");
+        assert!(table.seconds > spheres.seconds);
+        // A faster processor is faster, one with a floating-point unit still more.
+        assert!(demand(&TABLE, "blackpill").seconds < demand(&TABLE, "bluepill").seconds);
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_refused() {
+        let settings = Settings { bounces: 99, ..SETTINGS };
+        assert!(Demand::new(&CLASSIC, &BOARDS[0], settings).is_err());
+    }
+}
