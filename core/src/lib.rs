@@ -87,8 +87,8 @@
 //!   and cones, ambient light. Without it a scene that has one of them is refused.
 //! - `textures`, on unless left out: patterns and images, and backgrounds that differ from one direction to another. Without it there
 //!   are solid colors and checkers in space; a scene that has more is refused.
-//! - `serde`: scenes from files and to files, see [`read`]; on a device from bytes in flash, [`SceneBuf::from_bytes`].
-//! - `bake`: scenes as Rust source, for build scripts: see [`bake`].
+//! - `serde`: scenes from files and to files, see the module `read`; on a device from bytes in flash, `SceneBuf::from_bytes`.
+//! - `bake`: scenes as Rust source, for build scripts: see the module `bake`.
 //! - `std`: the standard library's square root. Changes no byte.
 //! - `micromath`: micromath's square roots and powers for `f32`, refined: faster without an FPU, other bytes.
 
