@@ -1,5 +1,6 @@
 //! One kind of shape each on the same floor, to measure what it costs.
 
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::color::LinearRgb;
 use crate::light::Light;
@@ -39,7 +40,7 @@ const fn of(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.7,
         },
-        background: LinearRgb::new(0.3, 0.4, 0.6),
+        background: Background::Solid(LinearRgb::new(0.3, 0.4, 0.6)),
         objects,
         materials: &MATERIALS,
         lights: &LIGHTS,

@@ -70,22 +70,42 @@ pub(super) fn check_ior<R: Real>(ior: f32) -> Result<R::Setup, Fault> {
 }
 
 /// What a medium absorbs, prepared.
+///
+/// In fixed point a unit of the kernel may be the whole scene, so that a coefficient per unit is too large to be held, while what shows is
+/// absorbed on a small part of the unit. So coefficients are halved until they can be held, and what comes out is doubled again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Absorption<R> {
-    /// How often light halves on each unit of length.
+    /// How often light halves on each unit of length, over 2 to the power of `doublings`.
     halvings: LinearRgb<R>,
+    doublings: u8,
+    /// More than so much of that does not show, and may not be held.
+    most: R,
 }
 
 impl<R: Real> Absorption<R> {
+    /// The largest coefficient that is held, and the most by which one is made smaller for that.
+    const LARGEST: f32 = 120.0;
+    const MOST_DOUBLINGS: u8 = 20;
+    /// Of 2⁻²⁴ of light nothing shows.
+    const MOST_HALVINGS: f32 = 24.0;
+
     /// Checks the coefficients and converts them; `None` where nothing is absorbed.
     pub(super) fn prepare(coefficients: LinearRgb, scale: Scale) -> Result<Option<Self>, Fault> {
         coefficients.channels().into_iter().try_for_each(check_channel)?;
-        // Where less than 2⁻¹²⁰ is left on a unit of the kernel, less is left on any way that shows.
-        let per_unit = core::f32::consts::LOG2_E / scale.to_f32();
-        let halvings = |coefficient: f32| R::from_f32((coefficient * per_unit).min(120.0));
         let LinearRgb { r, g, b } = coefficients;
+        let strongest = r.larger(g).larger(b);
+        if !(strongest > 0.0) {
+            return Ok(None);
+        }
+        let (mut unit, mut most, mut doublings) =
+            (core::f32::consts::LOG2_E / scale.to_f32(), Self::MOST_HALVINGS, 0);
+        while strongest * unit > Self::LARGEST && doublings < Self::MOST_DOUBLINGS {
+            (unit, most, doublings) = (unit * 0.5, most * 0.5, doublings + 1);
+        }
+        // Where it is still more, less than 2⁻¹²⁰ is left on a millionth of the scene.
+        let halvings = |coefficient: f32| R::from_f32((coefficient * unit).min(Self::LARGEST));
         let halvings = LinearRgb::new(halvings(r), halvings(g), halvings(b));
-        Ok((r > 0.0 || g > 0.0 || b > 0.0).then_some(Self { halvings }))
+        Ok(Some(Self { halvings, doublings, most: R::from_f32(most) }))
     }
 
     /// What is left of light after a way of this length.
@@ -93,9 +113,42 @@ impl<R: Real> Absorption<R> {
         let LinearRgb { r, g, b } = self.halvings;
         let left = |halvings: R| {
             let times = halvings.times(length);
-            // Less than 2⁻²⁴ does not show, and may not be held.
-            if times > R::from_f32(24.0).times(R::ONE) { R::ZERO } else { times.over(R::ONE).halved() }
+            if times > self.most.times(R::ONE) {
+                return R::ZERO;
+            }
+            (0..self.doublings).fold(times.over(R::ONE), |times, _| times + times).halved()
         };
         Share::colored(LinearRgb::new(left(r), left(g), left(b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Extent, Fixed, Vec3};
+
+    /// In a scene of 256 units and in one of 2, on a way of half a unit and none.
+    #[cfg(feature = "optics")]
+    fn assert_absorbs<R: Real>() {
+        for size in [1.0, 128.0] {
+            let scale = Scale::new::<R>(Extent::solid(size), Vec3::ZERO);
+            let coefficients = LinearRgb::new(0.25, 2.0, 40.0);
+            let absorption = Absorption::<R>::prepare(coefficients, scale).unwrap().unwrap();
+            for way in [0.5, 0.0] {
+                let left = absorption.left_after(scale.length(R::Setup::from_f32(way))).color().to_f32();
+                let expected = coefficients.channels().map(|coefficient| (-coefficient * way).exp());
+                for (left, expected) in left.channels().into_iter().zip(expected) {
+                    assert!((left - expected).abs() < 2e-5, "{size} {way}: {left}, not {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "optics")]
+    fn large_scenes_absorb_as_much_as_small_ones() {
+        assert_absorbs::<f32>();
+        assert_absorbs::<f64>();
+        assert_absorbs::<Fixed>();
     }
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! Scene(
 //!     camera: (eye: (0, 2, 6), target: (0, 1, 0), up: (0, 1, 0), vertical_fov: 0.7),
-//!     background: Solid((0.2, 0.3, 0.5)),
+//!     background: Solid(0.2, 0.3, 0.5),
 //!     materials: {
 //!         "floor": (color: Checker(even: (0.9, 0.9, 0.9), odd: (0.1, 0.1, 0.1), cells_per_unit: (1, 0, 1))),
 //!         "ball": "gold",
