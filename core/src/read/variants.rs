@@ -79,23 +79,23 @@ pub fn held_fields<'m, T: Fields<'m>, A: VariantAccess<'m>>(
 }
 
 /// Makes [`Variants`] and [`Read`] for an enum: its type parameters, name and type, and its variants, of which each
-/// holds nothing, one value, or the fields of a struct.
+/// holds nothing, one value, or the fields of a struct. `for` names the lifetime of the memory where lists are put.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __read_enum {
     (
-        [$($generics:tt)*] $Name:ident as $Type:ty $(where [$($bounds:tt)*])? {
+        for $m:lifetime [$($generics:tt)*] $Name:ident as $Type:ty $(where [$($bounds:tt)*])? {
             $($Variant:ident $(($held:ty))? $({ $Fields:ty: $($field:ident),+ })?),+ $(,)?
         }
     ) => {
-        impl<'m, $($generics)*> $crate::read::Variants<'m> for $Type $(where $($bounds)*)? {
+        impl<$m, $($generics)*> $crate::read::Variants<$m> for $Type $(where $($bounds)*)? {
             const NAME: &'static str = stringify!($Name);
             const VARIANTS: &'static [&'static str] = &[$(stringify!($Variant)),+];
 
-            fn from_variant<A: $crate::read::serde::de::VariantAccess<'m>>(
+            fn from_variant<A: $crate::read::serde::de::VariantAccess<$m>>(
                 name: &'static str,
                 held: A,
-                reader: &mut $crate::read::Reader<'m>,
+                reader: &mut $crate::read::Reader<$m>,
             ) -> Result<Self, A::Error> {
                 match name {
                     $(_ if name == stringify!($Variant) => {
@@ -106,14 +106,17 @@ macro_rules! __read_enum {
             }
         }
 
-        impl<'m, $($generics)*> $crate::read::Read<'m> for $Type $(where $($bounds)*)? {
-            fn read<D: $crate::read::serde::Deserializer<'m>>(
+        impl<$m, $($generics)*> $crate::read::Read<$m> for $Type $(where $($bounds)*)? {
+            fn read<D: $crate::read::serde::Deserializer<$m>>(
                 from: D,
-                reader: &mut $crate::read::Reader<'m>,
+                reader: &mut $crate::read::Reader<$m>,
             ) -> Result<Self, D::Error> {
                 $crate::read::read_variants(from, reader)
             }
         }
+    };
+    ([$($generics:tt)*] $($enum:tt)*) => {
+        $crate::__read_enum! { for 'm [$($generics)*] $($enum)* }
     };
     (@held $Variant:ident ($held:ty), $from:ident, $reader:ident) => {
         $crate::read::held_value($from, $reader).map(Self::$Variant)

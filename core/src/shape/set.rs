@@ -161,7 +161,9 @@ macro_rules! __read_set {
         $crate::__read_set!(@read $Set $(<$life>)? { $($Variant($Type)),+ });
     };
     (@read $Set:ident <$life:lifetime> { $($Variant:ident($Type:ty)),+ }) => {
-        $crate::__read_enum!([] $Set as $Set<'m> { $($Variant($Type)),+ });
+        $crate::__read_enum!(
+            for $life [] $Set as $Set<$life> where [$($Type: $crate::read::Read<$life>),+] { $($Variant($Type)),+ }
+        );
     };
     (@read $Set:ident { $($Variant:ident($Type:ty)),+ }) => {
         $crate::__read_enum!([] $Set as $Set where [$($Type: $crate::read::Read<'m>),+] { $($Variant($Type)),+ });

@@ -176,6 +176,20 @@ impl<R: Real> Distance<R> for PreparedRound<R> {
 }
 
 rayline::shape_set! {
+    /// A set that cannot be read from files, as the dish cannot, with a shape that borrows.
+    #[allow(dead_code)]
+    enum Borrowing<'a>;
+    /// [`Borrowing`], prepared.
+    #[allow(dead_code)]
+    enum PreparedBorrowing {
+        /// The dish.
+        Dish(Dish),
+        /// A mesh.
+        Mesh(rayline::shape::Mesh<'a>),
+    }
+}
+
+rayline::shape_set! {
     /// A dish, a ball in it, and the floor.
     enum Table;
     /// [`Table`], prepared.
