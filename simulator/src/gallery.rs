@@ -62,7 +62,9 @@ struct Exhibit {
     rays_per_pixel: f64,
     f32: String,
     fixed: String,
-    povray: String,
+    povray: Option<f64>,
+    /// What POV-Ray is not told, or does in another way.
+    remark: String,
 }
 
 impl Gallery {
@@ -131,18 +133,18 @@ impl Gallery {
         let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
         let linear = Settings { transfer: Transfer::Linear, ..meant };
         let text = fs::read_to_string(file).unwrap_or_default();
+        let remark = |key| {
+            let line = text.lines().find_map(|line| line.trim_start().strip_prefix(key));
+            line.unwrap_or_default().trim().to_owned()
+        };
+        let (povray, refusal) = beside_povray(&scene, &linear, &draw(linear, Number::F32)?)?;
         Ok(Exhibit {
-            caption: text
-                .lines()
-                .next()
-                .and_then(|line| line.strip_prefix("//"))
-                .unwrap_or("")
-                .trim()
-                .to_owned(),
+            caption: remark("//"),
             rays_per_pixel: rays as f64 / f64::from(width * height),
             f32: seen.decibels(&reference),
             fixed: draw(meant, Number::Fixed)?.decibels(&reference),
-            povray: beside_povray(&scene, &linear, &draw(linear, Number::F32)?)?,
+            povray,
+            remark: refusal.unwrap_or_else(|| remark("// POV-Ray:")),
             name: scene.name,
         })
     }
@@ -177,23 +179,26 @@ impl Gallery {
                 let _ = writeln!(page, "|");
             }
         }
-        let mut table = Table::new(
-            1,
-            ["scene", "rays a pixel", "f32 / f64, dB", "fixed / f64, dB", "as POV-Ray, % of pixels"],
-        );
+        let mut table =
+            Table::new(1, ["scene", "rays a pixel", "f32 / f64, dB", "fixed / f64, dB", "as POV-Ray, %"]);
+        let mut remarks = Table::new(2, ["scene", "and POV-Ray"]);
         for exhibit in exhibits {
             table.push([
                 exhibit.name.clone(),
                 format!("{:.2}", exhibit.rays_per_pixel),
                 exhibit.f32.clone(),
                 exhibit.fixed.clone(),
-                exhibit.povray.clone(),
+                exhibit.povray.map_or("-".to_owned(), |share| format!("{share:.2}")),
             ]);
+            if !exhibit.remark.is_empty() {
+                remarks.push([exhibit.name.clone(), exhibit.remark.clone()]);
+            }
         }
         let _ = write!(
             page,
             "\n## Figures\n\nPSNR of the exact picture, one sample a pixel; and the share of pixels whose channels all lie within {ALIKE} of \
-             255 of POV-Ray's, in linear light.\n\n{table}"
+             255 of POV-Ray's, in linear light, where it knows the same.\n\n{table}\n## Beside POV-Ray\n\nWhat it is not told, and what it does \
+             in another way:\n\n{remarks}"
         );
         page
     }
@@ -202,12 +207,12 @@ impl Gallery {
 /// The most by which a channel may differ in pictures that are alike.
 const ALIKE: u8 = 3;
 
-/// The share of pixels that POV-Ray draws alike, as text, or why it is not known.
+/// The share of pixels in percent that POV-Ray draws alike; or why that is not known.
 fn beside_povray(
     scene: &LoadedScene<'_>,
     settings: &Settings,
     picture: &Picture,
-) -> Result<String, GalleryError> {
+) -> Result<(Option<f64>, Option<String>), GalleryError> {
     let failed = |error| GalleryError::Povray { scene: scene.name.clone(), error };
     let directory = tempfile::tempdir().map_err(|error| failed(RunError::Io(error)))?;
     match povray::render(&scene.scene, settings, directory.path(), "scene") {
@@ -217,10 +222,10 @@ fn beside_povray(
             let is_alike =
                 |(a, b): &(&[u8; 3], &[u8; 3])| a.iter().zip(*b).all(|(a, b)| a.abs_diff(*b) <= ALIKE);
             let alike = ours.iter().zip(theirs).filter(is_alike).count();
-            Ok(format!("{:.2}", 100.0 * alike as f64 / ours.len().max(1) as f64))
+            Ok((Some(100.0 * alike as f64 / ours.len().max(1) as f64), None))
         }
-        Ok(None) => Ok("not installed".to_owned()),
-        Err(RunError::Scene(error)) => Ok(error.to_string()),
+        Ok(None) => Ok((None, Some("POV-Ray is not installed".to_owned()))),
+        Err(RunError::Scene(error)) => Ok((None, Some(error.to_string()))),
         Err(error) => Err(failed(error)),
     }
 }

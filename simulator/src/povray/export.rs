@@ -227,7 +227,9 @@ fn lamp_source(lamp: &Lamp) -> Option<String> {
     let color = [lamp.color.r, lamp.color.g, lamp.color.b].map(|channel| f64::from(channel) * brightness);
     let cone = lamp.cone.map_or(String::new(), |cone| {
         let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();
-        let (bright, dark) = (f64::from(cone.bright).to_degrees(), f64::from(cone.dark).to_degrees());
+        // Where the bright part has no size, POV-Ray takes the edge for a sharp one.
+        let (bright, dark) =
+            (f64::from(cone.bright).to_degrees().max(1e-3), f64::from(cone.dark).to_degrees());
         format!(" spotlight radius {bright} falloff {dark} tightness 0 point_at {}", xyz(target))
     });
     Some(format!("light_source {{ {} rgb {}{cone}{fade} }}\n", xyz(lamp.position.to::<f64>()), list(&color)))

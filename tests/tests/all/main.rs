@@ -12,6 +12,7 @@ mod baked;
 mod closed_forms;
 mod drawing;
 mod fixed;
+mod gallery;
 mod goldens;
 mod media;
 mod operations;

@@ -1,0 +1,68 @@
+//! The scenes of the gallery: each can be read, written and read again, and gives the same picture as ever.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bumpalo::Bump;
+use rayline::{Digest, Settings};
+use rayline_simulator::{Gallery, LoadedScene, Number, Picture, RenderOptions, SceneFile, render};
+
+const SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(64, 48) };
+
+/// The least that fixed point must keep of a picture in f64, in decibels.
+const LEAST_DB: f64 = 38.0;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn picture(scene: &LoadedScene<'_>, number: Number) -> Picture {
+    let options = RenderOptions { number, ..RenderOptions::new(SETTINGS) };
+    render(&scene.scene, &options).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
+}
+
+fn digest(picture: &Picture) -> u64 {
+    let mut digest = Digest::new();
+    digest.update(&picture.rgb);
+    digest.value()
+}
+
+#[test]
+fn pictures_are_the_same_as_ever() {
+    let gallery = Gallery::new(&root().join("docs/gallery")).unwrap();
+    let mut lines = String::new();
+    for file in gallery.files() {
+        let arena = Bump::new();
+        let scene = LoadedScene::open(file, &arena).unwrap_or_else(|error| panic!("{error}"));
+        let (f32, fixed) = (picture(&scene, Number::F32), picture(&scene, Number::Fixed));
+        let decibels = fixed.psnr(&picture(&scene, Number::F64)).unwrap_or(f64::INFINITY);
+        assert!(decibels >= LEAST_DB, "{}: fixed point keeps {decibels:.1} dB", scene.name);
+        writeln!(lines, "{} {:016x} {:016x}", scene.name, digest(&f32), digest(&fixed)).unwrap();
+    }
+    let golden = root().join("tests/goldens/gallery.txt");
+    if std::env::var_os("RAYLINE_BLESS").is_some() {
+        fs::write(&golden, &lines).unwrap();
+    }
+    let expected = fs::read_to_string(&golden).unwrap();
+    for (line, expected) in lines.lines().zip(expected.lines()) {
+        assert_eq!(line, expected, "after a look: RAYLINE_BLESS=1 cargo test -p rayline-tests gallery::");
+    }
+    assert_eq!(lines.lines().count(), expected.lines().count(), "scenes came or went");
+}
+
+#[test]
+fn whatever_is_written_is_read() {
+    let gallery = Gallery::new(&root().join("docs/gallery")).unwrap();
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for file in gallery.files() {
+        let arena = Bump::new();
+        let scene = LoadedScene::open(file, &arena).unwrap_or_else(|error| panic!("{error}"));
+        for name in ["gallery.ron", "gallery.rayline"] {
+            let path = directory.join(name);
+            SceneFile::new(&path).unwrap().write(&scene.scene, &SETTINGS).unwrap();
+            let again = LoadedScene::open(&path, &arena).unwrap_or_else(|error| panic!("{error}"));
+            assert!(again.scene == scene.scene, "{} in {name}", scene.name);
+        }
+    }
+}
