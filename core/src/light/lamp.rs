@@ -3,7 +3,7 @@
 use crate::color::LinearRgb;
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Fault, check_coordinate, check_direction};
-use crate::math::{Real, Scale, Vec3, float};
+use crate::math::{Product, Real, Scale, Vec3, float};
 
 /// A light at one point that falls off with distance, or shines into a cone alone: a spot light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,12 +45,9 @@ struct PreparedCone<R> {
     back: Vec3<R>,
     /// Cosine of the angle where it is dark.
     dark: R,
-    /// What brings a cosine from there to 1 where it is bright.
-    steepness: R,
+    /// From there to the cosine where it is bright; 0 where the edge is sharp.
+    width: R,
 }
-
-/// The steepest edge of a cone: less than a pixel wide in any picture.
-const STEEPEST: f32 = 64.0;
 
 impl Lamp {
     /// Checks what a point light has not.
@@ -66,11 +63,10 @@ impl Lamp {
             return Err(Fault::LightCone);
         }
         let (bright, dark) = (float::set_up_cos(cone.bright), float::set_up_cos(cone.dark));
-        let steepness = if (bright - dark) * STEEPEST > 1.0 { 1.0 / (bright - dark) } else { STEEPEST };
         let cone = PreparedCone {
             back: Vec3::from_setup(-direction),
             dark: R::from_f32(dark),
-            steepness: R::from_f32(steepness),
+            width: R::from_f32(bright - dark),
         };
         Ok(PreparedLamp { falloff, cone: Some(cone) })
     }
@@ -81,12 +77,12 @@ impl<R: Real> PreparedLamp<R> {
     pub(crate) fn share(&self, toward: Vec3<R>, distance: R) -> R {
         let inside = match self.cone {
             None => R::ONE,
-            Some(PreparedCone { back, dark, steepness }) => {
-                let past = (back.dot(toward) - dark) * steepness;
+            Some(PreparedCone { back, dark, width }) => {
+                let past = back.dot(toward) - dark;
                 if !(past > R::ZERO) {
                     return R::ZERO;
                 }
-                let x = if past < R::ONE { past } else { R::ONE };
+                let x = if past < width { past.times(R::ONE).over(width) } else { R::ONE };
                 // Smooth at both ends: 3x² - 2x³.
                 x * x * (R::from_u16(3) - (x + x))
             }
@@ -125,7 +121,9 @@ mod tests {
             let middle = ((0.3f32.cos() + 0.6f32.cos()) / 2.0).acos();
             assert!((share(SPOT, middle) - 0.5).abs() < 1e-4);
             let sharp = Lamp { cone: SPOT.cone.map(|cone| LightCone { bright: 0.6, ..cone }), ..SPOT };
-            assert!(share(sharp, 0.601) == 0.0 && share(sharp, 0.55) == 1.0);
+            assert!(share(sharp, 0.6001) == 0.0 && share(sharp, 0.5999) == 1.0);
+            let hard = Lamp { cone: SPOT.cone.map(|cone| LightCone { bright: 0.59, ..cone }), ..SPOT };
+            assert!(share(hard, 0.601) == 0.0 && share(hard, 0.589) == 1.0);
             assert_eq!(share(Lamp { cone: None, ..SPOT }, 2.0), 1.0);
         }
     }
