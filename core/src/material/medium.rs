@@ -123,12 +123,12 @@ impl<R: Real> Absorption<R> {
 }
 
 #[cfg(test)]
+#[cfg(feature = "optics")]
 mod tests {
     use super::*;
     use crate::math::{Extent, Fixed, Vec3};
 
     /// In a scene of 256 units and in one of 2, on a way of half a unit and none.
-    #[cfg(feature = "optics")]
     fn assert_absorbs<R: Real>() {
         for size in [1.0, 128.0] {
             let scale = Scale::new::<R>(Extent::solid(size), Vec3::ZERO);
@@ -145,7 +145,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(feature = "optics")]
     fn large_scenes_absorb_as_much_as_small_ones() {
         assert_absorbs::<f32>();
         assert_absorbs::<f64>();
