@@ -40,6 +40,8 @@ pub enum GalleryError {
     },
     /// There is no `.ron` file in it. Name another.
     Empty(PathBuf),
+    /// There is a `README.md` in it that is no gallery's, and would be lost. Move it, or the scenes.
+    NotOurs(PathBuf),
     /// A scene cannot be read. Mend it.
     Load(LoadError),
     /// A scene cannot be drawn. Mend what it says.
@@ -99,13 +101,16 @@ impl Gallery {
     /// # Errors
     /// See [`GalleryError`]. Pictures that were written before stay.
     pub fn write(&self, say: &dyn Fn(&str)) -> Result<(), GalleryError> {
+        let page = self.directory.join("README.md");
+        if fs::read_to_string(&page).is_ok_and(|text| !text.starts_with(HEAD)) {
+            return Err(GalleryError::NotOurs(page));
+        }
         let mut exhibits = Vec::new();
         for file in &self.files {
             say(&file.display().to_string());
             exhibits.push(self.exhibit(file)?);
         }
-        let page = self.page(&exhibits);
-        write_file(&self.directory.join("README.md"), page.as_bytes()).map_err(GalleryError::File)
+        write_file(&page, self.page(&exhibits).as_bytes()).map_err(GalleryError::File)
     }
 
     fn exhibit(&self, file: &Path) -> Result<Exhibit, GalleryError> {
@@ -152,11 +157,8 @@ impl Gallery {
     /// The page that shows everything.
     fn page(&self, exhibits: &[Exhibit]) -> String {
         let (width, height) = self.size;
-        let mut page = format!(
-            "# Gallery\n\nWritten by `rayline gallery {}`: each picture is the scene of the same name, {width}x{height} \
-             in f32.\n",
-            self.directory.display()
-        );
+        let mut page =
+            format!("{HEAD}: each picture is the scene of the same name, {width}x{height} in f32.\n");
         let mut groups: Vec<&str> = Vec::new();
         for exhibit in exhibits {
             if !groups.contains(&exhibit.group()) {
@@ -204,6 +206,9 @@ impl Gallery {
     }
 }
 
+/// How a page begins that this module wrote.
+const HEAD: &str = "# Gallery\n\nWritten by `rayline gallery`";
+
 /// The most by which a channel may differ in pictures that are alike.
 const ALIKE: u8 = 3;
 
@@ -247,6 +252,9 @@ impl fmt::Display for GalleryError {
         match self {
             Self::Directory { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Empty(path) => write!(f, "there is no .ron file in {}", path.display()),
+            Self::NotOurs(path) => {
+                write!(f, "{} is no gallery's page and would be lost; move it", path.display())
+            }
             Self::Load(error) => error.fmt(f),
             Self::Scene(text) => f.write_str(text),
             Self::Povray { scene, error } => write!(f, "{scene}: {error}"),
@@ -259,7 +267,7 @@ impl core::error::Error for GalleryError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Self::Directory { error, .. } => Some(error),
-            Self::Empty(_) | Self::Scene(_) => None,
+            Self::Empty(_) | Self::NotOurs(_) | Self::Scene(_) => None,
             Self::Load(error) => Some(error),
             Self::Povray { error, .. } => Some(error),
             Self::File(error) => Some(error),

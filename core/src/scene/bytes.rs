@@ -33,8 +33,7 @@ pub enum BytesError {
     },
     /// The scene goes on after their end. Look whether all of the file was taken.
     Cut,
-    /// They stand for nothing that a scene could hold, or for a shape that the set does not have. Write the scene again, and name
-    /// a set that has all its shapes.
+    /// They stand for nothing that a scene could hold. Write the scene again, and read it with the set that it was written with.
     Broken,
     /// The memory for lists is too small. Lend more.
     Memory {
@@ -63,7 +62,7 @@ impl fmt::Display for BytesError {
                 );
             }
             Self::Cut => "the bytes end before the scene does",
-            Self::Broken => "the bytes hold what no scene does, or a shape that is not in the set",
+            Self::Broken => "the bytes hold what no scene does; read them with the set that wrote them",
             Self::Memory { needed, lent } => {
                 return write!(
                     f,
@@ -93,6 +92,9 @@ impl<S: Serialize> Scene<'_, S> {
 impl<'a, S: Read<'a> + Copy> Scene<'a, S> {
     /// The scene that these bytes are, with its lists in `memory`. Bytes of images stay where they are. What follows after the scene
     /// is not looked at.
+    ///
+    /// A shape is known by its place in the set: `S` is the one that the bytes were written with, or one of the same shapes in the same
+    /// places. What `rayline convert` writes is for [`Shape`](crate::shape::Shape).
     ///
     /// Whether it can be drawn, [`PreparedScene::new`](crate::PreparedScene::new) tells.
     ///

@@ -33,7 +33,7 @@ pub struct Demand {
     pub board: &'static Board,
     /// Bytes of flash, at least: the kernel with as many of the scene's kinds of shapes as were measured, and the scene.
     pub flash: u64,
-    /// Bytes of RAM, at most: the prepared scene, a line of 16-bit colors, and stack.
+    /// Bytes of RAM, about: the prepared scene, which has larger pointers here, a line of 16-bit colors, and stack.
     pub ram: u64,
     /// Rays of the pixel that takes most.
     pub worst_rays: u32,
@@ -79,7 +79,7 @@ impl Demand {
         Ok(Self {
             board,
             flash: counted.code(scene) + description_bytes(scene),
-            ram: prepared_bytes + line + counted.stack,
+            ram: prepared_bytes + line + counted.stack(scene),
             worst_rays,
             mean_rays: sum as f64 / pixels.max(1) as f64,
             seconds: counted.instructions_per_ray(scene) * sum as f64 / (board.megahertz * 1e6),
@@ -104,7 +104,7 @@ pub struct Demands(pub Vec<Demand>);
 impl fmt::Display for Demands {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let heads =
-            ["board", "chip", "number", "flash, at least", "of", "RAM, at most", "of", "s a frame", "fits"];
+            ["board", "chip", "number", "flash, at least", "of", "RAM, about", "of", "s a frame", "fits"];
         let mut table = Table::new(3, heads);
         for demand in &self.0 {
             let Demand { board, flash, ram, seconds, .. } = demand;
@@ -129,6 +129,8 @@ impl fmt::Display for Demands {
 mod tests {
     use super::*;
     use rayline::builtin::{CLASSIC, FLAKE_820, SPHERES, TABLE};
+    use rayline::shape::{Instances, Mesh, Model, Pose, Shape};
+    use rayline::{Object, Vec3};
 
     const SETTINGS: Settings = Settings { bounces: 3, ..Settings::new(32, 24) };
 
@@ -158,6 +160,19 @@ mod tests {
         // A faster processor is faster, one with a floating-point unit still more.
         assert!(demand(&TABLE, "blackpill").seconds < demand(&TABLE, "bluepill").seconds);
     }
+
+    #[test]
+    fn instances_take_what_their_model_takes() {
+        let mesh = Mesh { vertices: &TRIANGLE, triangles: &[[0, 1, 2]], normals: None, uvs: None };
+        let poses = [Pose::at(Vec3::ZERO)];
+        let model = Model::Mesh(mesh);
+        let [alone, instance] = [Shape::Mesh(mesh), Shape::Instances(Instances::new(&model, &poses))]
+            .map(|shape| demand(&Scene { objects: &[Object::new(shape, 0)], ..SPHERES }, "pico"));
+        assert!(instance.flash >= alone.flash && instance.ram > alone.ram - 512, "{instance:?} {alone:?}");
+        assert!(alone.flash > demand(&SPHERES, "pico").flash);
+    }
+
+    const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
 
     #[test]
     fn what_cannot_be_drawn_is_refused() {

@@ -16,13 +16,29 @@
 //! )
 //! ```
 //!
-//! All types and fields are those of the crate `rayline`; it tells what they mean, and what they are if they are left out. Beyond
-//! that:
+//! All types and fields are those of the crate `rayline`; it tells what they mean. What may be left out:
+//!
+//! | in | field | is then |
+//! |---|---|---|
+//! | scene | `background`, `lights` | black, none |
+//! | material | `color`, `diffuse`, `ior` | white, 1, 1 |
+//! | | all others | 0, none |
+//! | `optics` | all | as in [`Optics::PLAIN`](rayline::Optics::PLAIN) |
+//! | `Placed` | `placement` and all in it | [`Placement::SURFACE`](rayline::Placement::SURFACE) |
+//! | image | `encoding`, `filter`, `ends` | `Srgb`, `Nearest`, `Repeat` |
+//! | gradient | `ends` | `Repeat` |
+//! | mesh, triangle | `normals`, `uvs` | none |
+//! | disc | `hole` | 0 |
+//! | lamp | `falloff`, `cone` | none |
+//! | falloff | `constant`, `linear`, `quadratic` | 1, 0, 0 |
+//! | instances | `size`, `rotation` | 1, not turned |
+//!
+//! Beyond that:
 //!
 //! - Lists may be maps: their keys are names. That of a material stands for its number.
 //! - In place of a material, the name of one in [`rayline::materials`] may stand: [`PRESETS`].
-//! - In place of a mesh, the name of an `.obj` file; in place of an image, that of a `.png` or `.ppm` file; both as seen from the
-//!   file of the scene.
+//! - In place of a mesh, the name of an `.obj` file; in place of an image, that of a `.png` or `.ppm` file, whose pixels
+//!   are sRGB, blended and repeated; both as seen from the file of the scene.
 //! - `Some` and the inner parentheses of `Sphere((center: …))` are left out.
 
 mod error;

@@ -27,7 +27,8 @@ pub(super) fn position_of(text: &str, part: Part) -> Option<Position> {
     };
     let stopped = options().from_str_seed(text, Field { name, inside: &mut StopAt(index) });
     // The text was read before, so nothing else can be wrong with it.
-    stopped.err().map(|error| Position::from(error.span.start))
+    // The span begins before the white space, and ends at the value.
+    stopped.err().map(|error| Position::from(error.span.end))
 }
 
 /// What is done inside of a field.

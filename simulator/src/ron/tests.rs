@@ -235,6 +235,15 @@ fn people_may_leave_out_and_name() {
     assert_eq!(line(Part::Light(0)), Some(15));
     assert_eq!(line(Part::Background), None);
     assert_eq!(line(Part::Object(3)), None);
+
+    let list = "Scene(camera: (eye: (0, 0, 9), target: (0, 0, 0), up: (0, 1, 0), vertical_fov: 1), materials: [(ior: 1)], objects: [
+        (shape: Sphere(center: (0, 0, 0), radius: 1), material: 0),
+        (shape: Sphere(center: (0, 0, 0), radius: 1), material: 0),
+    ])";
+    let import = parsed(&arena, list).unwrap();
+    let place =
+        |index| import.position_of(Part::Object(index)).map(|position| (position.line, position.column));
+    assert_eq!([place(0), place(1)], [Some((2, 9)), Some((3, 9))]);
 }
 
 /// Replaces something in [`SMALL`]: where is it refused, and why?
@@ -259,7 +268,7 @@ fn mistakes_are_told_where_they_are() {
         (8, 55, "there is no field of Sphere `raduis`; did you mean `radius`?"),
         (7, 76, "there is no material in this file `bal`; did you mean `ball`?"),
         (12, 18, "there is no preset for a material `glod`; did you mean `gold`?"),
-        (13, 17, "two are called `floor`; rename one"),
+        (13, 18, "two are called `floor`; rename one"),
         (8, 53, "Unexpected missing field named `radius` in `Sphere`"),
     ];
     assert_eq!(found, expected.map(|(line, column, reason)| (line, column, reason.to_owned())));
