@@ -108,15 +108,14 @@ impl<'a> LoadedScene<'a> {
     fn read_bytes(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let bytes = std::fs::read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })?;
         let bytes = arena.alloc_slice_copy(&bytes);
-        let mut room = bytes.len().saturating_mul(8).max(1 << 10);
+        let mut room = bytes.len().saturating_mul(16).max(1 << 12);
+        let most = bytes.len().saturating_mul(256).clamp(1 << 16, 1 << 30);
         let scene = loop {
-            let memory = arena.alloc_slice_fill_copy(room, MaybeUninit::uninit());
+            let memory = arena.alloc_slice_fill_copy(room.min(most), MaybeUninit::uninit());
             match Scene::from_bytes(bytes, memory) {
                 Ok(scene) => break scene,
-                // A list that claims to be longer than all bytes is a lie.
-                Err(BytesError::Memory { .. }) if room < bytes.len().saturating_mul(1 << 10) => {
-                    room = room.saturating_mul(4);
-                }
+                // No description is 256 times as long as its bytes.
+                Err(BytesError::Memory { .. }) if room < most => room = room.saturating_mul(4),
                 Err(error) => return Err(LoadError::Bytes { path: path.to_owned(), error }),
             }
         };

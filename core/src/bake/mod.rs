@@ -42,8 +42,7 @@ pub fn scene(scene: &Scene<'_>) -> Result<String, BakeError> {
         return Err(BakeError("the scene has no objects; add one".to_string()));
     }
     let description = Literal::of(scene).map_err(|error| BakeError(error.to_string()))?;
-    let names: BTreeMap<String, bool> =
-        scene.objects.iter().map(|object| (name(&object.shape), borrows(&object.shape))).collect();
+    let names: BTreeMap<&str, bool> = scene.objects.iter().map(|object| name(&object.shape)).collect();
     let lifetime = |is_there: bool, lifetime| if is_there { lifetime } else { "" };
     let borrows = names.values().any(|borrows| *borrows);
     let (declared, used) = (lifetime(borrows, "<'a>"), lifetime(borrows, "<'static>"));
@@ -119,20 +118,25 @@ pub const fn prepared_bytes<R: rayline::Real>() -> usize {{
     ))
 }
 
-/// What the shape and its variant in the set of all shapes are called.
-fn name(shape: &Shape<'_>) -> String {
-    format!("{shape:?}").split('(').next().unwrap_or_default().to_string()
-}
-
-/// Whether the shape borrows a part of its description.
-const fn borrows(shape: &Shape<'_>) -> bool {
-    matches!(
-        shape,
-        Shape::Polygon(_)
-            | Shape::ConvexPolyhedron(_)
-            | Shape::Mesh(_)
-            | Shape::Csg(_)
-            | Shape::Metaballs(_)
-            | Shape::Instances(_)
-    )
+/// What the shape and its variant in the set of all shapes are called, and whether it borrows a part of its description.
+const fn name(shape: &Shape<'_>) -> (&'static str, bool) {
+    match shape {
+        Shape::Sphere(_) => ("Sphere", false),
+        Shape::Plane(_) => ("Plane", false),
+        Shape::Disc(_) => ("Disc", false),
+        Shape::Rectangle(_) => ("Rectangle", false),
+        Shape::Triangle(_) => ("Triangle", false),
+        Shape::Polygon(_) => ("Polygon", true),
+        Shape::Cylinder(_) => ("Cylinder", false),
+        Shape::Cone(_) => ("Cone", false),
+        Shape::Ellipsoid(_) => ("Ellipsoid", false),
+        Shape::Quadric(_) => ("Quadric", false),
+        Shape::Torus(_) => ("Torus", false),
+        Shape::Cuboid(_) => ("Cuboid", false),
+        Shape::ConvexPolyhedron(_) => ("ConvexPolyhedron", true),
+        Shape::Mesh(_) => ("Mesh", true),
+        Shape::Csg(_) => ("Csg", true),
+        Shape::Metaballs(_) => ("Metaballs", true),
+        Shape::Instances(_) => ("Instances", true),
+    }
 }

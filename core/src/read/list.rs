@@ -3,7 +3,7 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use super::{Read, Reader, Seed};
 
@@ -75,8 +75,10 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
     #[cfg(not(feature = "std"))]
     fn collect_any<E: Error>(
         self,
-        _: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
+        // What claims to be longer than all that is left ends in the format's own error.
+        while next(self.reader)?.is_some() {}
         Err(E::custom("the format does not tell how long lists are: build with the feature `std`"))
     }
 }
@@ -93,10 +95,33 @@ impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
     }
 
     fn visit_map<A: MapAccess<'m>>(self, mut map: A) -> Result<&'m [T], A::Error> {
-        self.collect(map.size_hint(), |reader| match map.next_key::<IgnoredAny>()? {
-            Some(_) => map.next_value_seed(Seed::new(reader)).map(Some),
+        self.collect(map.size_hint(), |reader| match map.next_key_seed(Key)? {
+            Some(()) => map.next_value_seed(Seed::new(reader)).map(Some),
             None => Ok(None),
         })
+    }
+}
+
+/// The key of a value in a list that is written as a map: a name, for the reader's benefit.
+struct Key;
+
+impl<'de> DeserializeSeed<'de> for Key {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<(), D::Error> {
+        from.deserialize_str(self)
+    }
+}
+
+impl Visitor<'_> for Key {
+    type Value = ();
+
+    fn expecting(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str("a name in quotes")
+    }
+
+    fn visit_str<E: Error>(self, _: &str) -> Result<(), E> {
+        Ok(())
     }
 }
 

@@ -43,7 +43,7 @@ crate::read::read_struct! {
 impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     SceneBuf<'a, S, OBJECTS, MATERIALS, LIGHTS>
 {
-    const NUMBERED_BY_U16: () = assert!(MATERIALS <= crate::limits::MAX_COUNT);
+    pub(super) const NUMBERED_BY_U16: () = assert!(MATERIALS <= crate::limits::MAX_COUNT);
 
     /// An empty scene.
     pub const fn new(camera: Camera, background: Background<'a>) -> Self {

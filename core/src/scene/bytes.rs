@@ -127,6 +127,7 @@ where
     /// # Errors
     /// A [`BytesError`] that says why they are none.
     pub fn from_bytes(bytes: &'a [u8], memory: &'a mut [MaybeUninit<u8>]) -> Result<Self, BytesError> {
+        let () = Self::NUMBERED_BY_U16;
         read(bytes, memory)
     }
 }

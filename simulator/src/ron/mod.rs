@@ -48,6 +48,7 @@ mod outline;
 mod tests;
 
 use core::mem::MaybeUninit;
+use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
 
@@ -104,8 +105,9 @@ fn parse<'a>(
     directory: &'a Path,
 ) -> Result<Import<'a>, (Position, RonFault)> {
     let materials = outline::material_names(text).map_err(|error| RonFault::from_ron(error, None))?;
+    let mut seen = HashSet::new();
     for (index, name) in materials.iter().enumerate() {
-        if materials.iter().take(index).any(|other| other == name) {
+        if !seen.insert(name) {
             let position = outline::position_of(text, Part::Material(index));
             return Err((
                 position.unwrap_or(Position { line: 1, column: 1 }),

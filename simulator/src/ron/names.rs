@@ -1,6 +1,7 @@
 //! What names in a file stand for.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -35,6 +36,8 @@ pub(super) struct Known<'a> {
     directory: &'a Path,
     /// Those of the file's own materials.
     materials: &'a [&'a str],
+    /// What was found before: a name is often used, and read again where the memory was too small.
+    found: RefCell<HashMap<(String, String), &'a [u8]>>,
     /// What was named last without success.
     unknown: RefCell<Option<RonFault>>,
 }
@@ -42,7 +45,7 @@ pub(super) struct Known<'a> {
 impl<'a> Known<'a> {
     pub(super) fn new(arena: &'a Bump, directory: &'a Path, materials: &[String]) -> Self {
         let materials = arena.alloc_slice_fill_iter(materials.iter().map(|name| &*arena.alloc_str(name)));
-        Self { arena, directory, materials, unknown: RefCell::new(None) }
+        Self { arena, directory, materials, found: RefCell::default(), unknown: RefCell::default() }
     }
 
     /// Why a name was not found, if one was not.
@@ -52,6 +55,10 @@ impl<'a> Known<'a> {
 
     /// The bytes of what is called so: see [`rayline::read::Names`].
     pub(super) fn find(&self, what: &str, name: &str) -> Option<&'a [u8]> {
+        let key = (what.to_owned(), name.to_owned());
+        if let Some(bytes) = self.found.borrow().get(&key) {
+            return Some(*bytes);
+        }
         let found = match what {
             "MaterialId" => self.own_material(name),
             "Material" => self.preset(name),
@@ -59,7 +66,16 @@ impl<'a> Known<'a> {
             "Image" => self.image(name),
             _ => Err(RonFault::UnknownName { what: what.to_owned(), name: name.to_owned(), nearest: None }),
         };
-        found.map_err(|fault| self.unknown.replace(Some(fault))).ok()
+        match found {
+            Ok(bytes) => {
+                self.found.borrow_mut().insert(key, bytes);
+                Some(bytes)
+            }
+            Err(fault) => {
+                self.unknown.replace(Some(fault));
+                None
+            }
+        }
     }
 
     fn own_material(&self, name: &str) -> Result<&'a [u8], RonFault> {
