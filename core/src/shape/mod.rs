@@ -86,7 +86,7 @@
 //! # };
 //! # let white = rayline::LinearRgb::WHITE;
 //! # let materials = [rayline::Material::matte(white); 2];
-//! # let scene = rayline::Scene { camera, background: white, objects: &OBJECTS, materials: &materials, lights: &[] };
+//! # let scene = rayline::Scene { camera, background: white.into(), objects: &OBJECTS, materials: &materials, lights: &[] };
 //! # let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
 //! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
 //! ```
