@@ -134,9 +134,9 @@ impl<'m, T: Copy> Room<'m, T> {
     /// Writes the next value.
     ///
     /// # Errors
-    /// [`Fault::Memory`] where all room is filled.
+    /// [`Fault::Full`] where all room is filled.
     pub(crate) fn push(&mut self, value: T) -> Result<(), Fault> {
-        let full = Fault::Memory { needed: size_of::<T>(), lent: 0 };
+        let full = Fault::Full { room: self.slots.len() };
         self.slots.get_mut(self.len).ok_or(full)?.write(value);
         self.len += 1;
         Ok(())

@@ -39,7 +39,8 @@ impl LinearRgb {
         Self::new(value, value, value)
     }
 
-    pub(crate) const fn channels(self) -> [f32; 3] {
+    /// Red, green and blue.
+    pub const fn channels(self) -> [f32; 3] {
         [self.r, self.g, self.b]
     }
 

@@ -1,12 +1,15 @@
 //! Descriptions as Rust: what serde tells of a value is enough to write it down, as all its fields are public.
 
 use core::fmt::{self, Display};
+use std::format;
 use std::string::{String, ToString};
 
 use serde::ser::{
     Error, Impossible, Serialize, SerializeSeq, SerializeStruct, SerializeStructVariant, SerializeTuple,
     SerializeTupleStruct, Serializer,
 };
+
+use super::BakeError;
 
 /// What a description refers to, rather than holds.
 const BORROWED: [&str; 5] = ["Model", "Optics", "Panorama", "Placed", "Sky"];
@@ -20,27 +23,23 @@ pub(super) struct Literal {
     depth: usize,
 }
 
-/// What no description has.
-#[derive(Debug)]
-pub(super) struct Unforeseen(String);
-
 impl Literal {
     /// The expression for a value.
     ///
     /// # Errors
     /// It is of a kind that no description is.
-    pub(super) fn of(value: &impl Serialize) -> Result<String, Unforeseen> {
+    pub(super) fn of(value: &impl Serialize) -> Result<String, BakeError> {
         let mut literal = Self { text: String::new(), depth: 1 };
         value.serialize(&mut literal)?;
         Ok(literal.text)
     }
 
-    fn write(&mut self, text: impl Display) -> Result<(), Unforeseen> {
-        fmt::Write::write_fmt(&mut self.text, format_args!("{text}")).map_err(Unforeseen::custom)
+    fn write(&mut self, text: impl Display) -> Result<(), BakeError> {
+        fmt::Write::write_fmt(&mut self.text, format_args!("{text}")).map_err(BakeError::custom)
     }
 
     /// Writes the name of a type.
-    fn name(&mut self, name: &'static str) -> Result<(), Unforeseen> {
+    fn name(&mut self, name: &'static str) -> Result<(), BakeError> {
         let borrow = if BORROWED.contains(&name) { "&" } else { "" };
         self.write(format_args!("{borrow}{name}"))
     }
@@ -67,7 +66,7 @@ pub(super) struct Parts<'l> {
 }
 
 impl Parts<'_> {
-    fn part<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), Unforeseen> {
+    fn part<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), BakeError> {
         let is_first = core::mem::replace(&mut self.is_empty, false);
         if self.lines {
             self.literal.new_line();
@@ -87,7 +86,7 @@ impl Parts<'_> {
         if self.end == "}" { " " } else { "" }
     }
 
-    fn finish(self) -> Result<(), Unforeseen> {
+    fn finish(self) -> Result<(), BakeError> {
         self.literal.depth -= 1;
         if self.lines && !self.is_empty {
             self.literal.new_line();
@@ -102,13 +101,13 @@ macro_rules! parts {
     ($($Trait:ident $part:ident),+) => {$(
         impl $Trait for Parts<'_> {
             type Ok = ();
-            type Error = Unforeseen;
+            type Error = BakeError;
 
-            fn $part<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Unforeseen> {
+            fn $part<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), BakeError> {
                 self.part("", value)
             }
 
-            fn end(self) -> Result<(), Unforeseen> {
+            fn end(self) -> Result<(), BakeError> {
                 self.finish()
             }
         }
@@ -120,17 +119,17 @@ macro_rules! fields {
     ($($Trait:ident),+) => {$(
         impl $Trait for Parts<'_> {
             type Ok = ();
-            type Error = Unforeseen;
+            type Error = BakeError;
 
             fn serialize_field<T: Serialize + ?Sized>(
                 &mut self,
                 name: &'static str,
                 value: &T,
-            ) -> Result<(), Unforeseen> {
+            ) -> Result<(), BakeError> {
                 self.part(&[name, ": "].concat(), value)
             }
 
-            fn end(self) -> Result<(), Unforeseen> {
+            fn end(self) -> Result<(), BakeError> {
                 self.finish()
             }
         }
@@ -140,28 +139,28 @@ fields!(SerializeStruct, SerializeStructVariant);
 
 macro_rules! numbers {
     ($($method:ident $Type:ty),+) => {
-        $(fn $method(self, value: $Type) -> Result<(), Unforeseen> {
+        $(fn $method(self, value: $Type) -> Result<(), BakeError> {
             self.write(value)
         })+
     };
 }
 
 macro_rules! unforeseen {
-    ($($method:ident($($argument:ty),*) $(<$T:ident>)? -> $Ok:ty),+ $(,)?) => {
-        $(fn $method $(<$T: Serialize + ?Sized>)? (self, $(_: $argument),*) -> Result<$Ok, Unforeseen> {
-            Err(Unforeseen(stringify!($method).to_string()))
+    ($($method:ident($($argument:ty),*) -> $Ok:ty),+ $(,)?) => {
+        $(fn $method(self, $(_: $argument),*) -> Result<$Ok, BakeError> {
+            Err(unforeseen(stringify!($method)))
         })+
     };
 }
 
 impl<'l> Serializer for &'l mut Literal {
     type Ok = ();
-    type Error = Unforeseen;
+    type Error = BakeError;
     type SerializeSeq = Parts<'l>;
     type SerializeTuple = Parts<'l>;
     type SerializeTupleStruct = Parts<'l>;
-    type SerializeTupleVariant = Impossible<(), Unforeseen>;
-    type SerializeMap = Impossible<(), Unforeseen>;
+    type SerializeTupleVariant = Impossible<(), BakeError>;
+    type SerializeMap = Impossible<(), BakeError>;
     type SerializeStruct = Parts<'l>;
     type SerializeStructVariant = Parts<'l>;
 
@@ -170,7 +169,7 @@ impl<'l> Serializer for &'l mut Literal {
         serialize_u8 u8, serialize_u16 u16, serialize_u32 u32, serialize_u64 u64
     );
 
-    fn serialize_f32(self, value: f32) -> Result<(), Unforeseen> {
+    fn serialize_f32(self, value: f32) -> Result<(), BakeError> {
         if value.is_nan() {
             self.write("f32::NAN")
         } else if value.is_infinite() {
@@ -180,15 +179,15 @@ impl<'l> Serializer for &'l mut Literal {
         }
     }
 
-    fn serialize_bytes(self, bytes: &[u8]) -> Result<(), Unforeseen> {
+    fn serialize_bytes(self, bytes: &[u8]) -> Result<(), BakeError> {
         self.write(format_args!("b\"{}\"", bytes.escape_ascii()))
     }
 
-    fn serialize_none(self) -> Result<(), Unforeseen> {
+    fn serialize_none(self) -> Result<(), BakeError> {
         self.write("None")
     }
 
-    fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), Unforeseen> {
+    fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), BakeError> {
         self.write("Some(")?;
         value.serialize(&mut *self)?;
         self.write(")")
@@ -199,7 +198,7 @@ impl<'l> Serializer for &'l mut Literal {
         name: &'static str,
         _: u32,
         variant: &'static str,
-    ) -> Result<(), Unforeseen> {
+    ) -> Result<(), BakeError> {
         self.name(name)?;
         self.write(format_args!("::{variant}"))
     }
@@ -208,7 +207,7 @@ impl<'l> Serializer for &'l mut Literal {
         self,
         name: &'static str,
         value: &T,
-    ) -> Result<(), Unforeseen> {
+    ) -> Result<(), BakeError> {
         self.name(name)?;
         self.write("(")?;
         value.serialize(&mut *self)?;
@@ -221,27 +220,27 @@ impl<'l> Serializer for &'l mut Literal {
         _: u32,
         variant: &'static str,
         value: &T,
-    ) -> Result<(), Unforeseen> {
+    ) -> Result<(), BakeError> {
         self.name(name)?;
         self.write(format_args!("::{variant}("))?;
         value.serialize(&mut *self)?;
         self.write(")")
     }
 
-    fn serialize_seq(self, _: Option<usize>) -> Result<Parts<'l>, Unforeseen> {
+    fn serialize_seq(self, _: Option<usize>) -> Result<Parts<'l>, BakeError> {
         Ok(self.parts("&[", "]", true))
     }
 
-    fn serialize_tuple(self, _: usize) -> Result<Parts<'l>, Unforeseen> {
+    fn serialize_tuple(self, _: usize) -> Result<Parts<'l>, BakeError> {
         Ok(self.parts("[", "]", false))
     }
 
-    fn serialize_tuple_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
+    fn serialize_tuple_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, BakeError> {
         self.name(name)?;
         Ok(self.parts("::new(", ")", false))
     }
 
-    fn serialize_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, Unforeseen> {
+    fn serialize_struct(self, name: &'static str, _: usize) -> Result<Parts<'l>, BakeError> {
         self.name(name)?;
         Ok(self.parts(" {", "}", true))
     }
@@ -252,14 +251,14 @@ impl<'l> Serializer for &'l mut Literal {
         _: u32,
         variant: &'static str,
         _: usize,
-    ) -> Result<Parts<'l>, Unforeseen> {
+    ) -> Result<Parts<'l>, BakeError> {
         self.name(name)?;
         self.write(format_args!("::{variant}"))?;
         Ok(self.parts(" {", "}", true))
     }
 
-    fn collect_str<T: Display + ?Sized>(self, _: &T) -> Result<(), Unforeseen> {
-        Err(Unforeseen("collect_str".to_string()))
+    fn collect_str<T: Display + ?Sized>(self, _: &T) -> Result<(), BakeError> {
+        Err(unforeseen("collect_str"))
     }
 
     unforeseen!(
@@ -273,15 +272,12 @@ impl<'l> Serializer for &'l mut Literal {
     );
 }
 
-impl Display for Unforeseen {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no description has such a value: {}", self.0)
-    }
+/// A value of a kind that no description has.
+fn unforeseen(kind: &str) -> BakeError {
+    BakeError(format!("no description has such a value: {kind}"))
 }
 
-impl core::error::Error for Unforeseen {}
-
-impl Error for Unforeseen {
+impl Error for BakeError {
     fn custom<T: Display>(reason: T) -> Self {
         Self(reason.to_string())
     }

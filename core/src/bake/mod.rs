@@ -41,7 +41,7 @@ pub fn scene(scene: &Scene<'_>) -> Result<String, BakeError> {
     if scene.objects.is_empty() {
         return Err(BakeError("the scene has no objects; add one".to_string()));
     }
-    let description = Literal::of(scene).map_err(|error| BakeError(error.to_string()))?;
+    let description = Literal::of(scene)?;
     let names: BTreeMap<&str, bool> = scene.objects.iter().map(|object| name(&object.shape)).collect();
     let lifetime = |is_there: bool, lifetime| if is_there { lifetime } else { "" };
     let borrows = names.values().any(|borrows| *borrows);

@@ -50,11 +50,16 @@ pub struct Material<'a> {
     pub maps: &'a [Map<'a>],
 }
 
+/// What a file leaves out is as in this.
+#[cfg(feature = "serde")]
+const WHITE: Material = Material::matte(LinearRgb::WHITE);
+
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
     [] Material as Material<'m> {
-        color = Self::matte(LinearRgb::WHITE).color, ambient = 0.0, diffuse = 1.0, specular = 0.0, shininess = 0.0,
-        reflectance = 0.0, transmittance = 0.0, ior = 1.0, optics = None, maps = &[],
+        color = WHITE.color, ambient = WHITE.ambient, diffuse = WHITE.diffuse, specular = WHITE.specular,
+        shininess = WHITE.shininess, reflectance = WHITE.reflectance, transmittance = WHITE.transmittance, ior = WHITE.ior,
+        optics = WHITE.optics, maps = WHITE.maps,
     }
     may be named
 }

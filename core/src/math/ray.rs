@@ -25,6 +25,14 @@ impl<R: Real> Ray<R> {
         (self.at(advance) - place, advance)
     }
 
+    /// The same, for squares of what is near: once more, as what a long way was rounded by would be missing in them.
+    #[inline(always)]
+    pub(crate) fn nearest_to_twice(&self, place: Vec3<R>) -> (Vec3<R>, R) {
+        let (from_place, advance) = self.nearest_to(place);
+        let rest = -from_place.dot(self.direction);
+        (from_place + self.direction * rest, advance + rest)
+    }
+
     /// A ray that leaves a surface and does not hit it again.
     ///
     /// The origin is moved off the surface along the geometric `normal`, to the side that `direction` goes

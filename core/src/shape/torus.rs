@@ -127,10 +127,7 @@ impl<R: Real> PreparedTorus<R> {
     /// Tells where a ray's line meets the torus, in order, until one is what is to be `found`. What lies before `range` may be
     /// left out.
     fn each_crossing(&self, ray: &Ray<R>, range: Interval<R>, mut found: impl FnMut(R) -> bool) {
-        let (from_center, advance) = ray.nearest_to(self.center);
-        // Once more: what a long way was rounded by would be missing in the square below.
-        let rest = -from_center.dot(ray.direction);
-        let (advance, from_center) = (advance + rest, from_center + ray.direction * rest);
+        let (from_center, advance) = ray.nearest_to_twice(self.center);
         if from_center.dot_wide(from_center) > self.size.times(self.size) {
             return;
         }

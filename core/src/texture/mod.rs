@@ -29,7 +29,7 @@ pub use marble::Marble;
 pub use noise::{MAX_OCTAVES, Noise};
 pub use pixels::{Encoding, Pixels};
 pub use placed::{Figure, Placed};
-pub(crate) use placed::{Needing, PreparedPlaced, Present, level_mark, present};
+pub(crate) use placed::{Needing, PreparedPlaced, level_mark, present};
 pub use placement::{Placement, Space};
 pub use stripes::Stripes;
 pub use wood::Wood;
@@ -87,7 +87,7 @@ impl<'a> Texture<'a> {
             Self::Checker(checker) => PreparedTexture::Checker(checker.prepare(scale)?),
             Self::Placed(pattern) => {
                 let present = present()?;
-                PreparedTexture::Placed(memory.store(pattern.prepare(scale)?)?, present)
+                PreparedTexture::Placed(Needing::new(memory.store(pattern.prepare(scale)?)?, present))
             }
         })
     }
@@ -131,7 +131,7 @@ pub(crate) fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> 
 pub(crate) enum PreparedTexture<'m, R: Real> {
     Solid(LinearRgb<R>),
     Checker(PreparedChecker<R>),
-    Placed(&'m PreparedPlaced<'m, R>, Present),
+    Placed(Needing<'m, PreparedPlaced<'m, R>>),
 }
 
 impl<R: Real> PreparedTexture<'_, R> {
@@ -146,7 +146,7 @@ impl<R: Real> PreparedTexture<'_, R> {
         match self {
             Self::Solid(_) => None,
             Self::Checker(checker) => Some(checker.cell(surface.point)),
-            Self::Placed(pattern, _) => Some(pattern.cell(surface.point, color, uv)),
+            Self::Placed(pattern) => Some(pattern.get().cell(surface.point, color, uv)),
         }
     }
 
@@ -156,7 +156,7 @@ impl<R: Real> PreparedTexture<'_, R> {
         match self {
             Self::Solid(color) => *color,
             Self::Checker(checker) => checker.color(surface.point),
-            Self::Placed(pattern, _) => pattern.color(surface.point, uv),
+            Self::Placed(pattern) => pattern.get().color(surface.point, uv),
         }
     }
 }

@@ -27,15 +27,9 @@ pub(super) struct Line<R> {
 impl<R: Real> Line<R> {
     /// The line, unless it passes by the ball of this radius around the middle.
     pub(super) fn new(ray: &Ray<R>, middle: Vec3<R>, radius: R) -> Option<Self> {
-        let (from_middle, advance) = ray.nearest_to(middle);
-        // Once more: a long way rounds.
-        let rest = -from_middle.dot(ray.direction);
-        let start = from_middle + ray.direction * rest;
-        (start.dot_wide(start) <= radius.times(radius)).then_some(Self {
-            start,
-            direction: ray.direction,
-            advance: advance + rest,
-        })
+        let (start, advance) = ray.nearest_to_twice(middle);
+        let is_near = start.dot_wide(start) <= radius.times(radius);
+        is_near.then_some(Self { start, direction: ray.direction, advance })
     }
 
     /// The point at a distance along the line, from the middle.
