@@ -294,8 +294,7 @@ fn images() -> BoxedStrategy<Image<'static>> {
             palette: &[[7; 3], [255; 3], [90, 0, 9]]
         }),
     ];
-    let ends = prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
-    (pixels, ends, any::<bool>(), any::<bool>())
+    (pixels, ends(), any::<bool>(), any::<bool>())
         .prop_map(|(pixels, ends, srgb, nearest)| Image {
             width: 3,
             height: 2,
@@ -307,12 +306,15 @@ fn images() -> BoxedStrategy<Image<'static>> {
         .boxed()
 }
 
+fn ends() -> impl Strategy<Value = Ends> {
+    prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)]
+}
+
 /// Patterns and images of such numbers and colors; not all are legal.
 pub fn textures(
     number: &BoxedStrategy<f32>,
     color: &BoxedStrategy<LinearRgb>,
 ) -> BoxedStrategy<Texture<'static>> {
-    let ends = || prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
     let octaves = || prop_oneof![9 => 1..=8u8, 1 => any::<u8>()];
     let two = (color.clone(), color.clone());
     let figure = prop_oneof![

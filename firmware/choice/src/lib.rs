@@ -1,9 +1,9 @@
 //! For build scripts: what picture a program for a board renders, and how.
 //!
-//! `RAYLINE_SCENE` names a built-in scene or a `.rayline` file with the bytes of one, `RAYLINE_SIZE` is such as `320x240`, `RAYLINE_BOUNCES` a number; where
-//! one is not given, it is `classic`, what the program's author chose, and as many bounces as the scene is meant to
-//! be seen with. `RAYLINE_NUMBER` and `RAYLINE_MODE` choose among what a program offers, see [`write_number`] and
-//! [`write_mode`].
+//! `RAYLINE_SCENE` names a built-in scene or a `.rayline` file with the bytes of one, `RAYLINE_SIZE` is such as `320x240`,
+//! `RAYLINE_BOUNCES` a number; where one is not given, it is `classic`, what the program's author chose, and as many bounces as the
+//! scene is meant to be seen with. `RAYLINE_NUMBER` and `RAYLINE_MODE` choose among what a program offers, see [`write_number`]
+//! and [`write_mode`].
 
 use core::mem::MaybeUninit;
 use std::env;
@@ -57,14 +57,18 @@ fn of_builtin(name: &str) -> Result<(String, u8), Box<dyn Error>> {
 fn of_file(path: &str) -> Result<(String, u8), Box<dyn Error>> {
     println!("cargo:rerun-if-changed={path}");
     let bytes = fs::read(path).map_err(|error| format!("cannot read {path:?}: {error}"))?;
-    // Written out, numbers take a few times the bytes that they have in the file.
-    let mut memory = vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)];
+    let mut memory = memory_for(&bytes);
     let scene = Scene::from_bytes(&bytes, &mut memory).map_err(|error| format!("{path:?}: {error}"))?;
     Ok((bake::scene(&scene)?, USUAL_BOUNCES))
 }
 
-/// How often light is mirrored where nobody says it.
-const USUAL_BOUNCES: u8 = 6;
+/// Memory for the lists of a scene in these bytes. Written out, numbers take a few times the bytes that they have in the file.
+pub fn memory_for(bytes: &[u8]) -> Vec<MaybeUninit<u8>> {
+    vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)]
+}
+
+/// How often light is mirrored where nobody says it: in scenes from files.
+pub const USUAL_BOUNCES: u8 = 6;
 
 /// Writes the number system that the program computes in into `number.rs` in the build's output folder:
 /// `RAYLINE_NUMBER` is `f32` or `fixed`, and `f32` where it is not given.

@@ -2,7 +2,6 @@
 
 use std::fmt;
 use std::fs;
-use std::mem::MaybeUninit;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -112,13 +111,14 @@ impl Source {
         let shown = path.display().to_string();
         // There is one scene in a run of this program: it stays until the end.
         let bytes = &*fs::read(path).with_context(|| shown.clone())?.leak();
-        let memory = vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)].leak();
-        let scene = Scene::from_bytes(bytes, memory).with_context(|| shown.clone())?;
+        let scene = Scene::from_bytes(bytes, rayline_choice::memory_for(bytes).leak())
+            .with_context(|| shown.clone())?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         // Build scripts run in another folder.
         let source = fs::canonicalize(path)?.into_os_string().into_string();
         let source = source.ok().with_context(|| format!("{shown}: its path is not UTF-8"))?;
-        Ok(Self { name: name.leak(), source: source.leak(), scene: Box::leak(Box::new(scene)), bounces: 6 })
+        let bounces = rayline_choice::USUAL_BOUNCES;
+        Ok(Self { name: name.leak(), source: source.leak(), scene: Box::leak(Box::new(scene)), bounces })
     }
 }
 
