@@ -109,17 +109,14 @@ fn convert(arguments: &Convert) -> Outcome {
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let bytes = file.write(&scene.scene, &scene.options().settings)?;
     if !arguments.quiet {
-        let Scene { objects, materials, lights, .. } = scene.scene;
-        writeln!(
-            io::stdout(),
-            "{}: {bytes} bytes; {} objects, {} materials, {} lights",
-            file.path().display(),
-            objects.len(),
-            materials.len(),
-            lights.len()
-        )?;
+        writeln!(io::stdout(), "{}: {bytes} bytes; {}", file.path().display(), counts(&scene.scene))?;
     }
     Ok(())
+}
+
+/// What there is in a scene.
+fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
+    format!("{} objects, {} materials, {} lights", objects.len(), materials.len(), lights.len())
 }
 
 fn bake(arguments: &Convert) -> Outcome {
@@ -133,32 +130,22 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, false)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
-    let Scene { objects, materials, lights, .. } = scene.scene;
     let (width, height) = arguments.size;
     let bounces = arguments.bounces.unwrap_or(scene.bounces);
     let settings = Settings { bounces, ..Settings::new(width, height) };
     let boards = BOARDS.iter().filter(|board| arguments.board.as_ref().is_none_or(|name| name == board.name));
-    let demands = boards
-        .map(|board| Demand::new(&scene.scene, board, settings).map_err(|error| explain(&scene, error)));
-    let demands: Vec<Demand> = demands.collect::<Result<_, _>>()?;
+    let demands = Demands::new(&scene.scene, boards, settings).map_err(|error| explain(&scene, error))?;
     let mut out = io::stdout();
-    writeln!(
-        out,
-        "{}: {} objects, {} materials, {} lights; {width}x{height}, {bounces} bounces",
-        scene.name,
-        objects.len(),
-        materials.len(),
-        lights.len()
-    )?;
-    if let Some(Demand { mean_rays, worst_rays, .. }) = demands.first() {
+    writeln!(out, "{}: {}; {width}x{height}, {bounces} bounces", scene.name, counts(&scene.scene))?;
+    if let Some(Demand { mean_rays, worst_rays, .. }) = demands.0.first() {
         writeln!(
             out,
             "{mean_rays:.1} rays a pixel, {worst_rays} in the worst of the picture; never more than {}\n",
             settings.rays_per_pixel
         )?;
     }
-    let fits = demands.iter().any(Demand::fits);
-    write!(out, "{}", Demands(demands))?;
+    let fits = demands.0.iter().any(Demand::fits);
+    write!(out, "{demands}")?;
     match &arguments.board {
         Some(board) if !fits => Err(format!("{} does not fit {board}", scene.name).into()),
         _ => Ok(()),

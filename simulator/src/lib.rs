@@ -3,7 +3,7 @@
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
 //! - [`ron`] reads and writes scene files, [`nff`], [`obj`] and [`gltf`] read those of others, and [`LoadedScene`] finds a scene by name or file;
 //! - [`SceneFile`] writes scenes, also as Rust source and for POV-Ray;
-//! - [`Demand`] tells whether a scene fits a board;
+//! - [`Demands`] tells whether a scene fits boards;
 //! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
 //! - [`Gallery`] renders a directory of scenes and holds them against other number systems and POV-Ray;
 //! - [`report_pixel`] tells all that happened to one pixel;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::builtin;
-use rayline::{BytesError, Scene, SceneError};
+use rayline::{BytesError, Part, Scene, SceneError};
 
 use crate::RenderOptions;
 use crate::gltf::{self, GltfError};
@@ -106,8 +106,7 @@ impl<'a> LoadedScene<'a> {
     }
 
     fn read_bytes(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let bytes = std::fs::read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })?;
-        let bytes = arena.alloc_slice_copy(&bytes);
+        let bytes = arena.alloc_slice_copy(&read(path)?);
         let mut room = bytes.len().saturating_mul(16).max(1 << 12);
         let most = bytes.len().saturating_mul(256).clamp(1 << 16, 1 << 30);
         let scene = loop {
@@ -119,68 +118,43 @@ impl<'a> LoadedScene<'a> {
                 Err(error) => return Err(LoadError::Bytes { path: path.to_owned(), error }),
             }
         };
-        Ok(Self {
-            name: name_of(path),
-            scene,
-            size: (640, 480),
-            bounces: 6,
-            notes: Vec::new(),
-            file: Some((path.to_owned(), Import::Bytes)),
-        })
+        Ok(Self::of_file(path, scene, Import::Bytes))
     }
 
     fn read_ron(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let import = ron::read(arena, path).map_err(LoadError::Ron)?;
-        Ok(Self {
-            name: name_of(path),
-            scene: import.scene,
-            size: (640, 480),
-            bounces: 6,
-            notes: Vec::new(),
-            file: Some((path.to_owned(), Import::Ron(import))),
-        })
+        Ok(Self::of_file(path, import.scene, Import::Ron(import)))
     }
 
     fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let import = obj::read(arena, path).map_err(LoadError::Obj)?;
-        Ok(Self {
-            name: name_of(path),
-            scene: import.scene,
-            size: import.resolution,
-            bounces: 4,
-            notes: import.notes.clone(),
-            file: Some((path.to_owned(), Import::Obj(import))),
-        })
+        let mut import = obj::read(arena, path).map_err(LoadError::Obj)?;
+        let (size, notes) = (import.resolution, core::mem::take(&mut import.notes));
+        Ok(Self { size, notes, bounces: 4, ..Self::of_file(path, import.scene, Import::Obj(import)) })
     }
 
     fn read_gltf(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
-        Ok(Self {
-            name: name_of(path),
-            scene: import.scene,
-            size: import.resolution,
-            bounces: 4,
-            notes: import.notes.clone(),
-            file: Some((path.to_owned(), Import::Gltf(import))),
-        })
+        let mut import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
+        let (size, notes) = (import.resolution, core::mem::take(&mut import.notes));
+        Ok(Self { size, notes, bounces: 4, ..Self::of_file(path, import.scene, Import::Gltf(import)) })
     }
 
     fn read_nff(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let path = path.to_owned();
-        let bytes = match std::fs::read(&path) {
-            Ok(bytes) => bytes,
-            Err(error) => return Err(LoadError::Read { path, error }),
-        };
-        match nff::parse_bytes(arena, &bytes) {
-            Ok(import) => Ok(Self {
-                name: name_of(&path),
-                scene: import.scene,
-                size: import.resolution,
-                bounces: 4,
-                notes: Vec::new(),
-                file: Some((path, Import::Nff(import))),
-            }),
-            Err(error) => Err(LoadError::Nff { path, error }),
+        let bytes = read(path)?;
+        let import = nff::parse_bytes(arena, &bytes)
+            .map_err(|error| LoadError::Nff { path: path.to_owned(), error })?;
+        let size = import.resolution;
+        Ok(Self { size, bounces: 4, ..Self::of_file(path, import.scene, Import::Nff(import)) })
+    }
+
+    /// A scene as it is meant to be seen where its file does not say how.
+    fn of_file(path: &Path, scene: Scene<'a>, import: Import<'a>) -> Self {
+        Self {
+            name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            scene,
+            size: (640, 480),
+            bounces: 6,
+            notes: Vec::new(),
+            file: Some((path.to_owned(), import)),
         }
     }
 
@@ -209,37 +183,41 @@ impl<'a> LoadedScene<'a> {
     /// Where in the scene's file an object is described.
     pub fn line_of_object(&self, index: usize) -> Option<usize> {
         match &self.file {
-            Some((_, Import::Nff(import))) => import.line_of(rayline::Part::Object(index)),
-            Some((_, Import::Ron(import))) => Some(import.position_of(rayline::Part::Object(index))?.line),
+            Some((_, Import::Nff(import))) => import.line_of(Part::Object(index)),
+            Some((_, Import::Ron(import))) => Some(import.position_of(Part::Object(index))?.line),
             _ => None,
         }
     }
 
     /// What is wrong with this scene, in one line: with the file, and the line or the name that the part has there.
     pub fn explain(&self, error: &SceneError) -> String {
-        match &self.file {
-            None => format!("{}: {error}", self.name),
-            Some((path, Import::Bytes)) => format!("{}: {error}", path.display()),
-            Some((path, Import::Nff(import))) => match import.line_of(error.part) {
-                Some(line) => format!("{}:{line}: {}", path.display(), error.fault),
-                None => format!("{}: {error}", path.display()),
-            },
-            Some((path, Import::Obj(import))) => match import.name_of(error.part) {
-                Some(name) => format!("{}: `{}`: {}", path.display(), name.escape_debug(), error.fault),
-                None => format!("{}: {error}", path.display()),
-            },
-            Some((path, Import::Gltf(import))) => match import.name_of(error.part) {
-                Some(name) => format!("{}: {name}: {}", path.display(), error.fault),
-                None => format!("{}: {error}", path.display()),
-            },
-            Some((path, Import::Ron(import))) => match import.position_of(error.part) {
-                Some(Position { line, column }) => {
-                    format!("{}:{line}:{column}: {}", path.display(), error.fault)
-                }
-                None => format!("{}: {error}", path.display()),
-            },
+        let Some((path, import)) = &self.file else { return format!("{}: {error}", self.name) };
+        let path = path.display();
+        match import.place(error.part) {
+            Some(place) => format!("{path}:{place}: {}", error.fault),
+            None => format!("{path}: {error}"),
         }
     }
+}
+
+impl Import<'_> {
+    /// Where the file describes a part of the scene, as it is written behind the name of the file and a colon.
+    fn place(&self, part: Part) -> Option<String> {
+        match self {
+            Self::Nff(import) => import.line_of(part).map(|line| line.to_string()),
+            Self::Obj(import) => import.name_of(part).map(|name| format!(" `{}`", name.escape_debug())),
+            Self::Gltf(import) => import.name_of(part).map(|name| format!(" {name}")),
+            Self::Ron(import) => {
+                import.position_of(part).map(|Position { line, column }| format!("{line}:{column}"))
+            }
+            Self::Bytes => None,
+        }
+    }
+}
+
+/// The bytes of a file.
+fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
+    std::fs::read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })
 }
 
 impl fmt::Display for LoadError {
@@ -278,9 +256,4 @@ impl core::error::Error for LoadError {
             Self::Bytes { error, .. } => Some(error),
         }
     }
-}
-
-/// What to call the pictures of a file.
-fn name_of(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -33,8 +33,10 @@ pub struct Demand {
     pub board: &'static Board,
     /// Bytes of flash, at least: the kernel with as many of the scene's kinds of shapes as were measured, and the scene.
     pub flash: u64,
-    /// Bytes of RAM, about: the prepared scene, which has larger pointers here, a line of 16-bit colors, and stack.
+    /// Bytes of RAM without stack, about: the prepared scene, which has larger pointers here, and a line of 16-bit colors.
     pub ram: u64,
+    /// Bytes of stack, about.
+    pub stack: u64,
     /// Rays of the pixel that takes most.
     pub worst_rays: u32,
     /// Rays of a pixel in the mean.
@@ -44,51 +46,47 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// What a scene takes of a board in a picture of these settings.
-    ///
-    /// # Errors
-    /// It cannot be drawn in the board's number system, or with these settings.
-    pub fn new(scene: &Scene<'_>, board: &'static Board, settings: Settings) -> Result<Self, RenderError> {
-        if board.core.has_fpu() {
-            Self::of::<f32>(scene, board, settings)
-        } else {
-            Self::of::<Fixed>(scene, board, settings)
-        }
-    }
-
-    fn of<R: Real>(
-        scene: &Scene<'_>,
-        board: &'static Board,
-        settings: Settings,
-    ) -> Result<Self, RenderError> {
-        let mut memory = memory_for::<R>(scene);
-        let prepared_bytes = memory.len() as u64;
-        let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
-        let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
-        let (mut worst_rays, mut sum, mut pixels) = (0, 0u64, 0u64);
-        for y in 0..settings.height as u16 {
-            for x in 0..settings.width as u16 {
-                let (_, rays) = renderer.pixel(x, y, &mut ());
-                worst_rays = worst_rays.max(rays);
-                sum += u64::from(rays);
-                pixels += 1;
-            }
-        }
+    fn new(scene: &Scene<'_>, board: &'static Board, settings: Settings, traced: &Traced) -> Self {
         let counted = Counted::new(board.core);
-        let line = u64::from(settings.width) * 2;
-        Ok(Self {
+        let pixels = f64::from(settings.width) * f64::from(settings.height);
+        Self {
             board,
             flash: counted.code(scene) + description_bytes(scene),
-            ram: prepared_bytes + line + counted.stack(scene),
-            worst_rays,
-            mean_rays: sum as f64 / pixels.max(1) as f64,
-            seconds: counted.instructions_per_ray(scene) * sum as f64 / (board.megahertz * 1e6),
-        })
+            ram: traced.prepared_bytes + u64::from(settings.width) * 2,
+            stack: counted.stack(scene),
+            worst_rays: traced.worst_rays,
+            mean_rays: traced.rays as f64 / pixels,
+            seconds: counted.instructions_per_ray(scene) * traced.rays as f64 / (board.megahertz * 1e6),
+        }
     }
 
     /// Whether flash and RAM suffice.
     pub fn fits(&self) -> bool {
-        self.flash <= self.board.flash && self.ram <= self.board.ram
+        self.flash <= self.board.flash && self.ram + self.stack <= self.board.ram
+    }
+}
+
+/// What was found by tracing the picture in one number system.
+struct Traced {
+    prepared_bytes: u64,
+    worst_rays: u32,
+    rays: u64,
+}
+
+impl Traced {
+    fn new<R: Real>(scene: &Scene<'_>, settings: Settings) -> Result<Self, RenderError> {
+        let mut memory = memory_for::<R>(scene);
+        let mut traced = Self { prepared_bytes: memory.len() as u64, worst_rays: 0, rays: 0 };
+        let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+        let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
+        for y in 0..settings.height as u16 {
+            for x in 0..settings.width as u16 {
+                let (_, rays) = renderer.pixel(x, y, &mut ());
+                traced.worst_rays = traced.worst_rays.max(rays);
+                traced.rays += u64::from(rays);
+            }
+        }
+        Ok(traced)
     }
 }
 
@@ -101,13 +99,49 @@ fn description_bytes(scene: &Scene<'_>) -> u64 {
 #[derive(Clone, Debug)]
 pub struct Demands(pub Vec<Demand>);
 
+impl Demands {
+    /// What a scene takes of boards in a picture of these settings, which is traced once for each number system.
+    ///
+    /// # Errors
+    /// It cannot be drawn in a board's number system, or with these settings.
+    pub fn new(
+        scene: &Scene<'_>,
+        boards: impl IntoIterator<Item = &'static Board>,
+        settings: Settings,
+    ) -> Result<Self, RenderError> {
+        let (mut float, mut fixed) = (None, None);
+        let demand = |board: &'static Board| {
+            let (known, trace): (_, fn(_, _) -> _) = match board.core.has_fpu() {
+                true => (&mut float, Traced::new::<f32>),
+                false => (&mut fixed, Traced::new::<Fixed>),
+            };
+            let traced = match known {
+                Some(traced) => traced,
+                None => known.insert(trace(scene, settings)?),
+            };
+            Ok(Demand::new(scene, board, settings, traced))
+        };
+        boards.into_iter().map(demand).collect::<Result<_, _>>().map(Self)
+    }
+}
+
 impl fmt::Display for Demands {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let heads =
-            ["board", "chip", "number", "flash, at least", "of", "RAM, about", "of", "s a frame", "fits"];
+        let heads = [
+            "board",
+            "chip",
+            "number",
+            "flash, at least",
+            "of",
+            "RAM, about",
+            "stack, about",
+            "of",
+            "s a frame",
+            "fits",
+        ];
         let mut table = Table::new(3, heads);
         for demand in &self.0 {
-            let Demand { board, flash, ram, seconds, .. } = demand;
+            let Demand { board, flash, ram, stack, seconds, .. } = demand;
             let kilobytes = |bytes: u64| format!("{} KB", thousands(bytes.div_ceil(1024)));
             table.push([
                 board.name.to_owned(),
@@ -116,6 +150,7 @@ impl fmt::Display for Demands {
                 kilobytes(*flash),
                 kilobytes(board.flash),
                 kilobytes(*ram),
+                kilobytes(*stack),
                 kilobytes(board.ram),
                 if *seconds < 10.0 { format!("{seconds:.2}") } else { format!("{seconds:.0}") },
                 if demand.fits() { "yes" } else { "no" }.to_owned(),
@@ -136,14 +171,15 @@ mod tests {
 
     fn demand(scene: &Scene<'_>, board: &str) -> Demand {
         let board = BOARDS.iter().find(|known| known.name == board).unwrap();
-        Demand::new(scene, board, SETTINGS).unwrap()
+        Demands::new(scene, [board], SETTINGS).unwrap().0[0]
     }
 
     #[test]
     fn small_scenes_fit_and_large_ones_do_not() {
-        for board in &BOARDS {
-            let demand = Demand::new(&CLASSIC, board, SETTINGS).unwrap();
-            assert!(demand.fits(), "{demand:?}");
+        let demands = Demands::new(&CLASSIC, &BOARDS, SETTINGS).unwrap();
+        assert_eq!(demands.0.len(), BOARDS.len());
+        for demand in demands.0 {
+            assert!(demand.stack > 1024 && demand.fits(), "{demand:?}");
             assert!(demand.mean_rays > 1.0 && f64::from(demand.worst_rays) > demand.mean_rays, "{demand:?}");
         }
         // 820 balls take more RAM than a microbit has.
@@ -177,6 +213,6 @@ mod tests {
     #[test]
     fn what_cannot_be_drawn_is_refused() {
         let settings = Settings { bounces: 99, ..SETTINGS };
-        assert!(Demand::new(&CLASSIC, &BOARDS[0], settings).is_err());
+        assert!(Demands::new(&CLASSIC, &BOARDS, settings).is_err());
     }
 }

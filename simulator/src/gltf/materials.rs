@@ -151,7 +151,7 @@ impl<'a, 'f> Materials<'a, 'f> {
             Material { diffuse, ambient: AMBIENT * diffuse, reflectance: sharpness, ..material }
         } else if is_glass {
             optics.fresnel = Fresnel::Exact;
-            optics.transmission_color = rgb(channels(mean).map(f32::sqrt));
+            optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
             optics.absorption = absorption(volume);
             let diffuse = 1.0 - transmittance;
             Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
@@ -260,8 +260,4 @@ fn share(number: f32) -> f32 {
 
 fn rgb([r, g, b]: [f32; 3]) -> LinearRgb {
     LinearRgb::new(share(r), share(g), share(b))
-}
-
-fn channels(color: LinearRgb) -> [f32; 3] {
-    [color.r, color.g, color.b]
 }

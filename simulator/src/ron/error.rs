@@ -48,8 +48,8 @@ pub enum RonFault {
         what: String,
         /// What it was called.
         name: String,
-        /// One that there is, with a name that is alike.
-        nearest: Option<String>,
+        /// What there is: the one with a name that is alike, or all.
+        known: Vec<String>,
     },
     /// What a name stands for cannot be read. Mend what it says.
     Named {
@@ -66,23 +66,29 @@ pub enum RonFault {
 }
 
 impl RonFault {
+    /// There is no such thing, but there are these.
+    pub(super) fn unknown(what: &str, name: &str, names: &[&str]) -> Self {
+        let nearest = nearest(name, names.iter().copied());
+        let known = nearest.as_ref().map_or(names, core::slice::from_ref);
+        Self::UnknownName {
+            what: what.to_owned(),
+            name: name.to_owned(),
+            known: known.iter().map(|name| (*name).to_owned()).collect(),
+        }
+    }
+
     /// What a format's error says, unless the reason is known better.
     pub(super) fn from_ron(error: SpannedError, known: Option<Self>) -> (Position, Self) {
-        let unknown = |what: &str, name: String, names: &[&'static str]| Self::UnknownName {
-            what: what.to_owned(),
-            nearest: nearest(&name, names.iter().copied()).map(str::to_owned),
-            name,
-        };
         let of = |kind: &str, outer: Option<String>| match outer {
             Some(outer) => format!("{kind} of {outer}"),
             None => kind.to_owned(),
         };
         let fault = known.unwrap_or_else(|| match error.code {
             ron::Error::NoSuchEnumVariant { expected, found, outer } => {
-                unknown(&of("variant", outer), found, expected)
+                Self::unknown(&of("variant", outer), &found, expected)
             }
             ron::Error::NoSuchStructField { expected, found, outer } => {
-                unknown(&of("field", outer), found, expected)
+                Self::unknown(&of("field", outer), &found, expected)
             }
             error => Self::Syntax(error),
         });
@@ -106,8 +112,13 @@ impl fmt::Display for RonFault {
         match self {
             Self::Read(error) => error.fmt(f),
             Self::Syntax(error) => error.fmt(f),
-            Self::UnknownName { what, name, nearest } => {
-                write!(f, "there is no {what} `{}`{}", name.escape_debug(), DidYouMean(nearest.as_deref()))
+            Self::UnknownName { what, name, known } => {
+                write!(f, "there is no {what} `{}`", name.escape_debug())?;
+                match &**known {
+                    [] => Ok(()),
+                    [nearest] => DidYouMean(Some(nearest)).fmt(f),
+                    known => write!(f, "; there are `{}`", known.join("`, `")),
+                }
             }
             Self::Named { name, reason } => write!(f, "`{}`: {reason}", name.escape_debug()),
             Self::SameName { name } => write!(f, "two are called `{}`; rename one", name.escape_debug()),

@@ -11,7 +11,6 @@ use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
 use serde::Serialize;
 
 use super::RonFault;
-use crate::nearest::nearest;
 use crate::obj;
 
 /// The materials that may be named in place of a description.
@@ -64,7 +63,7 @@ impl<'a> Known<'a> {
             "Material" => self.preset(name),
             "Mesh" => self.mesh(name),
             "Image" => self.image(name),
-            _ => Err(RonFault::UnknownName { what: what.to_owned(), name: name.to_owned(), nearest: None }),
+            _ => Err(RonFault::unknown(what, name, &[])),
         };
         match found {
             Ok(bytes) => {
@@ -81,14 +80,14 @@ impl<'a> Known<'a> {
     fn own_material(&self, name: &str) -> Result<&'a [u8], RonFault> {
         let number = self.materials.iter().position(|known| *known == name);
         let number =
-            number.ok_or_else(|| unknown("material in this file", name, self.materials.iter().copied()))?;
+            number.ok_or_else(|| RonFault::unknown("material in this file", name, self.materials))?;
         self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
     }
 
     fn preset(&self, name: &str) -> Result<&'a [u8], RonFault> {
         let preset = PRESETS.iter().find(|(known, _)| *known == name);
-        let (_, preset) = preset
-            .ok_or_else(|| unknown("preset for a material", name, PRESETS.iter().map(|(name, _)| *name)))?;
+        let names = PRESETS.map(|(name, _)| name);
+        let (_, preset) = preset.ok_or_else(|| RonFault::unknown("preset for a material", name, &names))?;
         self.bytes(name, preset)
     }
 
@@ -130,14 +129,6 @@ impl<'a> Known<'a> {
     fn bytes<T: Serialize>(&self, name: &str, value: &T) -> Result<&'a [u8], RonFault> {
         let bytes = postcard::to_allocvec(value).map_err(|error| failed(name, error))?;
         Ok(self.arena.alloc_slice_copy(&bytes))
-    }
-}
-
-fn unknown<'n>(what: &str, name: &str, names: impl IntoIterator<Item = &'n str>) -> RonFault {
-    RonFault::UnknownName {
-        what: what.to_owned(),
-        name: name.to_owned(),
-        nearest: nearest(name, names).map(str::to_owned),
     }
 }
 

@@ -260,6 +260,7 @@ fn mistakes_are_told_where_they_are() {
         refusal("radius: 0.5", "raduis: 0.5"),
         refusal("material: \"ball\"", "material: \"bal\""),
         refusal("\"gold\"", "\"glod\""),
+        refusal("material: \"ball\"", "material: \"xyz\""),
         refusal("\"glass\":", "\"floor\":"),
         refusal(", radius: 0.5", ""),
     ];
@@ -268,6 +269,7 @@ fn mistakes_are_told_where_they_are() {
         (8, 55, "there is no field of Sphere `raduis`; did you mean `radius`?"),
         (7, 76, "there is no material in this file `bal`; did you mean `ball`?"),
         (12, 18, "there is no preset for a material `glod`; did you mean `gold`?"),
+        (7, 76, "there is no material in this file `xyz`; there are `floor`, `ball`, `glass`"),
         (13, 18, "two are called `floor`; rename one"),
         (8, 53, "Unexpected missing field named `radius` in `Sphere`"),
     ];
