@@ -80,8 +80,10 @@
 //!
 //! # Features
 //!
-//! - `hierarchy`, on unless left out: a hierarchy of boxes for scenes of more than
-//!   [`FEW_OBJECTS`](limits::FEW_OBJECTS). Without it every ray of those is tested against every object: the same bytes, later,
+//! - `candidates`, on unless left out: scenes of up to [`FEW_OBJECTS`](limits::FEW_OBJECTS) know which objects each line, light and
+//!   surface can have to do with. Without it every ray is tested against every object: the same bytes, later, and 11 KB less of flash.
+//!   [`Realtime`] quality wants it: without it small objects may fall between the pixels that are traced.
+//! - `hierarchy`, on unless left out: a hierarchy of boxes for scenes of more objects. Without it every ray of those is tested against every object: the same bytes, later,
 //!   and 12 KB less of flash.
 //! - `optics`, on unless left out: colored glass and metal, Fresnel's shares, absorption, light of surfaces' own, lamps with falloff
 //!   and cones, ambient light. Without it a scene that has one of them is refused.
@@ -139,7 +141,7 @@ pub use render::{
 };
 #[cfg(feature = "serde")]
 pub use scene::BytesError;
-pub use scene::{MaterialId, Object, Scene, SceneBuf};
+pub use scene::{FASTER, MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
 pub use texture::{
     Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Map, Marble, Noise, Onto,

@@ -23,12 +23,13 @@ pub(crate) struct ObjectSet(u32);
 
 impl ObjectSet {
     /// How many objects a scene may have for its sets to be worked out.
-    pub(crate) const CAPACITY: usize = FEW_OBJECTS;
+    pub(crate) const CAPACITY: usize = if cfg!(feature = "candidates") { FEW_OBJECTS } else { 0 };
     pub(crate) const NONE: Self = Self(0);
+    pub(crate) const ALL: Self = Self(u32::MAX);
 
     /// The first `count` objects.
     pub(crate) const fn first(count: usize) -> Self {
-        if count >= Self::CAPACITY { Self(u32::MAX) } else { Self((1 << count) - 1) }
+        if count >= FEW_OBJECTS { Self::ALL } else { Self((1 << count) - 1) }
     }
 
     pub(crate) const fn is_empty(self) -> bool {
@@ -162,7 +163,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         lights: &[PreparedLight<R>],
         arena: &mut Arena<'m>,
     ) -> Result<Option<Self>, Fault> {
-        if objects.len() > ObjectSet::CAPACITY {
+        if !cfg!(feature = "candidates") || objects.len() > ObjectSet::CAPACITY {
             return Ok(None);
         }
         let all = ObjectSet::first(objects.len());

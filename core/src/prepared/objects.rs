@@ -1,9 +1,9 @@
 //! The objects of a scene, and where they are.
 
-use super::candidates::ObjectSet;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::hierarchy::Hierarchy;
+use crate::limits::FEW_OBJECTS;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Real};
 use crate::shape::Intersect;
@@ -18,9 +18,9 @@ pub(super) struct PreparedObject<'m, R: Real, P> {
 /// The most objects in a leaf of their hierarchy.
 const LEAF: usize = 2;
 
-/// Of how many objects a hierarchy is stored: none where a scene has sets of candidates.
+/// Of how many objects a hierarchy is stored: none where sets of candidates serve.
 const fn stored(objects: usize) -> usize {
-    if cfg!(feature = "hierarchy") && objects > ObjectSet::CAPACITY { objects } else { 0 }
+    if cfg!(feature = "hierarchy") && objects > FEW_OBJECTS { objects } else { 0 }
 }
 
 /// How many bytes the hierarchy of a scene takes.

@@ -54,7 +54,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// What each object is inside of, if the scene has sets of candidates.
     pub(crate) fn enclosures(&self) -> Option<impl Iterator<Item = Enclosure<R>>> {
-        self.candidates?;
+        self.candidates()?;
         Some(self.objects.iter().map(|object| match object.shape.form() {
             Form::Ball { center, radius } => Enclosure::Ball { center, radius },
             _ => object.shape.bounds().map_or(Enclosure::Everywhere, Enclosure::Box),
@@ -76,7 +76,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// What can stand between an object and a light; everything, where there are no sets.
     pub(crate) fn may_shade(&self, receiver: usize, light: usize) -> ObjectSet {
-        self.candidates.as_ref().map_or(ObjectSet::first(ObjectSet::CAPACITY), |candidates| {
+        self.candidates().map_or(ObjectSet::ALL, |candidates| {
             candidates.between(Departure { object: receiver, outward: true }, light)
         })
     }
@@ -107,7 +107,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         from: Option<Departure>,
         among: Option<ObjectSet>,
     ) -> Option<HitOn<'m, R>> {
-        let among = match (from, &self.candidates) {
+        let among = match (from, self.candidates()) {
             (Some(from), Some(candidates)) => Some(candidates.leaving(from)),
             (Some(_), None) => None,
             (None, _) => among,
@@ -144,12 +144,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     fn comes_out_again(&self, from: Departure) -> bool {
-        self.candidates.as_ref().is_some_and(|candidates| candidates.comes_out_again(from))
+        self.candidates().is_some_and(|candidates| candidates.comes_out_again(from))
     }
 
     #[cold]
     fn closest_of_all(&self, ray: &Ray<R>) -> Option<(R, usize)> {
-        let all = self.candidates.as_ref().map(Candidates::all);
+        let all = self.candidates().map(Candidates::all);
         self.closest_object(ray, Interval::AHEAD, all)
     }
 
@@ -221,6 +221,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         closest
     }
 
+    /// The sets of candidates, if there can be some: without the feature, the compiler sees that there are none and drops their code.
+    #[inline(always)]
+    fn candidates(&self) -> Option<&Candidates<'m, R>> {
+        if cfg!(feature = "candidates") { self.candidates.as_ref() } else { None }
+    }
+
     /// The hierarchy, if there can be one: without the feature, the compiler sees that there is none and drops its code.
     #[inline(always)]
     fn hierarchy(&self) -> Option<&Hierarchy<'m, R>> {
@@ -245,7 +251,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         toward: Vec3<R>,
         among: Option<ObjectSet>,
     ) -> Option<ObjectSet> {
-        let candidates = self.candidates.as_ref()?;
+        let candidates = self.candidates()?;
         let between = candidates.between(from, light);
         let between = among.map_or(between, |among| between.common(among));
         Some(if candidates.know_occluders(magnitude) {

@@ -54,7 +54,7 @@ impl Span {
 }
 
 /// How many shadows are known.
-const SHADOWS: usize = 16;
+const SHADOWS: usize = ObjectSet::CAPACITY / 2;
 
 /// The outlines of all objects of a picture, and of the shadows on the largest flat one.
 #[derive(Clone, Copy, Debug)]
@@ -84,7 +84,7 @@ impl Outlines {
         count: None,
         receiver: usize::MAX,
         shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::first(ObjectSet::CAPACITY); LIGHTS],
+        others: [ObjectSet::ALL; LIGHTS],
     };
 
     /// Finds the outlines of a scene that has not too many objects. They are large: they are found where they stay.
@@ -114,9 +114,15 @@ impl Outlines {
         self.find_shadows(scene, viewport);
     }
 
+    /// Of how many objects outlines are known: without the feature, the compiler sees that it is none.
+    #[inline(always)]
+    fn count(&self) -> Option<usize> {
+        if cfg!(feature = "candidates") { self.count } else { None }
+    }
+
     /// Where each object can be seen on the lines from `top` to `bottom`, both included; `None` where it is not known.
     pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
-        let objects = self.objects.iter().take(self.count?);
+        let objects = self.objects.iter().take(self.count()?);
         Some(
             objects
                 .map(move |outline| (top..=bottom).map(|y| outline.span(y)).fold(Span::NOWHERE, Span::hull)),
@@ -161,7 +167,7 @@ pub(super) struct LineCandidates<'o> {
 impl<'o> LineCandidates<'o> {
     /// The candidates for the pixel centers of line `y`; `None` where they are not known.
     pub(super) fn new(outlines: &'o Outlines, y: u16) -> Option<Self> {
-        let objects = outlines.count?;
+        let objects = outlines.count()?;
         let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
         for (span, outline) in spans.iter_mut().zip(&outlines.objects).take(objects) {
             *span = outline.span(y);
@@ -220,6 +226,7 @@ impl<'o> LineCandidates<'o> {
     }
 }
 
+#[cfg(feature = "candidates")]
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,6 +10,7 @@ mod features;
 pub use buf::SceneBuf;
 #[cfg(feature = "serde")]
 pub use bytes::BytesError;
+pub use features::FASTER;
 
 use crate::background::Background;
 use crate::camera::Camera;

@@ -27,7 +27,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, anyhow, ensure};
 use clap::Parser;
 use clap::builder::PossibleValuesParser;
 
@@ -64,6 +64,10 @@ struct Arguments {
     #[arg(long, value_name = "MODE", default_value = "exact")]
     mode: Mode,
 
+    /// Leaves out of the program what only makes exact pictures faster: the same picture, with less flash and stack.
+    #[arg(long)]
+    small: bool,
+
     /// Writes the board's picture; with several boards, the name of each is added to the file's.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
@@ -92,7 +96,7 @@ struct Arguments {
     profile: Option<String>,
 
     /// Measures what each kind of processor takes, and prints the tables with the targets.
-    #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "picture", "json", "prove_no_panic", "profile"])]
+    #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "small", "picture", "json", "prove_no_panic", "profile"])]
     bench: bool,
 
     /// Writes what `--bench` measured to firmware/boards.json.
@@ -128,9 +132,13 @@ fn run(arguments: &Arguments) -> Result<bool> {
         };
         return bench::run(action, timeout, arguments.all_required);
     }
+    ensure!(
+        !arguments.small || arguments.mode == Mode::Exact,
+        "--small is for exact pictures: realtime quality needs to know where objects are seen"
+    );
     let boards = chosen(&arguments.boards);
-    let Arguments { size, bounces, number, mode, .. } = *arguments;
-    let request = Request { size, bounces, number, mode, ..Request::new(&arguments.scene)? };
+    let Arguments { size, bounces, number, mode, small, .. } = *arguments;
+    let request = Request { size, bounces, number, mode, small, ..Request::new(&arguments.scene)? };
     if !arguments.boards.is_empty() {
         // Asked for by name, it is no board to skip.
         for board in &boards {

@@ -132,6 +132,8 @@ pub(crate) struct Request {
     pub(crate) bounces: Option<u8>,
     pub(crate) number: Number,
     pub(crate) mode: Mode,
+    /// Without what only makes it faster.
+    pub(crate) small: bool,
 }
 
 impl Request {
@@ -143,6 +145,7 @@ impl Request {
             bounces: None,
             number: Number::F32,
             mode: Mode::Exact,
+            small: false,
         })
     }
 
@@ -157,6 +160,7 @@ impl Request {
                 Emulator::Rp2040js { .. } => Number::Fixed,
             },
             mode: self.mode,
+            small: self.small,
         }
     }
 }
@@ -169,11 +173,14 @@ pub(crate) struct Picture {
     pub(crate) bounces: u8,
     pub(crate) number: Number,
     pub(crate) mode: Mode,
+    /// Whether the program goes without what only makes it faster.
+    pub(crate) small: bool,
 }
 
 impl fmt::Display for Picture {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} {} {}", self.scene.name, self.size, self.number.name(), self.mode.name())
+        write!(f, "{} {} {} {}", self.scene.name, self.size, self.number.name(), self.mode.name())?;
+        f.write_str(if self.small { " small" } else { "" })
     }
 }
 

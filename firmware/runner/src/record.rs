@@ -43,6 +43,8 @@ pub(crate) struct Record {
     pub(crate) height: u16,
     pub(crate) number: &'static str,
     pub(crate) mode: &'static str,
+    /// Whether the program goes without what only makes it faster.
+    pub(crate) small: bool,
     pub(crate) rays: Option<u64>,
     /// What the picture lost, see [`Quality`](crate::quality::Quality).
     pub(crate) psnr_db: Option<f64>,
@@ -92,6 +94,7 @@ impl Record {
             height: picture.size.height,
             number: picture.number.name(),
             mode: picture.mode.name(),
+            small: picture.small,
             rays: figures.map(|figures| figures.rays),
             // To a hundredth.
             psnr_db: figures.and_then(|figures| figures.psnr_db).map(|psnr| (psnr * 100.0).round() / 100.0),

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
+use rayline::FASTER;
 use serde_json::Value;
 
 use crate::board::Board;
@@ -112,7 +113,9 @@ impl Toolchain {
         }
         let mut features = [board.program.features, features].concat();
         for feature in picture.scene.scene.features() {
-            features.push(feature);
+            if !(picture.small && FASTER.contains(&feature)) {
+                features.push(feature);
+            }
         }
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);

@@ -13,6 +13,7 @@ pub(super) struct Measured {
     pub(super) height: u16,
     pub(super) number: String,
     pub(super) mode: String,
+    pub(super) small: bool,
     pub(super) rays: u64,
     pub(super) psnr_db: Option<f64>,
     pub(super) instructions: u64,
@@ -34,6 +35,7 @@ impl Measured {
             height: record.height,
             number: record.number.into(),
             mode: record.mode.into(),
+            small: record.small,
             rays: record.rays?,
             psnr_db: record.psnr_db,
             instructions: record.instructions?,
@@ -45,8 +47,9 @@ impl Measured {
 
     /// What the program is, in words: no two have the same.
     pub(super) fn name(&self) -> String {
-        let Self { board, scene, width, height, number, mode, .. } = self;
-        format!("{board} {scene} {width}x{height} {number} {mode}")
+        let Self { board, scene, width, height, number, mode, small, .. } = self;
+        let size = if *small { " small" } else { "" };
+        format!("{board} {scene} {width}x{height} {number} {mode}{size}")
     }
 
     pub(super) fn instructions_per_pixel(&self) -> f64 {
@@ -85,6 +88,7 @@ pub(super) mod tests {
             height: 10,
             number: number.into(),
             mode: mode.into(),
+            small: false,
             rays: 200,
             psnr_db: (mode == "realtime").then_some(41.26),
             instructions,
