@@ -217,7 +217,7 @@ mod tests {
         let json = serde_json::to_value(record(Outcome::Ran(FIGURES))).unwrap();
         let expected = serde_json::json!({
             "board": "lm3s6965evb", "core": "Cortex-M3", "scene": "classic", "width": 128, "height": 64,
-            "number": "f32", "mode": "exact", "rays": 20_000, "psnr_db": 41.26,
+            "number": "f32", "mode": "exact", "small": false, "rays": 20_000, "psnr_db": 41.26,
             "instructions": 8_192_000, "instructions_per_pixel": 1000.0,
             "digest": "00000000000000ab", "host_digest": "00000000000000ab",
             "text_bytes": 20_000, "static_ram_bytes": 999, "stack_bytes": 1_000, "status": "ok",
