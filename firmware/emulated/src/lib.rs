@@ -4,6 +4,8 @@
 //! A board is a folder in `src/bin` with its memory layout and a `main` that says how to count instructions and
 //! where the picture goes. Scene, size, number system and mode are chosen when the program is built, see `build.rs`.
 //!
+//! A second program, [`gallery`], is one for all boards and all scenes.
+//!
 //! Everything that the program says goes through [`report`]; it holds no panic, and a linker that finds one
 //! refuses it, see `panic`.
 
@@ -11,6 +13,8 @@
 
 pub mod file;
 mod fpu;
+#[cfg(feature = "gallery")]
+pub mod gallery;
 mod instructions;
 mod meter;
 mod panic;

@@ -4,12 +4,13 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::primitives::Rectangle;
+use rayline::shape::Geometry;
 use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
 
 use crate::InstructionCounter;
 use crate::fpu;
 use crate::meter::Meter;
-use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, Set, WIDTH};
+use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 
@@ -24,6 +25,8 @@ pub enum Fault {
     Settings,
     /// The buffer does not fit the picture.
     Buffer,
+    /// The file of scenes cannot be read.
+    Input,
     /// The display or the file failed.
     Output,
     /// The host does not take what the program tells.
@@ -42,6 +45,7 @@ impl Fault {
             Self::Scene => "the scene was refused",
             Self::Settings => "the settings were refused",
             Self::Buffer => "the buffer does not fit the picture",
+            Self::Input => "the file of scenes cannot be read",
             Self::Output => "the picture could not be put out",
             Self::Host => "the host does not listen",
             Self::Stack => "the stack is too small",
@@ -71,16 +75,7 @@ where
     let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
     let mut meter = Meter::new(counter, display);
     meter.resume();
-    match QUALITY {
-        None => draw_exact(&renderer, &mut meter, &mut buffer.colors)?,
-        Some(quality) => {
-            let buffer = RealtimeBuffer { colors: &mut buffer.colors, samples: &mut buffer.samples };
-            renderer.draw_realtime(quality, &mut meter, buffer).map_err(|error| match error {
-                DrawError::Display { .. } => Fault::Output,
-                _ => Fault::Buffer,
-            })?;
-        }
-    }
+    draw(&renderer, &mut meter, buffer)?;
     meter.pause();
     let (instructions, digest) = (meter.instructions(), meter.digest());
     #[cfg(feature = "twin")]
@@ -89,9 +84,24 @@ where
     Ok(Figures { digest, instructions, stack_bytes })
 }
 
+/// Draws in the mode that was chosen.
+#[inline(always)]
+pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
+    renderer: &Renderer<'_, '_, Number, S>,
+    display: &mut D,
+    buffer: &mut Buffer<D::Color>,
+) -> Result<(), Fault> {
+    let Some(quality) = QUALITY else { return draw_exact(renderer, display, &mut buffer.colors) };
+    let buffer = RealtimeBuffer { colors: &mut buffer.colors, samples: &mut buffer.samples };
+    renderer.draw_realtime(quality, display, buffer).map_err(|error| match error {
+        DrawError::Display { .. } => Fault::Output,
+        _ => Fault::Buffer,
+    })
+}
+
 /// Draws line by line: the way that spends nothing on anything but pixels.
-fn draw_exact<D: DrawTarget<Color: DisplayColor>>(
-    renderer: &Renderer<'_, '_, Number, Set>,
+fn draw_exact<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
+    renderer: &Renderer<'_, '_, Number, S>,
     display: &mut D,
     line: &mut [D::Color],
 ) -> Result<(), Fault> {

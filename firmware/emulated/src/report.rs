@@ -38,7 +38,8 @@ pub fn fail(fault: Fault) -> ! {
     process::exit(1)
 }
 
-fn number(name: &[u8], value: u64) -> Result<(), Fault> {
+/// Tells a figure.
+pub(crate) fn number(name: &[u8], value: u64) -> Result<(), Fault> {
     say(name)?;
     let mut line = *b"0000000000000000\n";
     for (digit, place) in line.iter_mut().zip((0..16).rev()) {
@@ -48,7 +49,8 @@ fn number(name: &[u8], value: u64) -> Result<(), Fault> {
     say(&line)
 }
 
-fn say(bytes: &[u8]) -> Result<(), Fault> {
+/// Tells a line, or part of one.
+pub(crate) fn say(bytes: &[u8]) -> Result<(), Fault> {
     let mut output = io::stdout().map_err(|_| Fault::Host)?;
     match output.write(bytes) {
         Ok(written) if written == bytes.len() => Ok(()),
