@@ -17,6 +17,8 @@ pub(crate) struct Board {
     pub(crate) output: Output,
     /// Size of the picture, if none is asked for.
     pub(crate) size: Size,
+    /// Whether there is no such board: it stands in for one with less memory, and runs only where it is named and for the gallery.
+    pub(crate) stands_in: bool,
 }
 
 impl Board {
@@ -42,6 +44,8 @@ pub(crate) struct Source {
     pub(crate) has_hal: bool,
     /// How it can draw.
     pub(crate) modes: &'static [Mode],
+    /// The folder with the board's memory layout, where a program for several boards asks for it.
+    pub(crate) layout: &'static str,
 }
 
 /// The program that emulates a board.
@@ -89,6 +93,7 @@ const fn on_its_own(name: &'static str) -> Source {
         features: &[],
         has_hal: false,
         modes: &[Mode::Exact, Mode::Realtime],
+        layout: name,
     }
 }
 
@@ -99,6 +104,7 @@ const fn pico(features: &'static [&'static str]) -> Source {
         features,
         has_hal: true,
         modes: &[Mode::Exact, Mode::Realtime],
+        layout: "",
     }
 }
 
@@ -129,6 +135,7 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: arm(&["-M", "lm3s6965evb"]),
         output: Output::Panel(OLED),
         size: OLED,
+        stands_in: false,
     },
     Board {
         name: "mps2-an385",
@@ -139,6 +146,7 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: arm(&["-M", "mps2-an385"]),
         output: Output::File,
         size: SMALL,
+        stands_in: false,
     },
     Board {
         name: "mps2-an386",
@@ -149,16 +157,19 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: arm(&["-M", "mps2-an386"]),
         output: Output::File,
         size: QVGA,
+        stands_in: false,
     },
     Board {
         name: "mps2-an500",
         core: "Cortex-M7",
         description: "floating-point unit",
         target: "thumbv7em-none-eabihf",
-        program: on_its_own("mps2-an500"),
+        // Memory lies where it does on an386: the program that wants no more is built once for both.
+        program: Source { layout: "mps2-an386", ..on_its_own("mps2-an500") },
         emulator: arm(&["-M", "mps2-an500"]),
         output: Output::File,
         size: QVGA,
+        stands_in: false,
     },
     Board {
         name: "mps2-an505",
@@ -169,6 +180,7 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: arm(&["-M", "mps2-an505"]),
         output: Output::File,
         size: QVGA,
+        stands_in: false,
     },
     Board {
         name: "microbit",
@@ -179,6 +191,18 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: arm(&["-M", "microbit"]),
         output: Output::File,
         size: SMALL,
+        stands_in: false,
+    },
+    Board {
+        name: "mps2-an385-v6m",
+        core: "Cortex-M3",
+        description: "code for a Cortex-M0 (ARMv6-M) on a Cortex-M3, with memory for scenes that a microbit has no room for",
+        target: "thumbv6m-none-eabi",
+        program: on_its_own("mps2-an385"),
+        emulator: arm(&["-M", "mps2-an385"]),
+        output: Output::File,
+        size: SMALL,
+        stands_in: true,
     },
     Board {
         name: "riscv32",
@@ -189,6 +213,7 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: riscv32(&["-M", "virt", "-bios", "none"]),
         output: Output::File,
         size: SMALL,
+        stands_in: false,
     },
     Board {
         name: "pico",
@@ -199,6 +224,7 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: Emulator::Rp2040js { frames: 2 },
         output: Output::Frames(QVGA),
         size: QQVGA,
+        stands_in: false,
     },
     Board {
         name: "pico-dual",
@@ -209,5 +235,6 @@ pub(crate) const BOARDS: &[Board] = &[
         emulator: Emulator::Rp2040js { frames: 2 },
         output: Output::Frames(QVGA),
         size: QQVGA,
+        stands_in: false,
     },
 ];

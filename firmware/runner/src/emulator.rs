@@ -26,12 +26,15 @@ pub(crate) struct Report {
     /// For one picture.
     pub(crate) instructions: u64,
     pub(crate) stack_bytes: u64,
+    /// Memory that the scene takes, where the program reads it; if there is no digest, there is less.
+    pub(crate) memory_bytes: u64,
     /// Where the emulator knows more than instructions.
     pub(crate) timing: Option<Timing>,
 }
 
 /// A running emulator; it ends with this value.
-struct Emulator {
+#[derive(Debug)]
+pub(crate) struct Emulator {
     process: Child,
     /// What the program tells, line by line.
     lines: Receiver<String>,
@@ -43,7 +46,7 @@ struct Emulator {
 
 /// Runs a program, and gives what it reported and the bytes of its picture.
 pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) -> Result<(Report, Vec<u8>)> {
-    let mut emulator = Emulator::start(board, program, timeout)?;
+    let mut emulator = Emulator::start(board, program, &[], timeout)?;
     let report = emulator.report()?;
     let picture = match board.output {
         Output::File | Output::Frames(_) => emulator.file()?,
@@ -53,8 +56,17 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
 }
 
 impl Emulator {
-    fn start(board: &Board, program: &Path, timeout: Duration) -> Result<Self> {
+    /// Starts a program, which finds these files by their names.
+    pub(crate) fn start(
+        board: &Board,
+        program: &Path,
+        files: &[(&str, &[u8])],
+        timeout: Duration,
+    ) -> Result<Self> {
         let folder = tempfile::tempdir()?;
+        for (name, bytes) in files {
+            fs::write(folder.path().join(name), bytes)?;
+        }
         let mut process = match board.emulator {
             board::Emulator::Qemu { command, machine, .. } => qemu::command(command, machine, program),
             board::Emulator::Rp2040js { frames } => rp2040js::command(program, frames),
@@ -80,6 +92,12 @@ impl Emulator {
         Ok(emulator)
     }
 
+    /// Waits until the program has told everything about one more picture, for which it has all the time again.
+    pub(crate) fn next_report(&mut self) -> Result<Report> {
+        self.deadline = Instant::now() + self.timeout;
+        self.report()
+    }
+
     /// Waits until the program has told everything.
     fn report(&mut self) -> Result<Report> {
         let mut report = Report::default();
@@ -97,6 +115,7 @@ impl Emulator {
                 Some(("digest", digits)) => report.digest = Some(number(digits)?),
                 Some(("instructions", digits)) => report.instructions = number(digits)?,
                 Some(("stack_bytes", digits)) => report.stack_bytes = number(digits)?,
+                Some(("memory_bytes", digits)) => report.memory_bytes = number(digits)?,
                 Some(("fault", fault)) => bail!("the program stopped: {fault}"),
                 Some((name, digits)) if Timing::has(name) => {
                     report.timing.get_or_insert_default().set(name, number(digits)?);
@@ -109,6 +128,12 @@ impl Emulator {
 
     /// Waits for the end of a program, and gives the picture that it wrote.
     fn file(&mut self) -> Result<Vec<u8>> {
+        self.finish()?;
+        fs::read(self.folder.path().join("picture")).context("the program's picture")
+    }
+
+    /// Waits for the end of a program, which must be a good one.
+    pub(crate) fn finish(&mut self) -> Result<()> {
         let status = loop {
             match self.process.try_wait()? {
                 Some(status) => break status,
@@ -117,7 +142,7 @@ impl Emulator {
             }
         };
         ensure!(status.success(), "the emulator ended badly ({status}){}", self.messages());
-        fs::read(self.folder.path().join("picture")).context("the program's picture")
+        Ok(())
     }
 
     /// Reads what the panel shows.

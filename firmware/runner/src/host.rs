@@ -39,7 +39,7 @@ pub(crate) fn digest(bytes: &[u8]) -> u64 {
 }
 
 /// A frame in the picture's number system and mode.
-fn bytes_of_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
+pub(crate) fn bytes_of_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
 where
     C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,
 {

@@ -5,6 +5,7 @@ mod bench;
 mod board;
 mod calls;
 mod emulator;
+mod gallery;
 mod host;
 mod picture;
 mod png;
@@ -81,7 +82,7 @@ struct Arguments {
     #[arg(long)]
     all_required: bool,
 
-    /// How long an emulator may take.
+    /// How long an emulator may take; with --gallery, for one scene.
     #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = clap::value_parser!(u64).range(1..))]
     timeout: u64,
 
@@ -94,6 +95,12 @@ struct Arguments {
     /// picture has 80x60 pixels if no --size is given.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["boards", "picture", "json", "prove_no_panic"], value_parser = PossibleValuesParser::new(profile::boards()))]
     profile: Option<String>,
+
+    /// Draws instead all .ron scenes of a folder, docs/gallery if none is given, in one run of one program that reads their bytes;
+    /// compares the digests of their pictures, 24x18 if no --size is given. With --all-required it fails as well if a board has no
+    /// room for a scene.
+    #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "docs/gallery", conflicts_with_all = ["scene", "picture", "json", "prove_no_panic", "profile", "bench"])]
+    gallery: Option<PathBuf>,
 
     /// Measures what each kind of processor takes, and prints the tables with the targets.
     #[arg(long, conflicts_with_all = ["boards", "scene", "size", "bounces", "number", "mode", "small", "picture", "json", "prove_no_panic", "profile"])]
@@ -136,7 +143,7 @@ fn run(arguments: &Arguments) -> Result<bool> {
         !arguments.small || arguments.mode == Mode::Exact,
         "--small is for exact pictures: realtime quality needs to know where objects are seen"
     );
-    let boards = chosen(&arguments.boards);
+    let boards = chosen(arguments);
     let Arguments { size, bounces, number, mode, small, .. } = *arguments;
     let request = Request { size, bounces, number, mode, small, ..Request::new(&arguments.scene)? };
     if !arguments.boards.is_empty() {
@@ -151,11 +158,14 @@ fn run(arguments: &Arguments) -> Result<bool> {
         profile::run(board, picture, timeout)?;
         return Ok(true);
     }
+    if let Some(folder) = &arguments.gallery {
+        return gallery::run(&boards, folder, &request, timeout, arguments.all_required);
+    }
     if arguments.prove_no_panic {
         return proof::prove(&boards, &request, arguments.all_required);
     }
     if arguments.boards.is_empty() {
-        for board in BOARDS {
+        for board in &boards {
             eprintln!("{:<12}  {:<10}  {}", board.name, board.core, board.description);
         }
         eprintln!();
@@ -181,12 +191,14 @@ fn run(arguments: &Arguments) -> Result<bool> {
     Ok(records.iter().all(|record| record.is_accepted(arguments.all_required)))
 }
 
-/// The boards of these names, in the order of the names; all if there is none.
-fn chosen(names: &[String]) -> Vec<&'static Board> {
-    if names.is_empty() {
-        return BOARDS.iter().collect();
+/// The boards that were named, in the order of the names; if there is none, all that there are, and for the gallery all that can read
+/// scenes.
+fn chosen(arguments: &Arguments) -> Vec<&'static Board> {
+    match (&*arguments.boards, &arguments.gallery) {
+        ([], None) => BOARDS.iter().filter(|board| !board.stands_in).collect(),
+        ([], Some(_)) => BOARDS.iter().filter(|board| gallery::can_run(board)).collect(),
+        (names, _) => names.iter().filter_map(|name| find(name)).collect(),
     }
-    names.iter().filter_map(|name| find(name)).collect()
 }
 
 fn find(name: &str) -> Option<&'static Board> {

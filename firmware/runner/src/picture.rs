@@ -109,7 +109,7 @@ impl Source {
 
     fn read(path: &Path) -> Result<Self> {
         let shown = path.display().to_string();
-        // There is one scene in a run of this program: it stays until the end.
+        // Scenes stay until the end of this program.
         let bytes = &*fs::read(path).with_context(|| shown.clone())?.leak();
         let scene = Scene::from_bytes(bytes, rayline_choice::memory_for(bytes).leak())
             .with_context(|| shown.clone())?;

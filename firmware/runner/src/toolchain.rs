@@ -16,6 +16,9 @@ use crate::picture::Picture;
 /// The workspace of the firmware.
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
 
+/// The workspace of the programs for this computer.
+const MAIN_WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
+
 /// A compiler that can build for a board.
 #[derive(Debug)]
 pub(crate) enum Toolchain {
@@ -105,6 +108,7 @@ impl Toolchain {
             .env("RAYLINE_BOUNCES", picture.bounces.to_string())
             .env("RAYLINE_NUMBER", picture.number.name())
             .env("RAYLINE_MODE", picture.mode.name())
+            .env("RAYLINE_BOARD", board.program.layout)
             // Those are meant for this computer.
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS");
@@ -124,12 +128,7 @@ impl Toolchain {
         if !output.status.success() {
             return Ok(Built::Refused(String::from_utf8_lossy(&output.stderr).into_owned()));
         }
-        let messages = String::from_utf8(output.stdout)?;
-        let executable = messages
-            .lines()
-            .filter_map(|line| serde_json::from_str::<Value>(line).ok())
-            .find_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?)));
-        Ok(Built::Linked(executable.context("cargo built no program")?))
+        Ok(Built::Linked(executable(output.stdout)?))
     }
 
     /// Builds the program of a board, which must succeed.
@@ -159,6 +158,27 @@ impl Toolchain {
             }
         }
     }
+}
+
+/// Builds a program of the main workspace for this computer.
+pub(crate) fn build_here(package: &str) -> Result<PathBuf> {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(["build", "--package", package, "--manifest-path", MAIN_WORKSPACE]);
+    command.args(["--message-format", "json-render-diagnostics"]);
+    let output = command.output().with_context(|| format!("{command:?}"))?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "{package} was not built:\n{}", errors.trim_end());
+    executable(output.stdout)
+}
+
+/// The program that cargo has built, of which it tells in JSON.
+fn executable(messages: Vec<u8>) -> Result<PathBuf> {
+    let messages = String::from_utf8(messages)?;
+    let executable = messages
+        .lines()
+        .filter_map(|line| serde_json::from_str::<Value>(line).ok())
+        .find_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?)));
+    executable.context("cargo built no program")
 }
 
 /// What the panic handler calls, and no program defines.

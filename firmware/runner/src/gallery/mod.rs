@@ -1,0 +1,157 @@
+//! `cargo boards --gallery`: all scenes of a folder on each board, in one run of one program, each compared with this
+//! computer's picture by its digest.
+
+mod results;
+mod scenes;
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, ensure};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::RgbColor;
+use rayline_choice::USUAL_BOUNCES;
+
+use crate::board::{Board, Emulator as Kind, Output, Source};
+use crate::emulator::Emulator;
+use crate::host;
+use crate::picture::{Mode, Picture, Request, Size};
+use crate::program::Program;
+use crate::session::Session;
+use crate::toolchain::Toolchain;
+use results::{Drawn, Exhibit, Outcome, table};
+use scenes::Scenes;
+
+/// Size of the pictures, if none is asked for.
+const SIZE: Size = Size { width: 24, height: 18 };
+
+/// Boards with 256 KB of flash and little RAM: all shapes have room in a program only without what makes it faster.
+const LITTLE: [&str; 2] = ["lm3s6965evb", "microbit"];
+
+/// How often it is told how far a board has come.
+const PACE: Duration = Duration::from_secs(5);
+
+/// Draws all scenes of a folder on all boards; tells whether all digests are this computer's.
+pub(crate) fn run(
+    boards: &[&Board],
+    folder: &Path,
+    request: &Request,
+    timeout: Duration,
+    all_required: bool,
+) -> Result<bool> {
+    for board in boards {
+        ensure!(can_run(board), "{}: its program draws one scene, and reads none", board.name);
+    }
+    let scenes = Scenes::read(folder)?;
+    let mut outcomes = Vec::new();
+    let mut expected = Vec::new();
+    for board in boards {
+        let small = request.small || LITTLE.contains(&board.name);
+        let picture = Picture {
+            size: request.size.unwrap_or(SIZE),
+            bounces: request.bounces.unwrap_or(USUAL_BOUNCES),
+            small,
+            ..request.on(board)
+        };
+        let board = with_program(board, small);
+        if expected.is_empty() {
+            expected = scenes.digests(&picture)?;
+        }
+        let tour = Tour { board: &board, picture, scenes: &scenes, expected: &expected, timeout };
+        outcomes.push((board.name, board.core, tour.run()));
+    }
+    println!();
+    print!("{}", table(&outcomes));
+    for (name, _, outcome) in &outcomes {
+        outcome.remarks().for_each(|remark| println!("{name}: {remark}"));
+    }
+    Ok(outcomes.iter().all(|(_, _, outcome)| outcome.is_accepted(all_required)))
+}
+
+/// Whether a board's program can read scenes: those in QEMU can, from files of this computer.
+pub(crate) fn can_run(board: &Board) -> bool {
+    matches!(board.emulator, Kind::Qemu { .. })
+}
+
+/// The board with the program that draws any scene, and shows it nowhere.
+fn with_program(board: &Board, small: bool) -> Board {
+    let features: &'static [&'static str] =
+        if small { &["gallery"] } else { &["gallery", "candidates", "hierarchy"] };
+    let program = Source { binary: "gallery", features, ..board.program };
+    Board { program, output: Output::File, ..*board }
+}
+
+impl Scenes {
+    /// The digests of this computer's pictures.
+    fn digests(&self, picture: &Picture) -> Result<Vec<u64>> {
+        let digest = |scene| {
+            let bytes = host::bytes_of_frame(&Picture { scene, ..*picture }, 0, Rgb888::BLACK);
+            Ok(host::digest(&bytes.with_context(|| scene.name)?))
+        };
+        self.sources.iter().copied().map(digest).collect()
+    }
+}
+
+/// All scenes on one board.
+#[derive(Debug)]
+struct Tour<'a> {
+    board: &'a Board,
+    /// How each scene is drawn.
+    picture: Picture,
+    scenes: &'a Scenes,
+    /// This computer's digests.
+    expected: &'a [u64],
+    timeout: Duration,
+}
+
+impl Tour<'_> {
+    /// Draws them, and says how it goes.
+    fn run(&self) -> Outcome {
+        let Self { board, picture, timeout, .. } = *self;
+        let session = Session { board, picture, picture_file: None, timeout };
+        let outcome = match session.toolchain() {
+            _ if picture.small && picture.mode == Mode::Realtime => {
+                Outcome::Skipped("its flash has no room for all shapes and realtime quality".into())
+            }
+            Err(reason) => Outcome::Skipped(reason),
+            Ok(toolchain) => {
+                self.draw(&toolchain).unwrap_or_else(|error| Outcome::Failed(format!("{error:#}")))
+            }
+        };
+        self.say(&outcome);
+        outcome
+    }
+
+    fn draw(&self, toolchain: &Toolchain) -> Result<Outcome> {
+        self.say(&"building (the first time takes a minute)");
+        let file = toolchain.program(self.board, &self.picture)?;
+        let program = Program::read(&file, self.board.program)?;
+        program.check()?;
+
+        self.say(&"running");
+        let count = self.scenes.sources.len();
+        let mut said = Instant::now();
+        let mut exhibits = Vec::new();
+        let files = [("scenes", &*self.scenes.file)];
+        let mut emulator = Emulator::start(self.board, &file, &files, self.timeout)?;
+        for (scene, expected) in self.scenes.sources.iter().zip(self.expected) {
+            if said.elapsed() >= PACE {
+                self.say(&format_args!("{} of {count} scenes are drawn", exhibits.len()));
+                said = Instant::now();
+            }
+            let report = emulator.next_report().context(scene.name)?;
+            exhibits.push(Exhibit {
+                scene: scene.name,
+                drawn: report.digest.map(|digest| Drawn { digest, stack_bytes: report.stack_bytes }),
+                expected: *expected,
+                memory_bytes: report.memory_bytes,
+            });
+        }
+        emulator.finish()?;
+        Ok(Outcome::Ran { picture: self.picture, text_bytes: program.text_bytes, exhibits })
+    }
+
+    fn say(&self, what: &dyn std::fmt::Display) {
+        eprintln!("{}: {what}", self.board.name);
+    }
+}

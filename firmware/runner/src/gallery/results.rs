@@ -1,0 +1,217 @@
+//! How it went with each board, as a table, and what is to be said besides.
+
+use std::fmt;
+
+use crate::picture::Picture;
+use crate::table::{Align, Table, with_commas};
+
+/// How it went with a board.
+#[derive(Debug)]
+pub(super) enum Outcome {
+    /// It ran; pictures may still be wrong.
+    Ran {
+        /// How each scene was drawn.
+        picture: Picture,
+        /// Flash that the program takes.
+        text_bytes: u64,
+        exhibits: Vec<Exhibit>,
+    },
+    /// It does not run here, for want of something.
+    Skipped(String),
+    /// It should have run.
+    Failed(String),
+}
+
+/// A scene on a board.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exhibit {
+    pub(super) scene: &'static str,
+    /// `None`: the board has no memory for it.
+    pub(super) drawn: Option<Drawn>,
+    /// This computer's digest.
+    pub(super) expected: u64,
+    /// Memory that it takes: its bytes, their lists, and the prepared scene; that much at least, if it was not drawn.
+    pub(super) memory_bytes: u64,
+}
+
+/// A picture of a board.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Drawn {
+    pub(super) digest: u64,
+    pub(super) stack_bytes: u64,
+}
+
+impl Exhibit {
+    fn differs(&self) -> bool {
+        self.drawn.is_some_and(|drawn| drawn.digest != self.expected)
+    }
+}
+
+impl Outcome {
+    fn exhibits(&self) -> &[Exhibit] {
+        match self {
+            Self::Ran { exhibits, .. } => exhibits,
+            Self::Skipped(_) | Self::Failed(_) => &[],
+        }
+    }
+
+    fn drawn(&self) -> impl Iterator<Item = (&Exhibit, Drawn)> {
+        self.exhibits().iter().filter_map(|exhibit| Some((exhibit, exhibit.drawn?)))
+    }
+
+    /// Whether this is no failure. A board that was skipped, and a scene that it has no room for, are if all are required.
+    pub(super) fn is_accepted(&self, all_required: bool) -> bool {
+        match self {
+            Self::Ran { exhibits, .. } => {
+                let drawn = self.drawn().count();
+                let enough = if all_required { exhibits.len() } else { 1 };
+                drawn >= enough && !exhibits.iter().any(Exhibit::differs)
+            }
+            Self::Skipped(_) => !all_required,
+            Self::Failed(_) => false,
+        }
+    }
+
+    /// Every scene that differs, and those for which there is no room.
+    pub(super) fn remarks(&self) -> impl Iterator<Item = String> {
+        let differ = self.drawn().filter(|(exhibit, _)| exhibit.differs()).map(|(exhibit, drawn)| {
+            let Exhibit { scene, expected, .. } = exhibit;
+            format!("{scene} differs: its digest is {:016x}, and here {expected:016x}", drawn.digest)
+        });
+        let no_room = self.exhibits().iter().filter(|exhibit| exhibit.drawn.is_none());
+        let no_room = no_room.map(|exhibit| {
+            let needed = with_commas(exhibit.memory_bytes);
+            format!("no room for {}, which needs {needed} B or more", exhibit.scene)
+        });
+        differ.chain(no_room)
+    }
+
+    fn cells(&self, board: &str, core: &str) -> [String; HEADINGS.len()] {
+        let verdict = match self {
+            Self::Ran { .. } if self.exhibits().iter().any(Exhibit::differs) => "no",
+            Self::Ran { .. } => "yes",
+            Self::Skipped(_) => "skipped",
+            Self::Failed(_) => "no",
+        };
+        let most = |bytes: &dyn Fn(&(&Exhibit, Drawn)) -> u64| {
+            let most = self.drawn().max_by_key(bytes);
+            most.map_or("-".into(), |most| format!("{} B, {}", with_commas(bytes(&most)), most.0.scene))
+        };
+        let ran = |text: &dyn Fn(&Picture, u64) -> String| match self {
+            Self::Ran { picture, text_bytes, .. } => text(picture, *text_bytes),
+            Self::Skipped(_) | Self::Failed(_) => "-".into(),
+        };
+        [
+            board.into(),
+            core.into(),
+            ran(&|picture, _| picture.size.to_string()),
+            ran(&|picture, _| picture.number.name().into()),
+            ran(&|picture, _| picture.mode.name().into()),
+            ran(&|_, text_bytes| with_commas(text_bytes) + " B"),
+            most(&|(exhibit, _)| exhibit.memory_bytes),
+            most(&|(_, drawn)| drawn.stack_bytes),
+            ran(&|_, _| format!("{} of {}", self.drawn().count(), self.exhibits().len())),
+            verdict.into(),
+        ]
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ran { exhibits, .. } => {
+                write!(f, "{} of {} scenes drawn, ", self.drawn().count(), exhibits.len())?;
+                match exhibits.iter().filter(|exhibit| exhibit.differs()).count() {
+                    0 => f.write_str("no digest differs"),
+                    count => write!(f, "{count} differ"),
+                }
+            }
+            Self::Skipped(reason) => write!(f, "skipped: {reason}"),
+            Self::Failed(reason) => write!(f, "failed: {reason}"),
+        }
+    }
+}
+
+const HEADINGS: [(&str, Align); 10] = [
+    ("board", Align::Left),
+    ("core", Align::Left),
+    ("size", Align::Right),
+    ("number", Align::Left),
+    ("mode", Align::Left),
+    ("flash", Align::Right),
+    ("most memory", Align::Right),
+    ("deepest stack", Align::Right),
+    ("scenes", Align::Right),
+    ("digests ok", Align::Left),
+];
+
+/// All boards as a table.
+pub(super) fn table(outcomes: &[(&str, &str, Outcome)]) -> Table {
+    let mut table = Table::new(HEADINGS);
+    for (board, core, outcome) in outcomes {
+        table.push(outcome.cells(board, core));
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::board::BOARDS;
+    use crate::picture::Request;
+
+    const SAME: Exhibit = Exhibit {
+        scene: "ball",
+        drawn: Some(Drawn { digest: 0xAB, stack_bytes: 5_000 }),
+        expected: 0xAB,
+        memory_bytes: 2_000,
+    };
+    const OTHER: Exhibit = Exhibit {
+        scene: "torus",
+        drawn: Some(Drawn { digest: 0xAC, stack_bytes: 4_000 }),
+        memory_bytes: 3_000,
+        ..SAME
+    };
+    const TOO_LARGE: Exhibit = Exhibit { scene: "teapot", drawn: None, memory_bytes: 160_000, ..SAME };
+
+    fn ran(exhibits: &[Exhibit]) -> Outcome {
+        let picture = Request::new("classic").unwrap().on(&BOARDS[1]);
+        Outcome::Ran { picture, text_bytes: 200_000, exhibits: exhibits.to_vec() }
+    }
+
+    #[test]
+    fn what_differs_fails_and_is_named() {
+        let outcome = ran(&[SAME, OTHER]);
+        assert!(!outcome.is_accepted(false));
+        assert_eq!(outcome.to_string(), "2 of 2 scenes drawn, 1 differ");
+        let remarks: Vec<String> = outcome.remarks().collect();
+        assert_eq!(remarks, ["torus differs: its digest is 00000000000000ac, and here 00000000000000ab"]);
+        assert!(ran(&[SAME]).is_accepted(true));
+    }
+
+    #[test]
+    fn what_has_no_room_fails_only_if_all_are_required_or_nothing_was_drawn() {
+        let outcome = ran(&[SAME, TOO_LARGE]);
+        assert!(outcome.is_accepted(false));
+        assert!(!outcome.is_accepted(true));
+        assert!(!ran(&[TOO_LARGE]).is_accepted(false));
+        let remarks: Vec<String> = outcome.remarks().collect();
+        assert_eq!(remarks, ["no room for teapot, which needs 160,000 B or more"]);
+    }
+
+    #[test]
+    fn the_table_names_the_scenes_that_take_most() {
+        let outcomes = [
+            ("board", "core", ran(&[SAME, OTHER, TOO_LARGE])),
+            ("other", "core", Outcome::Skipped("no emulator".into())),
+        ];
+        let text = table(&outcomes).to_string();
+        let lines: Vec<&str> = text.lines().collect();
+        let cells: Vec<&str> = lines[2].split('|').map(str::trim).collect();
+        assert_eq!(
+            cells[3..11],
+            ["64x48", "f32", "exact", "200,000 B", "3,000 B, torus", "5,000 B, ball", "2 of 3", "no"]
+        );
+        assert!(lines[3].ends_with("| skipped    |"), "{}", lines[3]);
+    }
+}
