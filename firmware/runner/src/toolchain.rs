@@ -160,14 +160,14 @@ impl Toolchain {
     }
 }
 
-/// Builds a program of the main workspace for this computer.
-pub(crate) fn build_here(package: &str) -> Result<PathBuf> {
+/// Builds a program of the main workspace for this computer, as `cargo run --release` does.
+pub(crate) fn build_here(binary: &str) -> Result<PathBuf> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(["build", "--package", package, "--manifest-path", MAIN_WORKSPACE]);
+    command.args(["build", "--release", "--bin", binary, "--manifest-path", MAIN_WORKSPACE]);
     command.args(["--message-format", "json-render-diagnostics"]);
     let output = command.output().with_context(|| format!("{command:?}"))?;
     let errors = String::from_utf8_lossy(&output.stderr);
-    ensure!(output.status.success(), "{package} was not built:\n{}", errors.trim_end());
+    ensure!(output.status.success(), "{binary} was not built:\n{}", errors.trim_end());
     executable(output.stdout)
 }
 

@@ -44,7 +44,7 @@ impl Scenes {
 /// Has `rayline` write the bytes of each scene into a folder.
 fn convert(texts: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>> {
     // Started as a program: linked into this one, its readers of files would take longer to build than all the rest.
-    let rayline = toolchain::build_here("rayline-simulator")?;
+    let rayline = toolchain::build_here("rayline")?;
     let convert = |text: &PathBuf| {
         let bytes = folder.join(text.file_stem().unwrap_or_default()).with_extension("rayline");
         let output = Command::new(&rayline).args(["convert", "--quiet"]).args([text, &bytes]).output()?;
