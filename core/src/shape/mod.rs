@@ -163,6 +163,9 @@ pub trait Geometry: Copy + Debug {
     where
         Self: 'm;
 
+    /// Of a set: what its shapes are called, in order. Bytes of scenes know a shape by its place among them.
+    const NAMES: &'static [&'static str] = &[];
+
     /// The most bytes that [`prepare`](Self::prepare) takes from the memory that the caller lends.
     fn bytes<R: Real>(&self) -> usize {
         0

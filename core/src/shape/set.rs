@@ -46,6 +46,8 @@ macro_rules! shape_set {
         impl $(<$life>)? $crate::shape::Geometry for $Set $(<$life>)? {
             type Prepared<'m, R: $crate::math::Real> = $Prepared<$($life,)? 'm, R> where Self: 'm;
 
+            const NAMES: &'static [&'static str] = &[$(stringify!($Variant)),+];
+
             fn bytes<R: $crate::math::Real>(&self) -> usize {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Geometry::bytes::<R>(shape)),+
