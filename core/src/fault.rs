@@ -9,6 +9,8 @@ use crate::math::{Real, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Fault {
+    /// A baked mesh is for another number system, or for a scene of another extent. Bake the scene again, for this one.
+    BakedOtherwise,
     /// A number is NaN or infinite. Replace it.
     NotFinite,
     /// A coordinate, radius or distance is beyond ±[`MAX_COORDINATE`]. Scale the scene down.
@@ -199,6 +201,9 @@ impl fmt::Display for Fault {
             }
             Self::TooManyFaces { given } => {
                 return write!(f, "{given} faces are too many for a polyhedron; use at most {MAX_FACES}");
+            }
+            Self::BakedOtherwise => {
+                "the mesh was baked for another number system or scene; bake the scene for this one"
             }
             Self::NoTriangles => "the mesh has no triangle that has an area; remove it or add triangles",
             Self::UnknownVertex { triangle, named, vertices } => {

@@ -8,8 +8,8 @@ use std::fs;
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    rayline_choice::write("64x48")?;
-    rayline_choice::write_number()?;
+    let number = rayline_choice::write_number()?;
+    rayline_choice::write("64x48", number)?;
     rayline_choice::write_mode()?;
 
     // Every board is a folder with its main.rs and memory.x.

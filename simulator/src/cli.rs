@@ -101,6 +101,9 @@ pub(crate) struct Convert {
     /// The file to write
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
+    /// What the program computes in that Rust source is for: `f32` or `fixed`; meshes are prepared for it
+    #[arg(long, value_name = "TYPE", value_enum, default_value_t)]
+    pub(crate) number: Number,
     /// Say nothing unless something fails
     #[arg(short, long)]
     pub(crate) quiet: bool,

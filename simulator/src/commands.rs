@@ -103,7 +103,7 @@ fn pixel(arguments: &Pixel) -> Outcome {
 }
 
 fn convert(arguments: &Convert) -> Outcome {
-    let file = SceneFile::new(&arguments.output)?;
+    let file = SceneFile::new(&arguments.output, arguments.number)?;
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;

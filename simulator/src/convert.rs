@@ -4,10 +4,11 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 
 use rayline::bake::{self, BakeError};
+use rayline::math::Fixed;
 use rayline::{BytesError, Scene, Settings};
 
 use crate::povray::{PovrayError, to_povray};
-use crate::{FileError, check_writable, ron, write_file};
+use crate::{FileError, Number, check_writable, ron, write_file};
 
 /// A file that a scene will be written to: its format is known before anything is done.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,8 +25,8 @@ enum Format {
     Bytes,
     /// The language of POV-Ray.
     Povray,
-    /// Source of a program.
-    Rust,
+    /// Source of a program that computes in this number system.
+    Rust(Number),
 }
 
 /// Why a scene could not be written.
@@ -38,6 +39,8 @@ pub enum ConvertError {
     Povray(PovrayError),
     /// Rust source cannot say it. Leave out what it says.
     Rust(BakeError),
+    /// Nothing is baked for `f64`. Choose `f32` or `fixed`.
+    Number,
     /// The format of the file cannot hold it.
     Format(::ron::Error),
     /// The scene does not fit into bytes.
@@ -47,17 +50,18 @@ pub enum ConvertError {
 }
 
 impl SceneFile {
-    /// Checks the name of the file, and that there is a directory for it.
+    /// Checks the name of the file, and that there is a directory for it. Rust source is for programs that compute in `number`.
     ///
     /// # Errors
-    /// An extension that is none of these formats'; a directory that is missing.
-    pub fn new(path: &Path) -> Result<Self, ConvertError> {
+    /// An extension that is none of these formats'; a directory that is missing; Rust source for `f64`.
+    pub fn new(path: &Path, number: Number) -> Result<Self, ConvertError> {
         let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         let format = match extension.as_deref() {
             Some("ron") => Format::Ron,
             Some("rayline") => Format::Bytes,
             Some("pov") => Format::Povray,
-            Some("rs") => Format::Rust,
+            Some("rs") if number == Number::F64 => return Err(ConvertError::Number),
+            Some("rs") => Format::Rust(number),
             _ => return Err(ConvertError::Extension(path.to_owned())),
         };
         check_writable(path).map_err(ConvertError::File)?;
@@ -78,7 +82,13 @@ impl SceneFile {
             Format::Ron => ron::write(scene).map_err(ConvertError::Format)?.into_bytes(),
             Format::Bytes => to_bytes(scene)?,
             Format::Povray => to_povray(scene, settings).map_err(ConvertError::Povray)?.into_bytes(),
-            Format::Rust => bake::scene(scene).map_err(ConvertError::Rust)?.into_bytes(),
+            Format::Rust(number) => {
+                let source = match number {
+                    Number::Fixed => bake::scene::<Fixed>(scene),
+                    _ => bake::scene::<f32>(scene),
+                };
+                source.map_err(ConvertError::Rust)?.into_bytes()
+            }
         };
         write_file(&self.path, &bytes).map_err(ConvertError::File)?;
         Ok(bytes.len())
@@ -111,6 +121,9 @@ impl fmt::Display for ConvertError {
             }
             Self::Povray(error) => error.fmt(f),
             Self::Rust(error) => error.fmt(f),
+            Self::Number => {
+                f.write_str("Rust source is for f32 or fixed, not for f64; choose one by --number")
+            }
             Self::Format(error) => error.fmt(f),
             Self::Bytes(error) => error.fmt(f),
             Self::File(error) => error.fmt(f),
@@ -121,7 +134,7 @@ impl fmt::Display for ConvertError {
 impl core::error::Error for ConvertError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Extension(_) => None,
+            Self::Extension(_) | Self::Number => None,
             Self::Povray(error) => Some(error),
             Self::Rust(error) => Some(error),
             Self::Format(error) => Some(error),

@@ -227,8 +227,8 @@ rayline::shape_set! {
     }
 }
 
-const fn narrowed(shape: rayline::shape::Shape<'static>) -> Shapes<'static> {
-    match shape {
+const fn narrowed(object: usize) -> Shapes<'static> {
+    match DESCRIPTION.objects[object].shape {
         rayline::shape::Shape::Cone(shape) => Shapes::Cone(shape),
         rayline::shape::Shape::Csg(shape) => Shapes::Csg(shape),
         rayline::shape::Shape::Ellipsoid(shape) => Shapes::Ellipsoid(shape),
@@ -242,10 +242,10 @@ const fn narrowed(shape: rayline::shape::Shape<'static>) -> Shapes<'static> {
 
 static OBJECTS: [rayline::Object<Shapes<'static>>; 7] = {
     let all = DESCRIPTION.objects;
-    let mut objects = [rayline::Object::new(narrowed(all[0].shape), all[0].material.0); 7];
+    let mut objects = [rayline::Object::new(narrowed(0), all[0].material.0); 7];
     let mut i = 1;
     while i < 7 {
-        objects[i] = rayline::Object::new(narrowed(all[i].shape), all[i].material.0);
+        objects[i] = rayline::Object::new(narrowed(i), all[i].material.0);
         i += 1;
     }
     objects
@@ -269,6 +269,6 @@ pub const fn prepared_bytes<R: rayline::Real>() -> usize {
         DESCRIPTION.objects.len(),
         DESCRIPTION.materials.len(),
         DESCRIPTION.lights.len(),
-        DESCRIPTION.part_bytes::<R>(),
+        DESCRIPTION.part_bytes_baked::<R>(),
     )
 }

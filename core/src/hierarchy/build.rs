@@ -122,6 +122,7 @@ pub(super) fn build<'m, R: Real>(
         *slot = node;
         used += 1;
     }
+    let nodes = nodes.get(..usize::from(used)).unwrap_or_default();
     Ok(Hierarchy { nodes, order, unbounded })
 }
 

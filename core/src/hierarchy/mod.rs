@@ -31,9 +31,9 @@ use segment::Segment;
 use slabs::Slabs;
 
 /// Objects, by where they are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Hierarchy<'m, R> {
-    /// All nodes; the first is the root. What comes after the last is never visited.
+    /// All nodes; the first is the root.
     nodes: &'m [Node<R>],
     /// The objects: first those without bounds, then leaf by leaf.
     order: &'m [u16],
@@ -45,8 +45,8 @@ pub(crate) struct Hierarchy<'m, R> {
 const WIDTH: usize = 4;
 
 /// Four boxes, and what lies in each.
-#[derive(Clone, Copy, Debug)]
-struct Node<R> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node<R> {
     /// The smallest coordinates of the four boxes: x, y, z.
     lower: [[R; WIDTH]; 3],
     /// The largest.
@@ -55,6 +55,51 @@ struct Node<R> {
 }
 
 const _: () = assert!(size_of::<Node<f32>>() == 112);
+
+impl<R> Node<R> {
+    /// A node: the smallest and the largest coordinates of four boxes, and what lies in each: so many objects from the
+    /// first on, or where there is no number of them, another node.
+    pub const fn new(lower: [[R; 4]; 3], upper: [[R; 4]; 3], [a, b, c, d]: [(Option<u8>, u16); 4]) -> Self
+    where
+        R: Copy,
+    {
+        Self { lower, upper, content: [Content::new(a), Content::new(b), Content::new(c), Content::new(d)] }
+    }
+
+    /// What lies in each of its boxes, as [`new`](Self::new) takes it.
+    #[cfg(feature = "bake")]
+    pub(crate) fn content(&self) -> [(Option<u8>, u16); 4] {
+        self.content.map(|content| match content {
+            Content::Objects { count, first } => (Some(count), first),
+            Content::Node(node) => (None, node),
+        })
+    }
+
+    /// The smallest and the largest coordinates of its boxes: x, y, z.
+    #[cfg(feature = "bake")]
+    pub(crate) const fn planes(&self) -> [&[[R; WIDTH]; 3]; 2] {
+        [&self.lower, &self.upper]
+    }
+
+    /// Whether each leads only to nodes after it, so that a walk ends.
+    #[allow(clippy::indexing_slicing)] // Below the lengths.
+    pub(crate) const fn lead_on(nodes: &[Self]) -> bool {
+        let mut i = 0;
+        while i < nodes.len() {
+            let mut place = 0;
+            while place < WIDTH {
+                if let Content::Node(next) = nodes[i].content[place]
+                    && next as usize <= i
+                {
+                    return false;
+                }
+                place += 1;
+            }
+            i += 1;
+        }
+        true
+    }
+}
 
 impl<R: Real> Node<R> {
     /// The smallest and the largest coordinates of each box.
@@ -76,6 +121,13 @@ enum Content {
 }
 
 impl Content {
+    const fn new((count, first): (Option<u8>, u16)) -> Self {
+        match count {
+            Some(count) => Self::Objects { count, first },
+            None => Self::Node(first),
+        }
+    }
+
     const NOTHING: Self = Self::Objects { count: 0, first: 0 };
 }
 
@@ -102,6 +154,17 @@ impl<'m, R: Real> Hierarchy<'m, R> {
     /// No boxes: all objects of a list, one by one.
     pub(crate) fn list(objects: &'m [u16]) -> Self {
         Self { nodes: &[], order: objects, unbounded: objects.len() }
+    }
+
+    /// One that was built before; no nodes: all objects of the list, one by one.
+    pub(crate) const fn baked(nodes: &'m [Node<R>], order: &'m [u16]) -> Self {
+        Self { nodes, order, unbounded: if nodes.is_empty() { order.len() } else { 0 } }
+    }
+
+    /// All nodes, and the objects leaf by leaf: for [`baked`](Self::baked), where all have bounds.
+    #[cfg(feature = "bake")]
+    pub(crate) const fn parts(&self) -> (&'m [Node<R>], &'m [u16]) {
+        (self.nodes, self.order)
     }
 
     /// How many bytes the hierarchy of so many objects takes, with up to `leaf` of them in a leaf, besides the list of them.

@@ -27,10 +27,21 @@ impl Scene<'_> {
     /// How many of those bytes the background and single shapes, materials and lights take beyond what each of its kind does: the last argument of
     /// [`prepared_bytes`](crate::prepared_bytes), where the scene is prepared with a set of fewer shapes.
     pub const fn part_bytes<R: Real>(&self) -> usize {
+        self.parts_bytes::<R>(false)
+    }
+
+    /// As [`part_bytes`](Self::part_bytes), for a scene whose meshes were [baked](crate::shape::BakedMesh).
+    pub const fn part_bytes_baked<R: Real>(&self) -> usize {
+        self.parts_bytes::<R>(true)
+    }
+
+    const fn parts_bytes<R: Real>(&self, has_baked: bool) -> usize {
         let mut bytes = self.background.bytes::<R>();
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
-            bytes = bytes.saturating_add(object.shape.const_bytes::<R>());
+            let shape = &object.shape;
+            let part = if has_baked { shape.const_bytes_baked::<R>() } else { shape.const_bytes::<R>() };
+            bytes = bytes.saturating_add(part);
             objects = rest;
         }
         let mut materials = self.materials;

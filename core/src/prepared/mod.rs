@@ -24,7 +24,7 @@ use crate::hierarchy::Hierarchy;
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
-use crate::math::{Extent, Real, Scale};
+use crate::math::{Real, Scale};
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
 use crate::surface::Surface;
@@ -66,9 +66,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The first part that is wrong, and why. The caller's scene and memory can be used again.
     pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
         let Scene { camera, background, objects, materials, lights } = *scene;
-        let extent =
-            objects.iter().map(|object| object.shape.extent()).fold(Extent::default(), Extent::union);
-        let scale = Scale::new::<R>(extent, camera.eye);
+        let scale = scene.scale::<R>();
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),

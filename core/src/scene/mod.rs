@@ -16,7 +16,8 @@ use crate::background::Background;
 use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
-use crate::shape::Shape;
+use crate::math::{Extent, Real, Scale};
+use crate::shape::{Geometry, Shape};
 
 /// Everything that is in a picture.
 ///
@@ -69,6 +70,14 @@ impl<'m> crate::read::Read<'m> for MaterialId {
         reader: &mut crate::read::Reader<'m>,
     ) -> Result<Self, D::Error> {
         crate::read::read_number("MaterialId", from, reader).map(Self)
+    }
+}
+
+impl<S: Geometry> Scene<'_, S> {
+    /// How large it is traced in a number system.
+    pub(crate) fn scale<R: Real>(&self) -> Scale {
+        let extents = self.objects.iter().map(|object| object.shape.extent());
+        Scale::new::<R>(extents.fold(Extent::default(), Extent::union), self.camera.eye)
     }
 }
 

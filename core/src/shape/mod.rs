@@ -130,6 +130,7 @@ mod uv;
 
 use core::fmt::Debug;
 
+pub use crate::hierarchy::Node as BoxNode;
 pub use cone::{Cone, PreparedCone};
 pub use csg::{Csg, CsgStep, PreparedCsg};
 pub use cuboid::{Cuboid, PreparedCuboid};
@@ -138,7 +139,9 @@ pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
-pub use mesh::{Mesh, PreparedMesh};
+#[cfg(feature = "bake")]
+pub(crate) use mesh::Told;
+pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
 pub use polyhedron::{ConvexPolyhedron, PreparedPolyhedron};
@@ -308,6 +311,14 @@ crate::shape_set! {
 }
 
 impl Shape<'_> {
+    /// As [`const_bytes`](Self::const_bytes), where meshes were baked: they take nothing.
+    pub(crate) const fn const_bytes_baked<R: Real>(&self) -> usize {
+        match self {
+            Self::Mesh(_) => 0,
+            other => other.const_bytes::<R>(),
+        }
+    }
+
     /// [`Geometry::bytes`], usable in constants.
     pub(crate) const fn const_bytes<R: Real>(&self) -> usize {
         match self {

@@ -33,7 +33,8 @@ pub struct Demand {
     pub board: &'static Board,
     /// Bytes of flash, at least: the kernel with as many of the scene's kinds of shapes as were measured, and the scene.
     pub flash: u64,
-    /// Bytes of RAM without stack, about: the prepared scene, which has larger pointers here, and a line of 16-bit colors.
+    /// Bytes of RAM without stack, about: the prepared scene, which has larger pointers here, and a line of 16-bit colors. Meshes are
+    /// baked: they are in flash.
     pub ram: u64,
     /// Bytes of stack, about.
     pub stack: u64,
@@ -51,7 +52,7 @@ impl Demand {
         let pixels = f64::from(settings.width) * f64::from(settings.height);
         Self {
             board,
-            flash: counted.code(scene) + description_bytes(scene),
+            flash: counted.code(scene) + description_bytes(scene) + traced.baked_bytes,
             ram: traced.prepared_bytes + u64::from(settings.width) * 2,
             stack: counted.stack(scene),
             worst_rays: traced.worst_rays,
@@ -69,6 +70,7 @@ impl Demand {
 /// What was found by tracing the picture in one number system.
 struct Traced {
     prepared_bytes: u64,
+    baked_bytes: u64,
     worst_rays: u32,
     rays: u64,
 }
@@ -76,7 +78,9 @@ struct Traced {
 impl Traced {
     fn new<R: Real>(scene: &Scene<'_>, settings: Settings) -> Result<Self, RenderError> {
         let mut memory = memory_for::<R>(scene);
-        let mut traced = Self { prepared_bytes: memory.len() as u64, worst_rays: 0, rays: 0 };
+        let baked_bytes = (scene.part_bytes::<R>() - scene.part_bytes_baked::<R>()) as u64;
+        let prepared_bytes = memory.len() as u64 - baked_bytes;
+        let mut traced = Self { prepared_bytes, baked_bytes, worst_rays: 0, rays: 0 };
         let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
         let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
         for y in 0..settings.height as u16 {

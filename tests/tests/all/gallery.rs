@@ -60,7 +60,7 @@ fn whatever_is_written_is_read() {
         let scene = LoadedScene::open(file, &arena).unwrap_or_else(|error| panic!("{error}"));
         for name in ["gallery.ron", "gallery.rayline"] {
             let path = directory.join(name);
-            SceneFile::new(&path).unwrap().write(&scene.scene, &SETTINGS).unwrap();
+            SceneFile::new(&path, Number::F32).unwrap().write(&scene.scene, &SETTINGS).unwrap();
             let again = LoadedScene::open(&path, &arena).unwrap_or_else(|error| panic!("{error}"));
             assert!(again.scene == scene.scene, "{} in {name}", scene.name);
         }

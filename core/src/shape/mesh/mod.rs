@@ -34,10 +34,16 @@
 //! takes those that the ray meets at the very same distance, which is computed in the same way again, and of these the first.
 //! So it does not depend on the order in which boxes are visited.
 
+mod baked;
 mod sight;
 mod smooth;
 #[cfg(test)]
 mod tests;
+
+#[cfg(feature = "bake")]
+pub(crate) use baked::Told;
+pub use baked::{BakedMesh, BakedParts};
+pub use smooth::SmallNormal;
 
 use super::{Geometry, Intersect, bounds_of};
 use crate::arena::Arena;
@@ -47,7 +53,6 @@ use crate::limits::MAX_COUNT;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 use sight::{Meeting, Sight};
-use smooth::SmallNormal;
 
 /// A mesh of triangles that share their vertices: up to 65535 of each.
 ///
@@ -211,8 +216,8 @@ impl Geometry for Mesh<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedMesh<'m, R>(&'m Parts<'m, R>);
 
-/// All of a mesh. It lies in the memory that was lent, so that the set of all shapes stays small.
-#[derive(Clone, Copy, Debug)]
+/// All of a mesh. It lies in the memory that was lent, or in flash, so that the set of all shapes stays small.
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Parts<'m, R> {
     triangles: &'m [[u16; 3]],
     vertices: &'m [Vec3<R>],

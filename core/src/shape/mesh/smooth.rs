@@ -5,7 +5,7 @@ use crate::math::{Real, Vec3};
 
 /// A unit vector in units of 2⁻¹⁵: off by 2⁻¹⁶ along each axis, a thousandth of a degree. Zero where there was none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct SmallNormal([i16; 3]);
+pub struct SmallNormal(pub [i16; 3]);
 
 const UNITS: f32 = 32767.0;
 

@@ -1,0 +1,119 @@
+//! Meshes as Rust, as they are prepared.
+
+use core::fmt::{Debug, Write};
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use super::BakeError;
+use crate::math::{Fixed, Real, Vec3};
+use crate::scene::Scene;
+use crate::shape::{Mesh, Shape, SmallNormal, Told};
+
+/// A number system that meshes can be baked for: `f32` and [`Fixed`].
+pub trait BakedNumber: Real {
+    /// What its type is called.
+    const NAME: &'static str;
+
+    /// The number as an argument of the source's function `n`.
+    fn argument(self) -> String;
+}
+
+impl BakedNumber for f32 {
+    const NAME: &'static str = "f32";
+
+    fn argument(self) -> String {
+        format!("{:#x}", self.to_bits())
+    }
+}
+
+impl BakedNumber for Fixed {
+    const NAME: &'static str = "rayline::math::Fixed";
+
+    fn argument(self) -> String {
+        format!("{}", self.to_bits())
+    }
+}
+
+/// Every mesh of a scene, and the function that tells which one an object is; nothing where there are none.
+pub(super) fn all<N: BakedNumber>(scene: &Scene<'_>) -> Result<String, BakeError> {
+    let meshes = scene.objects.iter().enumerate().filter_map(|(index, object)| match &object.shape {
+        Shape::Mesh(mesh) => Some((index, mesh)),
+        _ => None,
+    });
+    let (mut source, mut arms) = (String::new(), String::new());
+    for (index, mesh) in meshes {
+        source.push_str(&one::<N>(scene, index, mesh)?);
+        _ = writeln!(arms, "        {index} => &MESH_{index},");
+    }
+    if arms.is_empty() {
+        return Ok(source);
+    }
+    let number = N::NAME;
+    let bits = if N::REACH.is_none() { "u32" } else { "i32" };
+    Ok(format!(
+        "const fn n(bits: {bits}) -> {number} {{
+    {number}::from_bits(bits)
+}}
+
+const fn v(x: {bits}, y: {bits}, z: {bits}) -> rayline::Vec3<{number}> {{
+    rayline::Vec3::new(n(x), n(y), n(z))
+}}
+
+{source}const fn mesh(object: usize) -> &'static rayline::shape::BakedMesh<{number}> {{
+    match object {{
+{arms}        _ => panic!(\"the object is no mesh\"),
+    }}
+}}
+
+"
+    ))
+}
+
+/// The mesh of an object.
+fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Result<String, BakeError> {
+    let scale = scene.scale::<N>();
+    let vector =
+        |Vec3 { x, y, z }: Vec3<N>| format!("v({}, {}, {})", x.argument(), y.argument(), z.argument());
+    let row =
+        |numbers: &[N; 4]| format!("[{}]", joined(numbers, |number| format!("n({})", number.argument())));
+    let source = mesh.bake(scale, |Told { vertices, normals, order, nodes, bounds: [min, max], extent }| {
+        let nodes = joined(nodes, |node| {
+            let [lower, upper] = node.planes().map(|planes| joined(planes, row));
+            format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.content())
+        });
+        format!(
+            "static MESH_{index}: rayline::shape::BakedMesh<{}> = rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
+    triangles: &[{}],
+    uvs: &[{}],
+    vertices: &[{}],
+    normals: &[{}],
+    order: &{order:?},
+    nodes: &[{nodes}],
+    bounds: [{}, {}],
+    scale: {:?},
+    extent: {extent:?},
+}});
+
+",
+            N::NAME,
+            joined(mesh.triangles, debug),
+            joined(mesh.uvs.unwrap_or_default(), debug),
+            joined(vertices, |vertex| vector(*vertex)),
+            joined(normals, |SmallNormal(normal)| format!("rayline::shape::SmallNormal({normal:?})")),
+            vector(min),
+            vector(max),
+            scale.to_f32(),
+        )
+    });
+    source.map_err(|fault| BakeError(format!("object {index}: {fault}")))
+}
+
+fn debug(value: &impl Debug) -> String {
+    format!("{value:?}")
+}
+
+/// The elements of a list, with commas between them.
+fn joined<T>(list: &[T], written: impl Fn(&T) -> String) -> String {
+    list.iter().map(written).collect::<Vec<_>>().join(", ")
+}
