@@ -2,7 +2,7 @@
 
 use core::any::Any;
 
-use super::super::{Geometry, Intersect as _};
+use super::super::Geometry;
 use super::{Parts, PreparedMesh, SmallNormal};
 use crate::arena::Arena;
 use crate::fault::Fault;
@@ -10,7 +10,7 @@ use crate::hierarchy::{Hierarchy, Node};
 use crate::math::{Aabb, Extent, Real, Scale, Vec3};
 
 /// A [`Mesh`](super::Mesh) as it is prepared for the number system `N`: a shape that lies in flash with its hierarchy, and takes no
-/// RAM. [`bake`](crate::bake) writes it, for the scene that it is in.
+/// RAM. The module `bake` writes it, for the scene that it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BakedMesh<N: Real> {
     parts: Parts<'static, N>,
@@ -90,11 +90,10 @@ impl super::Mesh<'_> {
     ) -> Result<T, Fault> {
         let mut memory = std::vec![core::mem::MaybeUninit::uninit(); self.const_bytes::<N>()];
         let mesh = self.prepare::<N>(scale, &mut Arena::new(&mut memory))?;
-        let Parts { vertices, normals, hierarchy, .. } = *mesh.0;
+        let Parts { vertices, normals, hierarchy, bounds: Aabb { min, max }, .. } = *mesh.0;
         let (nodes, order) = hierarchy.parts();
-        let bounds = mesh.bounds().map_or([Vec3::ZERO; 2], |Aabb { min, max }| [min, max]);
         let Extent { flat: extent, .. } = self.extent();
-        Ok(told(Told { vertices, normals, order, nodes, bounds, extent }))
+        Ok(told(Told { vertices, normals, order, nodes, bounds: [min, max], extent }))
     }
 }
 

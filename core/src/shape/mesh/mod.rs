@@ -14,7 +14,7 @@
 //!
 //! A closed mesh has half as many vertices as triangles: 49 bytes a triangle with normals, 46 without. As long as there are no
 //! more vertices than triangles it is 58 at most. Which vertices a triangle joins, and coordinates for textures, are read where
-//! the description has them, in flash.
+//! the description has them, in flash. A [`BakedMesh`] takes nothing: all of this lies in flash.
 //!
 //! # Time
 //! A teapot of 240 smooth triangles on its floor, 96 by 96 pixels, on x86-64 (callgrind, without preparation):
