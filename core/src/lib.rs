@@ -61,7 +61,8 @@
 //!
 //! [`Renderer::draw`] traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
 //! outlines in the picture, so that each line knows what it can show; each light knows what can stand in its way; and more
-//! than 32 objects lie in a hierarchy of boxes.
+//! than 32 objects lie in a hierarchy of boxes. Where a processor tests four boxes at once, neighboring pixels of a line go through
+//! that together.
 //! [`Renderer::draw_realtime`] traces a grid of pixels, more where neighbors differ in what they saw, and interpolates the rest; see
 //! [`Realtime`] for what that gains and costs.
 //!

@@ -82,6 +82,12 @@ pub trait Probe<R> {
     fn is_watching(&self) -> bool {
         true
     }
+
+    /// Whether it is to be told of one pixel after the other. Where it does not mind, neighboring pixels may be traced side by
+    /// side: what happens to each comes in order, but mixed with what happens to others.
+    fn minds_order(&self) -> bool {
+        true
+    }
 }
 
 /// Watches nothing.
@@ -90,6 +96,10 @@ impl<R> Probe<R> for () {
     fn record(&mut self, _: Event<R>) {}
 
     fn is_watching(&self) -> bool {
+        false
+    }
+
+    fn minds_order(&self) -> bool {
         false
     }
 }
@@ -132,6 +142,10 @@ impl<R: Real> Probe<R> for RayCounts {
             Event::Hit { .. } | Event::Miss { .. } => return,
         };
         *count = count.saturating_add(1);
+    }
+
+    fn minds_order(&self) -> bool {
+        false
     }
 }
 

@@ -6,12 +6,14 @@
 //! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
 //! the instructions that it took with nodes of one box. To sort all boxes of a node by distance visits fewer, but takes 5 %
 //! longer than to go on with the nearest and to let the others wait as they come. How it is built: see [`build`]. How
-//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, and [`place`] for points.
+//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at
+//! once.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.
 
 mod axis;
+mod beam;
 mod build;
 mod place;
 mod segment;
@@ -26,6 +28,7 @@ use crate::fault::Fault;
 use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::{Aabb, Ray, Real, Vec3};
 use axis::Axis;
+pub(crate) use beam::Beam;
 use place::Place;
 use segment::Segment;
 use slabs::Slabs;
@@ -201,6 +204,44 @@ impl<'m, R: Real> Hierarchy<'m, R> {
             visit(object);
             Some(R::ZERO)
         });
+    }
+
+    /// Calls `meet` for all objects that any ray of a beam can meet, and for some more, until it says `false`. Returns whether it never
+    /// did.
+    #[inline]
+    pub(crate) fn gather(&self, beam: &Beam<R>, mut meet: impl FnMut(u16) -> bool) -> bool {
+        let unbounded = self.order.get(..self.unbounded).unwrap_or_default();
+        if !unbounded.iter().all(|object| meet(*object)) {
+            return false;
+        }
+        let mut waiting: Vec<u16, MOST_WAITING> = Vec::new();
+        let mut next = Some(0);
+        while let Some(index) = next {
+            if let Some(node) = self.nodes.get(usize::from(index)) {
+                let (met, _) = beam.meet(node);
+                for (slot, content) in node.content.iter().enumerate() {
+                    if met >> slot & 1 == 0 {
+                        continue;
+                    }
+                    match *content {
+                        Content::Objects { count, first } => {
+                            let first = usize::from(first);
+                            let objects =
+                                self.order.get(first..first + usize::from(count)).unwrap_or_default();
+                            if !objects.iter().all(|object| meet(*object)) {
+                                return false;
+                            }
+                        }
+                        Content::Node(inner) => {
+                            let pushed = waiting.push(inner);
+                            debug_assert!(pushed.is_ok(), "deeper than the builder allows");
+                        }
+                    }
+                }
+            }
+            next = waiting.pop();
+        }
+        true
     }
 
     #[inline(always)]

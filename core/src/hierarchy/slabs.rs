@@ -77,12 +77,12 @@ impl<R: Real> BoxTest<R> for Slabs<R> {
 
 /// A function of both, for each of four boxes.
 #[inline(always)]
-fn both<A, B>(a: [A; WIDTH], b: [A; WIDTH], f: impl Fn(A, A) -> B) -> [B; WIDTH] {
+pub(super) fn both<A, B>(a: [A; WIDTH], b: [A; WIDTH], f: impl Fn(A, A) -> B) -> [B; WIDTH] {
     let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);
     [f(a0, b0), f(a1, b1), f(a2, b2), f(a3, b3)]
 }
 
 #[inline(always)]
-fn smaller<R: Real>(a: R, b: R) -> R {
+pub(super) fn smaller<R: Real>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }

@@ -252,3 +252,87 @@ fn a_ray_tests_few_of_many_objects() {
         assert!(tested <= most, "{count} boxes: {tested} tested");
     }
 }
+
+/// Beams of rays that spread, that run along an axis, that leave a box toward a point or into one direction: what one of their rays
+/// meets, they meet. And they are no wider than they must.
+#[test]
+fn a_beam_meets_what_its_rays_meet() {
+    let mut state = 7u32;
+    let mut number = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
+    };
+    let (x, count) = (Vec3::new(1.0, 0.0, 0.0), 300);
+    let mut point = || Vec3::new(number(), number(), number());
+    let mut boxes: Vec<_> = (0..count)
+        .map(|_| {
+            let (center, reach) = (point(), point() * 0.05);
+            Some(Aabb::around(center, Vec3::new(reach.x.abs(), reach.y.abs(), reach.z.abs())))
+        })
+        .collect();
+    boxes[17] = None;
+    let (mut order, mut memory) = (list(count), memory::<f32>(count, 2));
+    let bounds = |object| boxes[usize::from(object)];
+    let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
+    let (mut met, mut met_by_beams) = (0, 0);
+    for round in 0..400 {
+        let (place, target, spread) = (point(), point() * 2.0, [0.0, 0.01, 0.3][round % 3]);
+        let origins: Vec<Vec3> = (0..8).map(|_| place + point() * spread).collect();
+        let around = origins.iter().copied().map(Aabb::point).reduce(Aabb::union).unwrap();
+        let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
+        let (beam, rays): (Beam<f32>, Vec<(Ray<f32>, f32)>) = match round % 4 {
+            0 => {
+                let direction = if round % 8 == 0 { x } else { to_target };
+                let beam = Beam::toward(around, 0.0, direction);
+                (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
+            }
+            1 => {
+                let rays = origins.iter().map(|origin| {
+                    let (direction, distance) = (target - *origin).polar();
+                    (Ray { origin: *origin, direction }, distance)
+                });
+                (Beam::toward_point(around, 0.0, target), rays.collect())
+            }
+            _ => {
+                let from = if round % 4 == 2 { Some(place) } else { None };
+                let rays: Vec<_> = (origins.iter())
+                    .map(|origin| {
+                        let direction = (to_target + point() * spread).normalized().unwrap();
+                        (Ray { origin: from.unwrap_or(*origin), direction }, far)
+                    })
+                    .collect();
+                (Beam::around(rays.iter().map(|(ray, _)| ray)).unwrap(), rays)
+            }
+        };
+        let mut gathered = vec![false; count];
+        assert!(hierarchy.gather(&beam, |object| {
+            assert!(!gathered[usize::from(object)], "told twice");
+            gathered[usize::from(object)] = true;
+            true
+        }));
+        let mut any = vec![false; count];
+        for (ray, max) in rays {
+            hierarchy.walk(&ray, max, |object| {
+                any[object] = true;
+                Some(max)
+            });
+        }
+        assert!(gathered[17] && any[17]);
+        assert!(any.iter().zip(&gathered).all(|(any, gathered)| *gathered || !any), "{round}");
+        if spread < 0.1 {
+            met += any.iter().filter(|met| **met).count();
+            met_by_beams += gathered.iter().filter(|met| **met).count();
+        }
+        let mut told = 0;
+        let stops = hierarchy.gather(&beam, |_| {
+            told += 1;
+            told < 2
+        });
+        assert_eq!(
+            (stops, told),
+            if gathered.iter().filter(|met| **met).count() < 2 { (true, 1) } else { (false, 2) }
+        );
+    }
+    std::println!("{met} met by rays, {met_by_beams} by beams");
+    assert!(met_by_beams < 2 * met);
+}

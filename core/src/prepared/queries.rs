@@ -52,6 +52,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map(|object| object.material)
     }
 
+    /// What is known of an object's shape.
+    pub(crate) fn form(&self, object: usize) -> Option<Form<R>> {
+        self.objects.get(object).map(|object| object.shape.form())
+    }
+
     /// What each object is inside of, if the scene has sets of candidates.
     pub(crate) fn enclosures(&self) -> Option<impl Iterator<Item = Enclosure<R>>> {
         self.candidates()?;
@@ -153,6 +158,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.closest_object(ray, Interval::AHEAD, all)
     }
 
+    /// As [`closest_hit_from`](Self::closest_hit_from), for a ray that can meet none but these objects, which are given from the lowest
+    /// position up.
+    #[inline(always)]
+    pub(crate) fn closest_hit_in(&self, ray: &Ray<R>, list: &[u16]) -> Option<HitOn<'m, R>> {
+        let positions = list.iter().map(|object| usize::from(*object));
+        self.hit(ray, self.closest_among(ray, Interval::AHEAD, positions))
+    }
+
     #[inline(always)]
     fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<HitOn<'m, R>> {
         let (t, index) = closest?;
@@ -229,7 +242,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The hierarchy, if there can be one: without the feature, the compiler sees that there is none and drops its code.
     #[inline(always)]
-    fn hierarchy(&self) -> Option<&Hierarchy<'m, R>> {
+    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R>> {
         if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 
@@ -310,6 +323,23 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
+    /// The same for a ray that can meet none but the objects in a list.
+    #[inline(always)]
+    pub(crate) fn light_through_list(&self, ray: &Ray<R>, distance: R, list: &[u16]) -> Through<Share<R>> {
+        let range = Interval { min: R::ZERO, max: distance };
+        for object in list {
+            let object = usize::from(*object);
+            if self.meets(object, ray, range) {
+                if self.transmittance(object) > R::ZERO {
+                    return self.light_through_among(ray, distance, None);
+                }
+                return Through::Nothing;
+            }
+        }
+        Through::All
+    }
+
+    #[inline(always)]
     fn meets(&self, object: usize, ray: &Ray<R>, range: Interval<R>) -> bool {
         self.objects.get(object).is_some_and(|object| object.shape.intersect(ray, range).is_some())
     }

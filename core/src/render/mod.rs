@@ -4,6 +4,7 @@ mod digest;
 mod display_color;
 mod error;
 mod frame;
+mod groups;
 mod interleave;
 mod line_candidates;
 mod outline;
@@ -28,6 +29,7 @@ pub use tone::Tone;
 
 use core::ops::Range;
 
+use groups::Groups;
 use line_candidates::Outlines;
 use painter::LinePainter;
 
@@ -162,6 +164,10 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         };
         if line.len() != usize::from(self.width) {
             return Err(LineError::BufferLength { given: line.len(), width: self.width() });
+        }
+        if let Some(groups) = Groups::new(self, probe) {
+            groups.line(y, line, probe);
+            return Ok(());
         }
         let mut painter = LinePainter::new(self, y);
         for (x, pixel) in (0..self.width).zip(line) {

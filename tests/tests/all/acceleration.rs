@@ -10,8 +10,8 @@ use rayline::shape::{
     Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Real, Renderer, Scene, Settings,
-    Vec3,
+    Background, Camera, Event, Light, LinearRgb, Material, Object, PreparedScene, Probe, RayCounts, Real,
+    Renderer, Scene, Settings, Vec3,
 };
 use rayline_tests::{
     cut_box, each_scene, instances, lamps, maps, meshes, metaballs, optics, turned_box, with_scene,
@@ -60,6 +60,43 @@ fn check(name: &str) {
 }
 
 each_scene!(check);
+
+/// Everything that happens, in order.
+#[derive(Default)]
+struct Record(Vec<Event<f32>>);
+
+impl Probe<f32> for Record {
+    fn record(&mut self, event: Event<f32>) {
+        self.0.push(event);
+    }
+}
+
+/// Pixels that are traced side by side are traced by the same rays as alone; and a probe that minds is told of one after the other.
+#[test]
+fn pixels_side_by_side_take_the_same_rays() {
+    for name in ["flake", "balls_s2", "teapot_s2", "rings_s1", "mount_s1"] {
+        with_scene(name, |scene, bounces| {
+            let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+            let prepared = PreparedScene::<f32, _>::new(scene, &mut memory).unwrap();
+            // Few rays, so that some pixels spend all.
+            let settings = Settings { bounces, rays_per_pixel: 9, ..Settings::new(53, 40) };
+            let renderer = Renderer::new(&prepared, settings).unwrap();
+            let mut line = [Rgb888::BLACK; 53];
+            for y in 0..40 {
+                let (mut together, mut alone) = (RayCounts::default(), RayCounts::default());
+                let (mut in_order, mut pixel_by_pixel) = (Record::default(), Record::default());
+                renderer.line_watched(y, &mut line, &mut together).unwrap();
+                renderer.line_watched(y, &mut line, &mut in_order).unwrap();
+                for x in 0..53 {
+                    renderer.pixel(x, y as u16, &mut alone);
+                    renderer.pixel(x, y as u16, &mut pixel_by_pixel);
+                }
+                assert_eq!(together, alone, "{name}, line {y}");
+                assert!(in_order.0 == pixel_by_pixel.0, "{name}, line {y}");
+            }
+        });
+    }
+}
 
 fn coordinate() -> BoxedStrategy<f32> {
     prop_oneof![4 => -4.0f32..4.0, 1 => (-8i8..8).prop_map(|x| f32::from(x) * 0.5)].boxed()

@@ -1,180 +1,18 @@
-//! How much light comes along a ray: Whitted's recursion, without recursion.
-//!
-//! A hit may ask for two more rays, a mirrored and a refracted one. The mirrored ray is traced next and the
-//! refracted one waits on a stack. A waiting ray is always followed by rays of one bounce more, so at most one
-//! ray waits per bounce and [`MAX_BOUNCES`] places are enough. The order of rays, and so of additions, is fixed.
+//! A place that a ray met: what light leaves it along the ray, and which rays are to be followed from there.
 
-use heapless::Vec;
-
+use super::{PendingRay, RayBudget, Shades};
 use crate::color::LinearRgb;
-use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::{Departure, ObjectSet};
+use crate::prepared::candidates::Departure;
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::share::Share;
-use crate::surface::Surface;
-
-/// When rays are no longer followed.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds<R> {
-    /// Rays of more bounces than this are left out.
-    pub(crate) bounces: u8,
-    /// Rays that bring a smaller share of their light than this are left out.
-    pub(crate) cutoff: R,
-}
-
-/// What is known of a camera ray before it is traced.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sight<'k> {
-    /// The objects that it can meet; `None`: any.
-    pub(crate) among: Option<ObjectSet>,
-    /// What can shade what it meets.
-    pub(crate) shades: Option<&'k Shades>,
-}
-
-/// What can stand between a place of one object and the first lights.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Shades {
-    /// Position of the object.
-    pub(crate) receiver: usize,
-    pub(crate) among: [ObjectSet; LIGHTS],
-}
-
-/// How many lights [`Shades`] are known of.
-pub(crate) const LIGHTS: usize = 4;
-
-/// The rays that one pixel may still spend.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RayBudget(pub(crate) u32);
-
-impl RayBudget {
-    /// Takes one ray, if there is one.
-    fn spend(&mut self) -> bool {
-        match self.0.checked_sub(1) {
-            Some(left) => {
-                self.0 = left;
-                true
-            }
-            None => false,
-        }
-    }
-}
-
-/// A ray that is still to be traced.
-#[derive(Clone, Copy, Debug)]
-struct PendingRay<R> {
-    ray: Ray<R>,
-    /// Share of its light that reaches the pixel, in each channel.
-    throughput: Share<R>,
-    bounces: u8,
-    kind: RayKind,
-    /// The surface that it leaves; of a camera ray, none.
-    from: Departure,
-}
-
-/// The light that comes to the origin of a camera ray from where it points.
-pub(crate) fn radiance<R: Real, S: Geometry>(
-    scene: &PreparedScene<'_, R, S>,
-    ray: Ray<R>,
-    sight: Sight<'_>,
-    bounds: &Bounds<R>,
-    rays: &mut RayBudget,
-    probe: &mut impl Probe<R>,
-) -> LinearRgb<R> {
-    // Counted here, and told at the end.
-    let budget = rays;
-    let rays = &mut RayBudget(budget.0);
-    let mut light = LinearRgb::BLACK;
-    let mut waiting: Vec<PendingRay<R>, { MAX_BOUNCES as usize }> = Vec::new();
-    let mut next = PendingRay {
-        ray,
-        throughput: Share::even(R::ONE),
-        bounces: 0,
-        kind: RayKind::Camera,
-        from: Departure::NONE,
-    };
-    loop {
-        let PendingRay { ray, throughput, bounces, kind, from } = next;
-        if !rays.spend() {
-            probe.record(Event::Cut(Cut::Rays));
-            break;
-        }
-        probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
-        let from = if kind == RayKind::Camera { None } else { Some(from) };
-        let Some((mut hit, mut material)) = scene.closest_hit_from(&ray, from, sight.among) else {
-            let color = scene.background.color(ray.direction);
-            probe.record(Event::Miss { color });
-            let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
-            light = light + throughput.of(color);
-            if !take(&mut waiting, &mut next) {
-                break;
-            }
-            continue;
-        };
-        let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
-        let mapped;
-        if !material.maps.is_empty() {
-            let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
-            mapped = material.mapped(&hit.surface, uv);
-            let normal = material.maps.bumped(&hit.surface, ray.direction, uv);
-            (hit.surface.shading_normal, material) = (normal, &mapped);
-        }
-        let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
-        let shades =
-            sight.shades.filter(|shades| kind == RayKind::Camera && shades.receiver == vertex.hit.object);
-        light = light + throughput.of(vertex.local_light(scene, shades, rays, probe));
-
-        // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
-        let mut followed = |share: Share<R>| {
-            let throughput = throughput * share;
-            let largest = throughput.largest();
-            if !(largest > R::ZERO) {
-                return None;
-            }
-            if bounces >= bounds.bounces {
-                probe.record(Event::Cut(Cut::Bounces));
-                return None;
-            }
-            if largest < bounds.cutoff {
-                probe.record(Event::Cut(Cut::Throughput));
-                return None;
-            }
-            Some(throughput)
-        };
-        let (Shares { mirrored, refracted }, direction) = vertex.shares();
-        let mirrors = followed(mirrored);
-        if let Some(direction) = direction
-            && let Some(throughput) = followed(refracted)
-            // There is always room, as shown above.
-            && waiting.push(vertex.leave(direction, throughput, bounces, RayKind::Refracted)).is_err()
-        {
-            probe.record(Event::Cut(Cut::Bounces));
-        }
-        if let Some(mirrors) = mirrors {
-            next = vertex.leave(vertex.mirrored, mirrors, bounces, RayKind::Reflected);
-        } else if !take(&mut waiting, &mut next) {
-            break;
-        }
-    }
-    budget.0 = rays.0;
-    light
-}
-
-/// Takes the last ray that waits, if there is one. Without an `Option` of it, which would be copied byte by byte.
-#[inline(always)]
-fn take<R: Real, const N: usize>(waiting: &mut Vec<PendingRay<R>, N>, next: &mut PendingRay<R>) -> bool {
-    let Some(last) = waiting.last() else { return false };
-    *next = *last;
-    waiting.truncate(waiting.len().saturating_sub(1));
-    true
-}
 
 /// A hit, seen from the ray that met it.
-struct Vertex<'s, R: Real> {
-    hit: Hit<R>,
+pub(super) struct Vertex<'s, R: Real> {
+    pub(super) hit: Hit<R>,
     material: &'s PreparedMaterial<'s, R>,
     /// The color of the texture.
     color: LinearRgb<R>,
@@ -185,11 +23,12 @@ struct Vertex<'s, R: Real> {
     /// Cosine of the angle between that normal and the way back: 0 or more.
     cosine: R,
     /// Direction of the mirrored ray.
-    mirrored: Vec3<R>,
+    pub(super) mirrored: Vec3<R>,
 }
 
 impl<'s, R: Real> Vertex<'s, R> {
-    fn new<S: Geometry>(
+    #[inline(always)]
+    pub(super) fn new<S: Geometry>(
         scene: &PreparedScene<'_, R, S>,
         ray: &Ray<R>,
         hit: Hit<R>,
@@ -206,28 +45,34 @@ impl<'s, R: Real> Vertex<'s, R> {
     }
 
     /// A ray that is to be followed from here, after so many bounces.
-    fn leave(&self, direction: Vec3<R>, throughput: Share<R>, bounces: u8, kind: RayKind) -> PendingRay<R> {
+    pub(super) fn leave(
+        &self,
+        direction: Vec3<R>,
+        throughput: Share<R>,
+        bounces: u8,
+        kind: RayKind,
+    ) -> PendingRay<R> {
         let (ray, from) = (self.spawn(direction), self.departure(direction));
         PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
     }
 
     /// A ray that leaves the surface.
-    fn spawn(&self, direction: Vec3<R>) -> Ray<R> {
+    pub(super) fn spawn(&self, direction: Vec3<R>) -> Ray<R> {
         let surface = &self.hit.surface;
         Ray::spawn(surface.point, surface.normal, direction, surface.magnitude)
     }
 
     /// To which side of the surface a ray of this direction leaves it.
-    fn departure(&self, direction: Vec3<R>) -> Departure {
+    pub(super) fn departure(&self, direction: Vec3<R>) -> Departure {
         let outward = !(self.hit.surface.normal.dot(direction) < R::ZERO);
         Departure { object: self.hit.object, outward }
     }
 
     /// Ambient, diffuse and specular light that leaves along the incoming ray.
-    fn local_light<S: Geometry>(
+    pub(super) fn local_light<S: Geometry>(
         &self,
         scene: &PreparedScene<'_, R, S>,
-        shades: Option<&Shades>,
+        shading: &mut impl Shading<R>,
         rays: &mut RayBudget,
         probe: &mut impl Probe<R>,
     ) -> LinearRgb<R> {
@@ -269,13 +114,7 @@ impl<'s, R: Real> Vertex<'s, R> {
                 probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let shades = shades.and_then(|shades| shades.among.get(index)).copied();
-            let from = self.departure(toward);
-            let in_the_way = scene.in_the_way(from, self.hit.surface.magnitude, index, toward, shades);
-            let mut through = Through::All;
-            if in_the_way.is_none_or(|objects| !objects.is_empty()) {
-                through = scene.light_through_among(&self.spawn(toward), distance, in_the_way);
-            }
+            let through = shading.through(scene, self, index, toward, distance);
             let mut highlight = R::ZERO;
             let through = match through {
                 Through::All => Share::even(R::ONE),
@@ -310,7 +149,7 @@ impl<'s, R: Real> Vertex<'s, R> {
 
     /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.
     #[inline(always)]
-    fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
+    pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
         let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
         let optics = self.material.optics();
         let is_glass = transmittance > R::ZERO;
@@ -355,5 +194,48 @@ impl<'s, R: Real> Vertex<'s, R> {
             return None;
         }
         Some(self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt()))
+    }
+}
+
+/// What is known of the ways from hits to lights before they are looked along.
+pub(super) trait Shading<R: Real> {
+    /// The hit lies on this object.
+    #[inline(always)]
+    fn begin_at(&mut self, _object: usize) {}
+
+    /// How much comes through to a hit from a light, which is at this distance in the unit direction `toward`.
+    fn through<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        vertex: &Vertex<'_, R>,
+        light: usize,
+        toward: Vec3<R>,
+        distance: R,
+    ) -> Through<Share<R>>;
+}
+
+impl<R: Real> Shading<R> for Option<&Shades> {
+    #[inline(always)]
+    fn begin_at(&mut self, object: usize) {
+        *self = self.filter(|shades| shades.receiver == object);
+    }
+
+    #[inline(always)]
+    fn through<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        vertex: &Vertex<'_, R>,
+        light: usize,
+        toward: Vec3<R>,
+        distance: R,
+    ) -> Through<Share<R>> {
+        let shades = self.and_then(|shades| shades.among.get(light)).copied();
+        let from = vertex.departure(toward);
+        let in_the_way = scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, shades);
+        if in_the_way.is_none_or(|objects| !objects.is_empty()) {
+            scene.light_through_among(&vertex.spawn(toward), distance, in_the_way)
+        } else {
+            Through::All
+        }
     }
 }

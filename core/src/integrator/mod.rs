@@ -1,0 +1,226 @@
+//! How much light comes along a ray: Whitted's recursion, without recursion.
+//!
+//! A hit may ask for two more rays, a mirrored and a refracted one. The mirrored ray is traced next and the
+//! refracted one waits on a stack. A waiting ray is always followed by rays of one bounce more, so at most one
+//! ray waits per bounce and [`MAX_BOUNCES`] places are enough. The order of rays, and so of additions, is fixed.
+
+mod stream;
+mod vertex;
+
+pub(crate) use stream::{Stream, WIDTH};
+
+use heapless::Vec;
+
+use crate::color::LinearRgb;
+use crate::limits::MAX_BOUNCES;
+use crate::material::Shares;
+use crate::math::{Ray, Real};
+use crate::prepared::PreparedScene;
+use crate::prepared::candidates::{Departure, ObjectSet};
+use crate::prepared::queries::HitOn;
+use crate::probe::{Cut, Event, Probe, RayKind};
+use crate::shape::Geometry;
+use crate::share::Share;
+use crate::surface::Surface;
+use vertex::{Shading, Vertex};
+
+/// When rays are no longer followed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds<R> {
+    /// Rays of more bounces than this are left out.
+    pub(crate) bounces: u8,
+    /// Rays that bring a smaller share of their light than this are left out.
+    pub(crate) cutoff: R,
+}
+
+/// What is known of a camera ray before it is traced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sight<'k> {
+    /// The objects that it can meet; `None`: any.
+    pub(crate) among: Option<ObjectSet>,
+    /// What can shade what it meets.
+    pub(crate) shades: Option<&'k Shades>,
+}
+
+/// What can stand between a place of one object and the first lights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shades {
+    /// Position of the object.
+    pub(crate) receiver: usize,
+    pub(crate) among: [ObjectSet; LIGHTS],
+}
+
+/// How many lights [`Shades`] are known of.
+pub(crate) const LIGHTS: usize = 4;
+
+/// The rays that one pixel may still spend.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayBudget(pub(crate) u32);
+
+impl RayBudget {
+    /// Takes one ray, if there is one.
+    fn spend(&mut self) -> bool {
+        match self.0.checked_sub(1) {
+            Some(left) => {
+                self.0 = left;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
+/// A ray that is still to be traced.
+#[derive(Clone, Copy, Debug)]
+struct PendingRay<R> {
+    ray: Ray<R>,
+    /// Share of its light that reaches the pixel, in each channel.
+    throughput: Share<R>,
+    bounces: u8,
+    kind: RayKind,
+    /// The surface that it leaves; of a camera ray, none.
+    from: Departure,
+}
+
+/// The light that comes to the origin of a camera ray from where it points.
+#[inline(always)]
+pub(crate) fn radiance<R: Real, S: Geometry>(
+    scene: &PreparedScene<'_, R, S>,
+    ray: Ray<R>,
+    sight: Sight<'_>,
+    bounds: &Bounds<R>,
+    rays: &mut RayBudget,
+    probe: &mut impl Probe<R>,
+) -> LinearRgb<R> {
+    let mut path = Path::new(ray);
+    let mut waiting = Waiting::new();
+    // Counted here, and told at the end.
+    let mut left = *rays;
+    while path.goes_on(&mut left, probe) {
+        let mut shades = if path.next.kind == RayKind::Camera { sight.shades } else { None };
+        let find = |ray: &Ray<R>, from| scene.closest_hit_from(ray, from, sight.among);
+        if !path.follow(scene, find, &mut shades, &mut waiting, bounds, &mut left, probe) {
+            break;
+        }
+    }
+    *rays = left;
+    path.light
+}
+
+/// The rays that wait.
+type Waiting<R> = Vec<PendingRay<R>, { MAX_BOUNCES as usize }>;
+
+/// The rays of one pixel but those that wait: those behind, as light, and the one at hand.
+#[derive(Clone, Copy, Debug)]
+struct Path<R> {
+    light: LinearRgb<R>,
+    next: PendingRay<R>,
+}
+
+impl<R: Real> Path<R> {
+    #[inline(always)]
+    fn new(ray: Ray<R>) -> Self {
+        let next = PendingRay {
+            ray,
+            throughput: Share::even(R::ONE),
+            bounces: 0,
+            kind: RayKind::Camera,
+            from: Departure::NONE,
+        };
+        Self { light: LinearRgb::BLACK, next }
+    }
+
+    /// The surface that the ray at hand leaves, if it leaves one.
+    #[inline(always)]
+    fn from(&self) -> Option<Departure> {
+        if self.next.kind == RayKind::Camera { None } else { Some(self.next.from) }
+    }
+
+    /// Whether there is a ray left to be spent; spends it.
+    #[inline(always)]
+    fn goes_on(&mut self, rays: &mut RayBudget, probe: &mut impl Probe<R>) -> bool {
+        if !rays.spend() {
+            probe.record(Event::Cut(Cut::Rays));
+            return false;
+        }
+        let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
+        probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
+        true
+    }
+
+    /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "in a struct they would be stored and loaded for each ray")]
+    fn follow<'s, S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<HitOn<'s, R>>,
+        shading: &mut impl Shading<R>,
+        waiting: &mut Waiting<R>,
+        bounds: &Bounds<R>,
+        rays: &mut RayBudget,
+        probe: &mut impl Probe<R>,
+    ) -> bool {
+        let from = self.from();
+        let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
+        let Some((mut hit, mut material)) = find(&ray, from) else {
+            let color = scene.background.color(ray.direction);
+            probe.record(Event::Miss { color });
+            let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
+            self.light = self.light + throughput.of(color);
+            return take(waiting, &mut self.next);
+        };
+        let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
+        let mapped;
+        if !material.maps.is_empty() {
+            let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
+            mapped = material.mapped(&hit.surface, uv);
+            let normal = material.maps.bumped(&hit.surface, ray.direction, uv);
+            (hit.surface.shading_normal, material) = (normal, &mapped);
+        }
+        let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
+        shading.begin_at(vertex.hit.object);
+        self.light = self.light + throughput.of(vertex.local_light(scene, shading, rays, probe));
+
+        // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
+        let mut followed = |share: Share<R>| {
+            let throughput = throughput * share;
+            let largest = throughput.largest();
+            if !(largest > R::ZERO) {
+                return None;
+            }
+            if bounces >= bounds.bounces {
+                probe.record(Event::Cut(Cut::Bounces));
+                return None;
+            }
+            if largest < bounds.cutoff {
+                probe.record(Event::Cut(Cut::Throughput));
+                return None;
+            }
+            Some(throughput)
+        };
+        let (Shares { mirrored, refracted }, direction) = vertex.shares();
+        let mirrors = followed(mirrored);
+        if let Some(direction) = direction
+            && let Some(throughput) = followed(refracted)
+            // There is always room, as shown above.
+            && waiting.push(vertex.leave(direction, throughput, bounces, RayKind::Refracted)).is_err()
+        {
+            probe.record(Event::Cut(Cut::Bounces));
+        }
+        if let Some(mirrors) = mirrors {
+            self.next = vertex.leave(vertex.mirrored, mirrors, bounces, RayKind::Reflected);
+            return true;
+        }
+        take(waiting, &mut self.next)
+    }
+}
+
+/// Takes the last ray that waits, if there is one. Without an `Option` of it, which would be copied byte by byte.
+#[inline(always)]
+fn take<R: Real>(waiting: &mut Waiting<R>, next: &mut PendingRay<R>) -> bool {
+    let Some(last) = waiting.last() else { return false };
+    *next = *last;
+    waiting.truncate(waiting.len().saturating_sub(1));
+    true
+}
