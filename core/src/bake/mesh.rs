@@ -1,6 +1,6 @@
 //! Meshes as Rust, as they are prepared.
 
-use core::fmt::{Debug, Write};
+use core::fmt::Write;
 use std::format;
 use std::string::String;
 use std::vec::Vec;
@@ -8,12 +8,14 @@ use std::vec::Vec;
 use super::BakeError;
 use crate::math::{Fixed, Real, Vec3};
 use crate::scene::Scene;
-use crate::shape::{Mesh, Shape, SmallNormal, Told};
+use crate::shape::{BakedParts, Mesh, Shape, SmallNormal};
 
 /// A number system that meshes can be baked for: `f32` and [`Fixed`].
 pub trait BakedNumber: Real {
     /// What its type is called.
     const NAME: &'static str;
+    /// What the type of its bits is called.
+    const BITS: &'static str;
 
     /// The number as an argument of the source's function `n`.
     fn argument(self) -> String;
@@ -21,6 +23,7 @@ pub trait BakedNumber: Real {
 
 impl BakedNumber for f32 {
     const NAME: &'static str = "f32";
+    const BITS: &'static str = "u32";
 
     fn argument(self) -> String {
         format!("{:#x}", self.to_bits())
@@ -29,6 +32,7 @@ impl BakedNumber for f32 {
 
 impl BakedNumber for Fixed {
     const NAME: &'static str = "rayline::math::Fixed";
+    const BITS: &'static str = "i32";
 
     fn argument(self) -> String {
         format!("{}", self.to_bits())
@@ -49,8 +53,7 @@ pub(super) fn all<N: BakedNumber>(scene: &Scene<'_>) -> Result<String, BakeError
     if arms.is_empty() {
         return Ok(source);
     }
-    let number = N::NAME;
-    let bits = if N::REACH.is_none() { "u32" } else { "i32" };
+    let (number, bits) = (N::NAME, N::BITS);
     Ok(format!(
         "const fn n(bits: {bits}) -> {number} {{
     {number}::from_bits(bits)
@@ -72,45 +75,39 @@ const fn v(x: {bits}, y: {bits}, z: {bits}) -> rayline::Vec3<{number}> {{
 
 /// The mesh of an object.
 fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Result<String, BakeError> {
-    let scale = scene.scale::<N>();
     let vector =
         |Vec3 { x, y, z }: Vec3<N>| format!("v({}, {}, {})", x.argument(), y.argument(), z.argument());
     let row =
         |numbers: &[N; 4]| format!("[{}]", joined(numbers, |number| format!("n({})", number.argument())));
-    let source = mesh.bake(scale, |Told { vertices, normals, order, nodes, bounds: [min, max], extent }| {
+    let source = mesh.bake(scene.scale::<N>(), |parts| {
+        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
+            parts;
         let nodes = joined(nodes, |node| {
             let [lower, upper] = node.planes().map(|planes| joined(planes, row));
             format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.content())
         });
         format!(
             "static MESH_{index}: rayline::shape::BakedMesh<{}> = rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
-    triangles: &[{}],
-    uvs: &[{}],
+    triangles: &{triangles:?},
+    uvs: &{uvs:?},
     vertices: &[{}],
     normals: &[{}],
     order: &{order:?},
     nodes: &[{nodes}],
     bounds: [{}, {}],
-    scale: {:?},
+    scale: {scale:?},
     extent: {extent:?},
 }});
 
 ",
             N::NAME,
-            joined(mesh.triangles, debug),
-            joined(mesh.uvs.unwrap_or_default(), debug),
             joined(vertices, |vertex| vector(*vertex)),
             joined(normals, |SmallNormal(normal)| format!("rayline::shape::SmallNormal({normal:?})")),
             vector(min),
             vector(max),
-            scale.to_f32(),
         )
     });
     source.map_err(|fault| BakeError(format!("object {index}: {fault}")))
-}
-
-fn debug(value: &impl Debug) -> String {
-    format!("{value:?}")
 }
 
 /// The elements of a list, with commas between them.

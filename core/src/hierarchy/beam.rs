@@ -8,7 +8,7 @@
 //!
 //! Beams around 8 rays that begin or point up to 1/100 apart meet 448 of the boxes in a cube where the rays meet 440.
 
-use super::slabs::{both, smaller};
+use super::slabs::{both, met, smaller};
 use super::{BoxTest, Node, WIDTH};
 use crate::math::{Aabb, Ray, Real, Vec3};
 
@@ -110,8 +110,7 @@ impl<R: Real> BoxTest<R> for &Beam<R> {
                 far = both(far, crossed, smaller);
             }
         }
-        let [a, b, c, d] = both(near, far, |near, far| u32::from(near <= far));
-        (a | b << 1 | c << 2 | d << 3, near)
+        (met(near, far), near)
     }
 
     fn end_at(&mut self, _: R) {}

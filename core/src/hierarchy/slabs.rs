@@ -60,8 +60,7 @@ impl<R: Real> BoxTest<R> for Slabs<R> {
         let near =
             both(both(both([R::ZERO; WIDTH], near_x, R::larger), near_y, R::larger), near_z, R::larger);
         let far = both(both(both([max; WIDTH], far_x, smaller), far_y, smaller), far_z, smaller);
-        let [a, b, c, d] = both(near, far, |near, far| u32::from(near <= far));
-        (a | b << 1 | c << 2 | d << 3, near)
+        (met(near, far), near)
     }
 
     #[inline(always)]
@@ -73,6 +72,13 @@ impl<R: Real> BoxTest<R> for Slabs<R> {
     fn reaches(&self, key: R) -> bool {
         key <= self.max
     }
+}
+
+/// Which boxes there is a way through, a bit for each, from where it begins and ends in them.
+#[inline(always)]
+pub(super) fn met<R: Real>(near: [R; WIDTH], far: [R; WIDTH]) -> u32 {
+    let [a, b, c, d] = both(near, far, |near, far| u32::from(near <= far));
+    a | b << 1 | c << 2 | d << 3
 }
 
 /// A function of both, for each of four boxes.

@@ -9,8 +9,8 @@
 //!
 //! What each ray meets is the same, and what each pixel adds up comes in the same order, so that not a byte differs.
 //!
-//! On x86-64, one thread, that takes instructions down to 0.61 (balls_s3 0.63, teapot_s2 0.61, rings_s1 0.61 at 512x512). Groups of 32 take 2 to 4 %
-//! more, since fewer beams are narrow. Rejected: to let rays go on from the boxes that a beam meets, instead of from the objects in
+//! On x86-64, one thread, that takes instructions down to 0.61 (balls_s3 0.63, teapot_s2 0.61, rings_s1 0.61 at 512x512). Groups of
+//! 32 take 2 to 4 % more, since fewer beams are narrow. Rejected: to let rays go on from the boxes that a beam meets, instead of from the objects in
 //! them; 1.25 times the instructions, for what boxes near a ray hold it meets more often than not.
 //!
 //! A ray through glass waits until a mirrored one is done. Pixels that have such rays are finished alone, so that one stack is enough
@@ -25,10 +25,11 @@ use crate::color::LinearRgb;
 use crate::hierarchy::{Beam, Hierarchy};
 use crate::light::Source;
 use crate::math::{Aabb, Ray, Real, Vec3};
+use crate::prepared::candidates::Departure;
 use crate::prepared::queries::HitOn;
 use crate::prepared::{PreparedScene, Through};
 use crate::probe::Probe;
-use crate::shape::{Form, Geometry};
+use crate::shape::Geometry;
 use crate::share::Share;
 
 /// The most pixels in a group.
@@ -116,11 +117,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         if run.len() > 1
             && let Some(beam) = Beam::around(run.iter().map(|lane| &lane.path.next.ray))
         {
-            let left = first.path.from().filter(|from| match self.scene.form(from.object) {
-                Some(Form::Flat { .. }) => true,
-                Some(Form::Ball { .. }) => from.outward,
-                _ => false,
-            });
+            let left = first.path.from().filter(|from| !self.scene.is_met_again(*from));
             list = self.list(&beam, left.map(|from| from.object));
         }
         for lane in run {
@@ -207,9 +204,10 @@ struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     stream: &'t Stream<'p, 'm, R, S>,
     /// The points, and the largest number that they were computed from; `None` where beams are not worth while.
     points: Option<(Aabb<R>, R)>,
-    /// The object, where no ray that leaves it meets it again, of a ball: outward.
+    /// The object, where no ray that leaves it outward meets it again.
     receiver: Option<usize>,
-    is_ball: bool,
+    /// Whether one that leaves it inward does.
+    is_met_inside: bool,
     lights: [InTheWay; LIGHTS],
 }
 
@@ -228,7 +226,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             stream,
             points: None,
             receiver: None,
-            is_ball: false,
+            is_met_inside: false,
             lights: [const { InTheWay::NotLookedUp }; LIGHTS],
         };
         if let [first, _, ..] = run
@@ -237,11 +235,9 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             let hits = run.iter().filter_map(|lane| lane.hit.as_ref());
             let points = hits.map(|(hit, _)| (Aabb::point(hit.surface.point), hit.surface.magnitude));
             ways.points = points.reduce(|a, b| (a.0.union(b.0), a.1.larger(b.1)));
-            (ways.receiver, ways.is_ball) = match stream.scene.form(object) {
-                Some(Form::Flat { .. }) => (Some(object), false),
-                Some(Form::Ball { .. }) => (Some(object), true),
-                _ => (None, false),
-            };
+            let is_met_again = |outward| stream.scene.is_met_again(Departure { object, outward });
+            ways.receiver = (!is_met_again(true)).then_some(object);
+            ways.is_met_inside = ways.receiver.is_some() && is_met_again(false);
         }
         ways
     }
@@ -276,7 +272,7 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        let meets_itself = self.is_ball && !vertex.departure(toward).outward;
+        let meets_itself = self.is_met_inside && !vertex.departure(toward).outward;
         match self.to(light).filter(|_| !meets_itself) {
             Some(list) if list.is_empty() => Through::All,
             Some(list) => scene.light_through_list(&vertex.spawn(toward), distance, list),

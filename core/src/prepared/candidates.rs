@@ -168,7 +168,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         }
         let all = ObjectSet::first(objects.len());
         let meets_itself =
-            |index: usize| objects.get(index).is_none_or(|object| object.shape.form() == Form::Any);
+            |index: usize| objects.get(index).is_none_or(|object| object.shape.form().is_met_again(true));
         let but_itself = |set: ObjectSet, index| if meets_itself(index) { set } else { set.without(index) };
         let leaving = arena.store_with(objects.len(), |index| {
             let outward = but_itself(all, index);

@@ -39,9 +39,10 @@ impl Scene<'_> {
         let mut bytes = self.background.bytes::<R>();
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
-            let shape = &object.shape;
-            let part = if has_baked { shape.const_bytes_baked::<R>() } else { shape.const_bytes::<R>() };
-            bytes = bytes.saturating_add(part);
+            bytes = bytes.saturating_add(match &object.shape {
+                Shape::Mesh(_) if has_baked => 0,
+                shape => shape.const_bytes::<R>(),
+            });
             objects = rest;
         }
         let mut materials = self.materials;

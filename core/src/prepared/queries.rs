@@ -52,9 +52,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map(|object| object.material)
     }
 
-    /// What is known of an object's shape.
-    pub(crate) fn form(&self, object: usize) -> Option<Form<R>> {
-        self.objects.get(object).map(|object| object.shape.form())
+    /// Whether a ray that leaves an object may meet it again.
+    pub(crate) fn is_met_again(&self, from: Departure) -> bool {
+        self.objects.get(from.object).is_none_or(|object| object.shape.form().is_met_again(from.outward))
     }
 
     /// What each object is inside of, if the scene has sets of candidates.

@@ -139,8 +139,6 @@ pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
-#[cfg(feature = "bake")]
-pub(crate) use mesh::Told;
 pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
@@ -263,6 +261,17 @@ pub enum Form<R> {
     },
 }
 
+impl<R> Form<R> {
+    /// Whether a ray that leaves it to this side may meet it again.
+    pub(crate) const fn is_met_again(&self, outward: bool) -> bool {
+        match self {
+            Self::Any => true,
+            Self::Ball { .. } => !outward,
+            Self::Flat { .. } => false,
+        }
+    }
+}
+
 #[cfg(feature = "serde")]
 crate::read::plain!(
     Sphere, Plane, Disc, Rectangle, Triangle, Cylinder, Cone, Ellipsoid, Quadric, Torus, Cuboid
@@ -311,14 +320,6 @@ crate::shape_set! {
 }
 
 impl Shape<'_> {
-    /// As [`const_bytes`](Self::const_bytes), where meshes were baked: they take nothing.
-    pub(crate) const fn const_bytes_baked<R: Real>(&self) -> usize {
-        match self {
-            Self::Mesh(_) => 0,
-            other => other.const_bytes::<R>(),
-        }
-    }
-
     /// [`Geometry::bytes`], usable in constants.
     pub(crate) const fn const_bytes<R: Real>(&self) -> usize {
         match self {

@@ -47,12 +47,18 @@ pub struct Demand {
 }
 
 impl Demand {
-    fn new(scene: &Scene<'_>, board: &'static Board, settings: Settings, traced: &Traced) -> Self {
+    fn new(
+        scene: &Scene<'_>,
+        description_bytes: u64,
+        board: &'static Board,
+        settings: Settings,
+        traced: &Traced,
+    ) -> Self {
         let counted = Counted::new(board.core);
         let pixels = f64::from(settings.width) * f64::from(settings.height);
         Self {
             board,
-            flash: counted.code(scene) + description_bytes(scene) + traced.baked_bytes,
+            flash: counted.code(scene) + description_bytes + traced.baked_bytes,
             ram: traced.prepared_bytes + u64::from(settings.width) * 2,
             stack: counted.stack(scene),
             worst_rays: traced.worst_rays,
@@ -113,6 +119,7 @@ impl Demands {
         boards: impl IntoIterator<Item = &'static Board>,
         settings: Settings,
     ) -> Result<Self, RenderError> {
+        let description_bytes = description_bytes(scene);
         let (mut float, mut fixed) = (None, None);
         let demand = |board: &'static Board| {
             let (known, trace): (_, fn(_, _) -> _) = match board.core.has_fpu() {
@@ -123,7 +130,7 @@ impl Demands {
                 Some(traced) => traced,
                 None => known.insert(trace(scene, settings)?),
             };
-            Ok(Demand::new(scene, board, settings, traced))
+            Ok(Demand::new(scene, description_bytes, board, settings, traced))
         };
         boards.into_iter().map(demand).collect::<Result<_, _>>().map(Self)
     }

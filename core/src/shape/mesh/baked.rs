@@ -20,19 +20,19 @@ pub struct BakedMesh<N: Real> {
 
 /// What a [`BakedMesh`] is made of.
 #[derive(Clone, Copy, Debug)]
-pub struct BakedParts<N: Real> {
+pub struct BakedParts<'m, N: Real> {
     /// As in the description.
-    pub triangles: &'static [[u16; 3]],
+    pub triangles: &'m [[u16; 3]],
     /// As in the description, or none.
-    pub uvs: &'static [[f32; 2]],
+    pub uvs: &'m [[f32; 2]],
     /// The corners, in the number system and at its scale.
-    pub vertices: &'static [Vec3<N>],
+    pub vertices: &'m [Vec3<N>],
     /// One for each vertex, or none.
-    pub normals: &'static [SmallNormal],
+    pub normals: &'m [SmallNormal],
     /// The triangles that have an area, leaf by leaf.
-    pub order: &'static [u16],
+    pub order: &'m [u16],
     /// The boxes around them, or none.
-    pub nodes: &'static [Node<N>],
+    pub nodes: &'m [Node<N>],
     /// The smallest and the largest corner of the box around all.
     pub bounds: [Vec3<N>; 2],
     /// What [`Scale::to_f32`] was for the scene.
@@ -46,7 +46,7 @@ impl<N: Real> BakedMesh<N> {
     ///
     /// # Panics
     /// A node leads back to one before it: rays would never come to an end.
-    pub const fn new(baked: BakedParts<N>) -> Self {
+    pub const fn new(baked: BakedParts<'static, N>) -> Self {
         let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
             baked;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
@@ -86,24 +86,13 @@ impl super::Mesh<'_> {
     pub(crate) fn bake<N: Real, T>(
         &self,
         scale: Scale,
-        told: impl FnOnce(Told<'_, N>) -> T,
+        told: impl FnOnce(BakedParts<'_, N>) -> T,
     ) -> Result<T, Fault> {
         let mut memory = std::vec![core::mem::MaybeUninit::uninit(); self.const_bytes::<N>()];
         let mesh = self.prepare::<N>(scale, &mut Arena::new(&mut memory))?;
-        let Parts { vertices, normals, hierarchy, bounds: Aabb { min, max }, .. } = *mesh.0;
+        let Parts { triangles, uvs, vertices, normals, hierarchy, bounds: Aabb { min, max } } = *mesh.0;
         let (nodes, order) = hierarchy.parts();
-        let Extent { flat: extent, .. } = self.extent();
-        Ok(told(Told { vertices, normals, order, nodes, bounds: [min, max], extent }))
+        let (bounds, scale, extent) = ([min, max], scale.to_f32(), self.extent().flat);
+        Ok(told(BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent }))
     }
-}
-
-/// What [`BakedParts`] has beyond the description.
-#[cfg(feature = "bake")]
-pub(crate) struct Told<'m, N> {
-    pub(crate) vertices: &'m [Vec3<N>],
-    pub(crate) normals: &'m [SmallNormal],
-    pub(crate) order: &'m [u16],
-    pub(crate) nodes: &'m [Node<N>],
-    pub(crate) bounds: [Vec3<N>; 2],
-    pub(crate) extent: f32,
 }

@@ -40,8 +40,6 @@ mod smooth;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "bake")]
-pub(crate) use baked::Told;
 pub use baked::{BakedMesh, BakedParts};
 pub use smooth::SmallNormal;
 
