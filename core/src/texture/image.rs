@@ -60,6 +60,16 @@ pub enum Filter {
 }
 
 impl<'a> Image<'a> {
+    /// The light of the pixel in this column and this line, counted from the upper left; black where there is none.
+    pub fn light(&self, column: u16, line: u16) -> LinearRgb {
+        let Self { width, height, pixels, encoding, .. } = *self;
+        if column < width && line < height {
+            pixels.light(encoding, width, column, line)
+        } else {
+            LinearRgb::gray(0.0)
+        }
+    }
+
     pub(super) fn prepare<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
         self.prepare_with([self.ends; 2])
     }

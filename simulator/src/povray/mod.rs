@@ -1,7 +1,15 @@
 //! POV-Ray 3.7, a renderer that others wrote: scenes in its language, and pictures by it where it is installed.
 
-mod export;
+mod error;
+mod light;
+mod material;
+mod pattern;
 mod run;
+mod scene;
+mod shape;
+mod surface;
+mod words;
 
-pub use export::{PovrayError, to_povray};
+pub use error::{Lack, PovrayError};
 pub use run::{PovrayPicture, RunError, render};
+pub use scene::to_povray;

@@ -2,7 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use rayline::{LinearRgb, Material, Optics, Scene};
+use rayline::shape::{
+    Cone, Cuboid, Cylinder, Disc, Ellipsoid, Mesh, Plane, Polygon, Rectangle, Shape, Sphere, Torus, Triangle,
+};
+use rayline::{
+    Background, Camera, Encoding, Ends, Figure, Filter, Image, Light, LinearRgb, Material, Object, Optics,
+    Pixels, Placed, Placement, Scene, Texture, Vec3,
+};
 use rayline_tests::{
     Comparison, PovrayPicture, assert_alike, core_picture, ray_counts, settings, with_scene,
 };
@@ -65,6 +71,94 @@ fn ray_counts_of_balls_s3() {
             assert!(ours.abs_diff(theirs) * 10 <= theirs, "{what}");
         }
     });
+}
+
+/// A picture without symmetry.
+const PICTURE: Image = Image {
+    width: 3,
+    height: 2,
+    pixels: Pixels::Rgb888(&[250, 60, 40, 40, 200, 60, 60, 80, 250, 250, 250, 250, 240, 220, 40, 20, 20, 20]),
+    encoding: Encoding::Srgb,
+    filter: Filter::Nearest,
+    ends: Ends::Repeat,
+};
+
+#[test]
+fn pictures_lie_on_surfaces_as_in_povray() {
+    let v = Vec3::new;
+    let hexagon = [0, 1, 2, 3, 4, 5].map(|corner| {
+        let (sine, cosine) = (corner as f32 * core::f32::consts::FRAC_PI_3).sin_cos();
+        v(cosine, sine, 0.25 * cosine)
+    });
+    let corners = [v(-1.0, -1.0, 0.0), v(1.0, -1.0, 0.5), v(-0.5, 1.0, 0.0)];
+    let (base, top) = (v(-0.25, -0.75, -0.25), v(0.25, 0.75, 0.5));
+    let round = |capped| Cylinder { base, top, radius: 0.5, capped };
+    let pointed = |capped| Cone { base, base_radius: 0.75, top, top_radius: 0.25, capped };
+    let mesh = Mesh {
+        vertices: &corners,
+        triangles: &[[0, 1, 2]],
+        normals: None,
+        uvs: Some(&[[0.25, 0.5], [2.0, 0.0], [1.0, 1.5]]),
+    };
+    let tilted = [v(0.5, 0.25, 0.0), v(-0.375, 0.75, 0.0), v(0.0, 0.0, 0.5)];
+    let shapes = [
+        ("sphere", Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0))),
+        ("ellipsoid", Shape::Ellipsoid(Ellipsoid { center: Vec3::ZERO, axes: tilted })),
+        ("plane", Shape::Plane(Plane::new(v(0.0, -0.5, 0.0), v(0.25, 1.0, 0.125)))),
+        ("polygon", Shape::Polygon(Polygon::new(&hexagon))),
+        ("disc", Shape::Disc(Disc::new(Vec3::ZERO, v(0.5, 0.75, 1.0), 1.0))),
+        (
+            "rectangle",
+            Shape::Rectangle(Rectangle::new(v(-1.0, -0.5, 0.25), v(1.75, 0.25, 0.0), v(0.0, 1.0, 0.25))),
+        ),
+        ("triangle", Shape::Triangle(Triangle { vertices: corners, normals: None })),
+        ("pipe", Shape::Cylinder(round(false))),
+        ("cylinder", Shape::Cylinder(round(true))),
+        ("funnel", Shape::Cone(pointed(false))),
+        ("cone", Shape::Cone(pointed(true))),
+        ("box", Shape::Cuboid(Cuboid::oriented(Vec3::ZERO, tilted))),
+        (
+            "torus",
+            Shape::Torus(Torus {
+                center: Vec3::ZERO,
+                axis: v(0.25, 1.0, 0.5),
+                major_radius: 0.75,
+                minor_radius: 0.25,
+            }),
+        ),
+        ("mesh", Shape::Mesh(mesh)),
+    ];
+    let placement =
+        Placement::SURFACE.turned(v(0.0, 0.0, 0.5)).stretched(v(0.5, 0.25, 1.0)).at(v(0.125, 0.25, 0.0));
+    let blended = Image { filter: Filter::Bilinear, ends: Ends::Mirror, ..PICTURE };
+    for (name, shape) in shapes {
+        for (filter, image) in [("nearest", PICTURE), ("blended", blended)] {
+            let placed = Placed::new(Figure::Image(image), placement);
+            let material = Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) };
+            let scene = Scene {
+                camera: Camera {
+                    eye: v(1.0, 2.0, 4.0),
+                    target: Vec3::ZERO,
+                    up: v(0.0, 1.0, 0.0),
+                    vertical_fov: 0.6,
+                },
+                background: Background::gray(0.25),
+                objects: &[Object::new(shape, 0)],
+                materials: &[material],
+                lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
+            };
+            let name = format!("{name}-{filter}");
+            let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {
+                return;
+            };
+            assert_alike(
+                &directory(),
+                &name,
+                ("f32", &core_picture::<f32>(&scene, settings(0))),
+                ("povray", &povray.picture),
+            );
+        }
+    }
 }
 
 fn directory() -> PathBuf {

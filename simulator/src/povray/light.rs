@@ -1,0 +1,56 @@
+//! Lights.
+
+use rayline::{Falloff, Lamp, Light, LinearRgb, Scene};
+
+use super::Lack;
+use super::words::{list, rgb, xyz};
+
+/// A light; a directional one stands far outside of the scene.
+pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
+    Ok(match *light {
+        Light::Point { position, color } => {
+            format!("light_source {{ {} rgb {} }}\n", xyz(position.to::<f64>()), rgb(color))
+        }
+        Light::Directional { direction, color } => {
+            let direction = direction.to::<f64>();
+            let away = direction * (-100.0 * extent * direction.length().recip());
+            format!("light_source {{ {} rgb {} parallel point_at 0 }}\n", xyz(away), rgb(color))
+        }
+        // It is a setting.
+        Light::Ambient { .. } => String::new(),
+        Light::Lamp(lamp) => lamp_source(&lamp)?,
+        _ => return Err(Lack::New),
+    })
+}
+
+/// The sum of the ambient lights; white where there are none.
+pub(super) fn ambient(scene: &Scene<'_>) -> LinearRgb {
+    let colors = scene.lights.iter().filter_map(|light| match light {
+        Light::Ambient { color } => Some(*color),
+        _ => None,
+    });
+    colors.reduce(|a, b| a + b).unwrap_or(LinearRgb::WHITE)
+}
+
+/// A lamp. POV-Ray's falls off as 2 / (1 + (d / distance)²), and between two angles like ours.
+fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
+    let Falloff { constant, linear, quadratic } = lamp.falloff;
+    if linear != 0.0 || constant < 1.0 {
+        return Err(Lack::Falloff);
+    }
+    let (mut brightness, mut fade) = (1.0 / f64::from(constant), String::new());
+    if quadratic > 0.0 {
+        brightness /= 2.0;
+        let distance = (f64::from(constant) / f64::from(quadratic)).sqrt();
+        fade = format!(" fade_distance {distance} fade_power 2");
+    }
+    let color = [lamp.color.r, lamp.color.g, lamp.color.b].map(|channel| f64::from(channel) * brightness);
+    let cone = lamp.cone.map_or(String::new(), |cone| {
+        let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();
+        // Where the bright part has no size, POV-Ray takes the edge for a sharp one.
+        let (bright, dark) =
+            (f64::from(cone.bright).to_degrees().max(1e-3), f64::from(cone.dark).to_degrees());
+        format!(" spotlight radius {bright} falloff {dark} tightness 0 point_at {}", xyz(target))
+    });
+    Ok(format!("light_source {{ {} rgb {}{cone}{fade} }}\n", xyz(lamp.position.to::<f64>()), list(&color)))
+}

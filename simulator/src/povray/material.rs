@@ -1,0 +1,196 @@
+//! Materials: textures, finishes and interiors.
+
+use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
+
+use super::Lack;
+use super::pattern::{self, Coordinates, Pattern};
+use super::words::{list, rgb};
+
+/// Whether a material has a texture that lies on surfaces.
+pub(super) fn is_on_surface(material: &Material<'_>) -> bool {
+    let maps = material.maps.iter().map(|map| &map.texture);
+    maps.chain([&material.color]).any(pattern::is_on_surface)
+}
+
+/// A material's colors and finish: what stands in a texture.
+pub(super) fn texture(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+    let mapped = if coordinates.is_mapped() { "uv_mapping " } else { "" };
+    Ok(format!("{mapped}{}", with_maps(material, material.maps, coordinates)?))
+}
+
+/// The material, with some of its maps. POV-Ray blends whole textures, and so the light from them: it comes to the same, as light is
+/// proportional to each coefficient.
+fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinates) -> Result<String, Lack> {
+    let Some((Map { onto, texture }, rest)) = maps.split_first() else {
+        return plain(material, coordinates);
+    };
+    if let Onto::Bump { .. } = onto {
+        return Err(Lack::Bumps);
+    }
+    Pattern::of(texture, coordinates)?.write("texture_map", &|LinearRgb { r, g, b }| {
+        let share = 0.25 * r + 0.5 * g + 0.25 * b;
+        let mut changed = *material;
+        match onto {
+            Onto::Ambient => changed.ambient *= share,
+            Onto::Diffuse => changed.diffuse *= share,
+            Onto::Specular => changed.specular *= share,
+            Onto::Reflectance => changed.reflectance *= share,
+            Onto::Transmittance => changed.transmittance *= share,
+            _ => return Err(Lack::New),
+        }
+        with_maps(&changed, rest, coordinates)
+    })
+}
+
+/// The material, without maps.
+fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+    let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
+    let optics = material.optics.unwrap_or(&Optics::PLAIN);
+    let Optics { highlight, fresnel, reflection_color, transmission_color, emission, .. } = *optics;
+    // Whatever is not looked at here.
+    let rest = Optics { highlight, fresnel, reflection_color, transmission_color, emission, ..Optics::PLAIN };
+    if *optics != (Optics { absorption: optics.absorption, outside: optics.outside, ..rest }) {
+        return Err(Lack::ReflectionFalloff);
+    }
+    let is_matte = ambient != 0.0 || diffuse != 0.0;
+    // A surface that lets everything through has no color of its own in POV-Ray, but may have one here.
+    let transmit = f64::from(transmittance).min(0.999_999);
+    let opacity = 1.0 - transmit;
+    let pigment = if is_matte || transmittance > 0.0 && transmission_color == LinearRgb::WHITE {
+        if transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
+            return Err(Lack::TransmissionColor);
+        }
+        let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
+        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)?
+    } else if transmittance > 0.0 {
+        let LinearRgb { r, g, b } = transmission_color;
+        format!("rgbf <{r}, {g}, {b}, {transmit}>")
+    } else {
+        // Of the highlight.
+        format!("rgb {}", rgb(reflection_color))
+    };
+    let highlight = match highlight {
+        Highlight::Phong => format!("phong {} phong_size {}", material.specular, material.shininess),
+        // Its exponent is one over the roughness.
+        Highlight::BlinnPhong => {
+            format!("specular {} roughness {}", material.specular, f64::from(material.shininess).recip())
+        }
+    };
+    let metallic = if is_matte || transmittance > 0.0 { "" } else { " metallic" };
+    let with_reflection = |reflection: &str| {
+        format!(
+            "\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} {highlight}{metallic} {reflection} emission rgb {} }}",
+            f64::from(ambient) / opacity,
+            f64::from(diffuse) / opacity,
+            rgb(emission),
+        )
+    };
+    let mirrored = [reflection_color.r, reflection_color.g, reflection_color.b].map(f64::from);
+    let times = |share: f32| list(&mirrored.map(|channel| channel * f64::from(share)));
+    Ok(match fresnel {
+        Fresnel::Constant => with_reflection(&format!("reflection rgb {}", times(reflectance))),
+        Fresnel::Exact => with_reflection(&format!(
+            "reflection {{ rgb 0 rgb {} fresnel on }} conserve_energy",
+            times(reflectance + transmittance)
+        )),
+        Fresnel::Schlick if transmittance > 0.0 => return Err(Lack::Schlick),
+        Fresnel::Schlick => {
+            // Half a turn, from rays along the normal to rays against it.
+            let at_angle = |degrees: u32| {
+                let grazing = (1.0 - f64::from(degrees).to_radians().cos().abs()).powi(5);
+                let straight = mirrored.map(|channel| channel * f64::from(reflectance));
+                let shares = straight.map(|share| (share + (1.0 - share) * grazing) as f32);
+                let texture = with_reflection(&format!("reflection rgb {}", list(&shares)));
+                format!(" [{}{texture}]", f64::from(degrees) / 180.0)
+            };
+            format!("aoi texture_map {{{} }}", (0..=180).map(at_angle).collect::<String>())
+        }
+    })
+}
+
+/// What lies behind a surface that lets light through, or that mirrors by its index, where that is `ior`.
+pub(super) fn interior(material: &Material, ior: f64) -> String {
+    let optics = material.optics.unwrap_or(&Optics::PLAIN);
+    if material.transmittance == 0.0 && optics.fresnel != Fresnel::Exact {
+        return String::new();
+    }
+    let ior = if ior == 1.0 { 1.000_001 } else { ior };
+    let LinearRgb { r, g, b } = optics.absorption;
+    let most = f64::from(r.max(g).max(b));
+    // With a power of 1000 or more, exp(-(1 - color) d / distance) is left.
+    let fade = if most > 0.0 {
+        let color = [r, g, b].map(|coefficient| 1.0 - f64::from(coefficient) / most);
+        format!(" fade_power 1001 fade_distance {} fade_color rgb {}", most.recip(), list(&color))
+    } else {
+        String::new()
+    };
+    format!(" interior {{ ior {ior}{fade} }}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayline::{Falloff, Texture, materials};
+
+    const PLAIN: Material = Material::matte(LinearRgb::WHITE);
+
+    fn written(material: Material<'_>) -> Result<String, Lack> {
+        texture(&material, &Coordinates::SPACE)
+    }
+
+    fn with_optics(material: Material<'_>, optics: Optics) -> Result<String, Lack> {
+        written(Material { optics: Some(&optics), ..material })
+    }
+
+    #[test]
+    fn maps_are_blends_of_textures() {
+        let maps = [
+            Map { onto: Onto::Diffuse, texture: Texture::Solid(LinearRgb::new(1.0, 0.0, 0.0)) },
+            Map {
+                onto: Onto::Ambient,
+                texture: Texture::checker_xz(LinearRgb::WHITE, LinearRgb::gray(0.5), 1.0),
+            },
+        ];
+        let text = written(Material { maps: &maps, ambient: 0.5, ..PLAIN }).unwrap();
+        for entry in
+            ["[0 \n  pigment", "ambient 0.5 diffuse 0.25", "[1 \n  pigment", "ambient 0.25 diffuse 0.25"]
+        {
+            assert!(text.contains(entry), "{text}");
+        }
+        let bumps = [Map { onto: Onto::Bump { height: 0.1, step: 0.1 }, texture: PLAIN.color }];
+        assert_eq!(written(Material { maps: &bumps, ..PLAIN }), Err(Lack::Bumps));
+    }
+
+    #[test]
+    fn metals_are_told_for_each_angle() {
+        let text = written(materials::GOLD).unwrap();
+        for entry in ["aoi texture_map { [0\n  pigment", "[0.5\n  pigment", "[1\n  pigment"] {
+            assert!(text.contains(entry), "{text}");
+        }
+        // All is mirrored at grazing angles.
+        let grazing = text.split("[0.5\n").nth(1).unwrap();
+        let shares = grazing.split("reflection rgb <").nth(1).unwrap().split('>').next().unwrap();
+        for share in shares.split(", ") {
+            assert_eq!(share, "1", "{shares}");
+        }
+        let straight = text.split("[1\n").nth(1).unwrap();
+        assert!(straight.contains("reflection rgb <1, 0.78"), "{straight}");
+    }
+
+    #[test]
+    fn colored_glass_is_a_filter() {
+        let red = Optics { transmission_color: LinearRgb::new(1.0, 0.5, 0.25), ..Optics::PLAIN };
+        let glass = Material { transmittance: 0.5, diffuse: 0.0, ..PLAIN };
+        assert!(with_optics(glass, red).unwrap().starts_with("\n  pigment { rgbf <1, 0.5, 0.25, 0.5> }"));
+        assert_eq!(with_optics(Material { diffuse: 0.5, ..glass }, red), Err(Lack::TransmissionColor));
+    }
+
+    #[test]
+    fn what_povray_has_not_is_refused() {
+        let fading = Optics { reflection_falloff: Falloff::inverse_square(2.0), ..Optics::PLAIN };
+        assert_eq!(with_optics(PLAIN, fading), Err(Lack::ReflectionFalloff));
+        let schlick = Optics { fresnel: Fresnel::Schlick, ..Optics::PLAIN };
+        assert_eq!(with_optics(Material { transmittance: 1.0, ..PLAIN }, schlick), Err(Lack::Schlick));
+        assert!(with_optics(PLAIN, Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN }).is_ok());
+    }
+}

@@ -1,0 +1,342 @@
+//! Scenes in the language of POV-Ray.
+//!
+//! POV-Ray computes what the core computes, where it is told so:
+//!
+//! - Coordinates are taken as they are. POV-Ray's are left-handed only where it derives one direction of the camera
+//!   from the others, so all three are written out; their lengths give the field of view.
+//! - The share of light that a pigment does not transmit is POV-Ray's factor of ambient and diffuse light, so both
+//!   are divided by it.
+//! - Textures are functions of x, y and z there, see `pattern`; what lies on surfaces is written at each object, with the places on its
+//!   shape.
+//! - Schlick's shares of metals are written for each degree, by POV-Ray's pattern of the angle of incidence, which blends both next to an angle.
+//!   Highlights of metals have a color of their own in POV-Ray, which is near.
+//! - POV-Ray tells inside from outside by a list of the interiors that a ray is in. The faces of one material
+//!   therefore share one interior, which makes a closed solid of them. In a list, indices are absolute: so are those
+//!   of materials that say what is outside of them; another sphere within a transparent one gets the product of both. Where bodies are put
+//!   together from open surfaces with one medium on each side, POV-Ray's list does not know what the core knows.
+//! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
+//! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
+//!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside.
+//! - Where a smooth triangle's normal would mirror a ray into the surface, POV-Ray turns the ray out of it again; the
+//!   core follows it.
+//!
+//! Render with `File_Gamma=1` and without anti-aliasing to get the bytes that
+//! [`Transfer::Linear`](rayline::Transfer::Linear) gives, but for rounding.
+
+use rayline::shape::{Cone, CsgStep, Cylinder, Rectangle, Shape, Sphere};
+use rayline::{Background, Camera, Object, Scene, Settings, Sky, Vec3};
+
+use super::light::{ambient, light};
+use super::material::{interior, is_on_surface, texture};
+use super::pattern::{Coordinates, Pattern};
+use super::shape::shape;
+use super::surface::coordinates;
+use super::words::{rgb, unit, xyz};
+use super::{Lack, PovrayError};
+
+/// Writes a scene for POV-Ray, with the bounces, the cutoff and the shape of the picture of these settings. Give
+/// POV-Ray the same width and height.
+///
+/// # Errors
+/// The part of the scene that cannot be written.
+pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
+    let mut text = format!(
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light rgb {} }}\n",
+        u32::from(settings.bounces) + 1,
+        settings.cutoff,
+        rgb(ambient(scene))
+    );
+    text += &background(&scene.background).map_err(PovrayError::Background)?;
+    text += &camera(&scene.camera, settings);
+    let extent = extent(scene);
+    for (index, source) in scene.lights.iter().enumerate() {
+        text += &light(source, extent).map_err(|lack| PovrayError::Light { index, lack })?;
+    }
+    for (index, material) in scene.materials.iter().enumerate().filter(|(_, one)| !is_on_surface(one)) {
+        let texture = texture(material, &Coordinates::SPACE);
+        let texture = texture.map_err(|lack| PovrayError::Material { index, lack })?;
+        text += &format!("#declare Material{index} = texture {{{texture}\n}}\n");
+    }
+    text += &objects(scene)?;
+    Ok(text)
+}
+
+/// What rays see that meet nothing.
+fn background(background: &Background<'_>) -> Result<String, Lack> {
+    Ok(match *background {
+        Background::Solid(color) => format!("background {{ rgb {} }}\n", rgb(color)),
+        Background::Gradient(&Sky { up, zenith, horizon, nadir }) => {
+            let Vec3 { x, y, z } = unit(up.to::<f64>());
+            // Heights from -1 to 1 come to lie from 1/4 to 3/4: a pattern begins anew at 1.
+            format!(
+                "sky_sphere {{ pigment {{ function {{ (x*({x}) + y*({y}) + z*({z}) + 2) / 4 }} color_map {{ [0.25 rgb {}] \
+                 [0.5 rgb {}] [0.75 rgb {}] }} }} }}\n",
+                rgb(nadir),
+                rgb(horizon),
+                rgb(zenith)
+            )
+        }
+        Background::Image(panorama) => {
+            let color = |color| Ok(format!("rgb {}", rgb(color)));
+            let pigment = Pattern::panorama(panorama).write("pigment_map", &color)?;
+            format!("sky_sphere {{ pigment {{ {pigment} }} }}\n")
+        }
+        _ => return Err(Lack::New),
+    })
+}
+
+/// The directions of the picture plane at distance 1, in full.
+fn camera(camera: &Camera, settings: &Settings) -> String {
+    let forward = unit((camera.target - camera.eye).to::<f64>());
+    let right = unit(forward.cross(camera.up.to::<f64>()));
+    let height = 2.0 * (f64::from(camera.vertical_fov) / 2.0).tan();
+    let width = height * f64::from(settings.width) / f64::from(settings.height);
+    format!(
+        "camera {{ perspective location {} direction {} right {} up {} }}\n",
+        xyz(camera.eye.to::<f64>()),
+        xyz(forward),
+        xyz(right * width),
+        xyz(right.cross(forward) * height)
+    )
+}
+
+/// The largest coordinate that the scene's parts name: how far away from the origin anything lies.
+fn extent(scene: &Scene<'_>) -> f64 {
+    let shapes = scene.objects.iter().flat_map(|object| places(&object.shape));
+    shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
+}
+
+/// Places that a shape names.
+fn places(shape: &Shape<'_>) -> Vec<Vec3> {
+    match *shape {
+        Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
+        Shape::Plane(plane) => vec![plane.point],
+        Shape::Disc(disc) => vec![disc.center, Vec3::new(disc.radius, 0.0, 0.0)],
+        Shape::Rectangle(Rectangle { corner, right, up }) => {
+            vec![corner, corner + right, corner + right + up, corner + up]
+        }
+        Shape::Triangle(triangle) => triangle.vertices.to_vec(),
+        Shape::Polygon(polygon) => polygon.vertices.to_vec(),
+        Shape::Cylinder(Cylinder { base, top, radius, .. }) => vec![base, top, Vec3::new(radius, 0.0, 0.0)],
+        Shape::Cone(Cone { base, base_radius, top, top_radius, .. }) => {
+            vec![base, top, Vec3::new(base_radius, top_radius, 0.0)]
+        }
+        Shape::Ellipsoid(shape) => shape.axes.iter().map(|axis| shape.center + *axis).collect(),
+        Shape::Quadric(shape) => vec![shape.center + shape.min, shape.center + shape.max],
+        Shape::Torus(torus) => vec![torus.center, Vec3::new(torus.major_radius, torus.minor_radius, 0.0)],
+        Shape::Cuboid(cuboid) => {
+            let [a, b, c] = cuboid.axes;
+            vec![cuboid.center + a + b + c, cuboid.center - a - b - c]
+        }
+        // What its planes enclose may be farther away than these points, or nearer.
+        Shape::ConvexPolyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
+        Shape::Mesh(mesh) => mesh.vertices.to_vec(),
+        Shape::Csg(csg) => {
+            let solids = csg.steps.iter().filter_map(|step| match step {
+                CsgStep::Solid(solid) => Some(places(&Shape::from(*solid))),
+                _ => None,
+            });
+            solids.flatten().collect()
+        }
+        Shape::Metaballs(metaballs) => metaballs.blobs.iter().map(|blob| blob.center).collect(),
+        Shape::Instances(instances) => {
+            let model = places(&Shape::from(*instances.model));
+            let reach = model.iter().map(|place| place.length()).fold(0.0, f32::max) * instances.size;
+            let aside = Vec3::new(reach, reach, reach);
+            instances.poses.iter().flat_map(|pose| [pose.origin - aside, pose.origin + aside]).collect()
+        }
+    }
+}
+
+/// All objects with their materials; transparent faces of one material are one object.
+fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
+    let mut text = String::new();
+    let mut faces = vec![String::new(); scene.materials.len()];
+    for (index, object) in scene.objects.iter().enumerate() {
+        let number = usize::from(object.material.0);
+        let (Some(material), Some(faces)) = (scene.materials.get(number), faces.get_mut(number)) else {
+            return Err(PovrayError::UnknownMaterial(index));
+        };
+        let (kind, geometry) = shape(&object.shape).ok_or(PovrayError::NotOneSolid(index))?;
+        let own = if is_on_surface(material) {
+            let texture = texture(material, &coordinates(&object.shape));
+            let texture = texture.map_err(|lack| PovrayError::Material { index: number, lack })?;
+            Some(format!("texture {{{texture} }}"))
+        } else {
+            None
+        };
+        if material.transmittance > 0.0 && is_face(&object.shape) {
+            let own = own.map(|texture| format!("{texture} ")).unwrap_or_default();
+            *faces += &format!("  {kind} {{ {geometry} {own}}}\n");
+        } else {
+            let texture = own.unwrap_or_else(|| format!("texture {{ Material{number} }}"));
+            let interior = interior(material, absolute_ior(scene, object));
+            text += &format!("{kind} {{ {geometry} {texture}{interior} }}\n");
+        }
+    }
+    for (number, (faces, material)) in faces.iter().zip(scene.materials).enumerate() {
+        if !faces.is_empty() {
+            let interior = interior(material, f64::from(material.ior));
+            let texture = if is_on_surface(material) {
+                String::new()
+            } else {
+                format!("texture {{ Material{number} }}")
+            };
+            text += &format!("union {{\n{faces}  {texture}{interior}\n}}\n");
+        }
+    }
+    Ok(text)
+}
+
+/// Whether the shape is flat and bounded, so that several can enclose a space.
+fn is_face(shape: &Shape<'_>) -> bool {
+    matches!(shape, Shape::Disc(_) | Shape::Rectangle(_) | Shape::Triangle(_) | Shape::Polygon(_))
+}
+
+/// The index of what an object is made of. Where its material does not say what is outside, its index is that over the index of
+/// the smallest transparent sphere around it.
+fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
+    let material = |object: &Object<Shape<'_>>| scene.materials.get(usize::from(object.material.0));
+    let Some(own) = material(object) else { return 1.0 };
+    let ior = f64::from(own.ior);
+    let is_stated = own.optics.is_some_and(|optics| optics.outside.ior != 1.0);
+    let (false, Shape::Sphere(inner)) = (is_stated, object.shape) else { return ior };
+    let encloses = |outer: &Sphere| (outer.center - inner.center).length() + inner.radius < outer.radius;
+    let around = scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Sphere(outer) if encloses(&outer) => Some((outer.radius, object)),
+        _ => None,
+    });
+    let transparent = around.filter(|(_, object)| material(object).is_some_and(|m| m.transmittance > 0.0));
+    let next = transparent.min_by(|(a, _), (b, _)| a.total_cmp(b));
+    // Larger each time: it ends.
+    ior * next.map_or(1.0, |(_, outer)| absolute_ior(scene, outer))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayline::shape::{Csg, Polygon, Solid, Torus, Triangle};
+    use rayline::{Light, LinearRgb, Material, Texture};
+
+    const GLASS: Material = Material {
+        transmittance: 0.75,
+        diffuse: 0.125,
+        reflectance: 0.25,
+        ior: 1.5,
+        ..Material::matte(LinearRgb::WHITE)
+    };
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    fn scene<'a>(
+        objects: &'a [Object<Shape<'a>>],
+        materials: &'a [Material<'a>],
+        lights: &'a [Light],
+    ) -> Scene<'a> {
+        let camera = Camera {
+            eye: Vec3::new(0.0, 0.0, 5.0),
+            target: Vec3::ZERO,
+            up: Vec3::new(0.0, 2.0, 1.0),
+            vertical_fov: core::f32::consts::FRAC_PI_2,
+        };
+        Scene {
+            camera,
+            background: Background::Solid(LinearRgb::new(0.1, 0.2, 0.3)),
+            objects,
+            materials,
+            lights,
+        }
+    }
+
+    #[test]
+    fn a_small_scene_in_full() {
+        let corners = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), UP];
+        let objects = [
+            Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.5, -1.0), 0.1)), 0),
+            Object::new(Shape::Polygon(Polygon::new(&corners)), 1),
+            Object::new(Shape::Triangle(Triangle { vertices: corners, normals: Some([UP; 3]) }), 0),
+            Object::new(
+                Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: UP, radius: 0.5, capped: false }),
+                0,
+            ),
+        ];
+        let checkered = Material {
+            color: Texture::checker_xz(LinearRgb::WHITE, LinearRgb::gray(0.5), 2.0),
+            specular: 0.5,
+            shininess: 20.0,
+            ..Material::matte(LinearRgb::WHITE)
+        };
+        let lights = [Light::Directional { direction: Vec3::new(0.0, -2.0, 0.0), color: LinearRgb::WHITE }];
+        let materials = [checkered, GLASS];
+        let settings = Settings { bounces: 3, cutoff: 0.25, ..Settings::new(200, 100) };
+        let text = to_povray(&scene(&objects, &materials, &lights), &settings).unwrap();
+        assert_eq!(
+            text,
+            "\
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.25 ambient_light rgb <1, 1, 1> }
+background { rgb <0.1, 0.2, 0.3> }
+camera { perspective location <0, 0, 5> direction <0, 0, -1> right <4.000000174845564, 0, 0> up <0, 2.000000087422782, 0> }
+light_source { <0, 500, 0> rgb <1, 1, 1> parallel point_at 0 }
+#declare Material0 = texture {
+  pigment { function { mod(abs(floor(x*0.5 + 1e-6) + floor(z*0.5 + 1e-6)), 2) } pigment_map { [0 rgbt <1, 1, 1, 0>] [1 rgbt <0.5, 0.5, 0.5, 0>] } }
+  finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection rgb <0, 0, 0> emission rgb <0, 0, 0> }
+}
+#declare Material1 = texture {
+  pigment { rgbt <1, 1, 1, 0.75> }
+  finish { ambient 0 diffuse 0.5 phong 0 phong_size 0 reflection rgb <0.25, 0.25, 0.25> emission rgb <0, 0, 0> }
+}
+sphere { <0, 0.5, -1>, 0.1 texture { Material0 } }
+smooth_triangle { <0, 0, 0>, <0, 1, 0>, <1, 0, 0>, <0, 1, 0>, <0, 1, 0>, <0, 1, 0> texture { Material0 } }
+cylinder { <0, 0, 0>, <0, 1, 0>, 0.5 open texture { Material0 } }
+union {
+  polygon { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0> }
+  texture { Material1 } interior { ior 1.5 }
+}
+"
+        );
+    }
+
+    #[test]
+    fn the_sun_stands_outside_of_wide_shapes() {
+        let shapes = [
+            Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: UP, radius: 900.0, capped: true }),
+            Shape::Cone(Cone {
+                base: Vec3::ZERO,
+                base_radius: 1.0,
+                top: UP,
+                top_radius: 900.0,
+                capped: true,
+            }),
+            Shape::Torus(Torus { center: Vec3::ZERO, axis: UP, major_radius: 900.0, minor_radius: 1.0 }),
+        ];
+        let sun = Light::Directional { direction: -UP, color: LinearRgb::WHITE };
+        for shape in shapes {
+            let text = to_povray(&scene(&[Object::new(shape, 0)], &[GLASS], &[sun]), &Settings::new(8, 8));
+            assert!(text.unwrap().contains("light_source { <0, 90000, 0>"), "{shape:?}");
+        }
+    }
+
+    #[test]
+    fn steps_have_to_leave_one_solid() {
+        let ball = CsgStep::Solid(Solid::Sphere(Sphere::new(Vec3::ZERO, 1.0)));
+        let steps = [ball, ball];
+        let objects = [Object::new(Shape::Csg(Csg::new(&steps)), 0)];
+        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        assert_eq!(error, PovrayError::NotOneSolid(0));
+    }
+
+    #[test]
+    fn indices_of_nested_spheres_are_absolute() {
+        let objects = [0.5, 1.0].map(|radius| Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, radius)), 0));
+        let text = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap();
+        assert!(text.contains("0.5 texture { Material0 } interior { ior 2.25 }"), "{text}");
+        assert!(text.contains("1 texture { Material0 } interior { ior 1.5 }"), "{text}");
+    }
+
+    #[test]
+    fn unknown_materials_are_refused() {
+        let objects = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 1)];
+        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        assert_eq!(error, PovrayError::UnknownMaterial(0));
+    }
+}

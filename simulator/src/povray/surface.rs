@@ -1,0 +1,137 @@
+//! Places on surfaces, u and v, as functions of x, y and z: what [`Intersect::uv`](rayline::shape::Intersect::uv) tells.
+
+use core::array;
+
+use glam::DVec3;
+use rayline::shape::{Cone, Cuboid, Cylinder, Polygon, Shape, Torus};
+
+use super::pattern::{Coordinates, XYZ, linear, vector};
+
+/// What textures on a shape are functions of; without places on its surface where these have no formula.
+pub(super) fn coordinates(shape: &Shape<'_>) -> Coordinates {
+    let surface = match shape {
+        Shape::Sphere(sphere) => {
+            let center = vector(sphere.center);
+            globe([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| along(axis, center)))
+        }
+        Shape::Ellipsoid(shape) => {
+            let axes = shape.axes.map(vector).map(|axis| axis / axis.length_squared());
+            globe(axes.map(|axis| along(axis, vector(shape.center))))
+        }
+        Shape::Plane(plane) => flat(vector(plane.normal)),
+        Shape::Polygon(Polygon { vertices }) => {
+            let following = vertices.iter().cycle().skip(1);
+            flat(vertices.iter().zip(following).map(|(a, b)| vector(*a).cross(vector(*b))).sum())
+        }
+        Shape::Disc(disc) => square(vector(disc.normal).normalize(), vector(disc.center), disc.radius),
+        Shape::Rectangle(rectangle) => {
+            weights(vector(rectangle.corner), vector(rectangle.right), vector(rectangle.up))
+        }
+        Shape::Triangle(triangle) => {
+            let [a, b, c] = triangle.vertices.map(vector);
+            weights(a, b - a, c - a)
+        }
+        Shape::Cylinder(Cylinder { base, top, radius, capped }) => {
+            barrel([vector(*base), vector(*top)], [*radius, *radius], *capped)
+        }
+        Shape::Cone(Cone { base, base_radius, top, top_radius, capped }) => {
+            barrel([vector(*base), vector(*top)], [*base_radius, *top_radius], *capped)
+        }
+        Shape::Cuboid(cuboid) => faces(cuboid),
+        Shape::Torus(torus) => ring(torus),
+        Shape::Mesh(mesh) if mesh.uvs.is_some() => return Coordinates::mapped(),
+        _ => return Coordinates::SPACE,
+    };
+    Coordinates { surface: Some(surface), ..Coordinates::SPACE }
+}
+
+/// The way from `origin` along an axis.
+fn along(axis: DVec3, origin: DVec3) -> String {
+    linear(axis, -axis.dot(origin), &XYZ)
+}
+
+/// A share of a turn, from 0 to 1.
+fn turn(y: &str, x: &str) -> String {
+    format!("mod(atan2({y}, {x})/(2*pi) + 1, 1)")
+}
+
+/// Longitude about the y axis, from x toward -z, and latitude.
+pub(super) fn globe([x, y, z]: [String; 3]) -> [String; 2] {
+    [turn(&format!("(-{z})"), &x), format!("(atan2(sqrt({x}*{x} + {z}*{z}), -{y})/pi)")]
+}
+
+/// Two unit vectors across a third; the first leans toward the x axis.
+fn around(axis: DVec3) -> [DVec3; 2] {
+    let toward = if axis.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
+    let first = toward.reject_from_normalized(axis).normalize();
+    [first, axis.cross(first)]
+}
+
+/// Lengths along a plane, from the scene's origin.
+fn flat(normal: DVec3) -> [String; 2] {
+    around(normal.normalize()).map(|axis| along(axis, DVec3::ZERO))
+}
+
+/// The place in the square around a circle.
+fn square(normal: DVec3, center: DVec3, radius: f32) -> [String; 2] {
+    let half = 0.5 / f64::from(radius);
+    around(normal).map(|axis| linear(axis * half, 0.5 - axis.dot(center) * half, &XYZ))
+}
+
+/// How much of two edges leads to a point in their plane.
+fn weights(corner: DVec3, right: DVec3, up: DVec3) -> [String; 2] {
+    let normal = right.cross(up);
+    let volume = normal.length_squared();
+    [up.cross(normal) / volume, normal.cross(right) / volume].map(|axis| along(axis, corner))
+}
+
+/// Around the side of a cone, and up; lids by themselves.
+fn barrel([base, top]: [DVec3; 2], radii: [f32; 2], capped: bool) -> [String; 2] {
+    let length = base.distance(top);
+    let axis = (top - base) / length;
+    let [first, second] = around(axis).map(|axis| along(axis, base));
+    let height = linear(axis / length, -axis.dot(base) / length, &XYZ);
+    let side = [turn(&second, &first), height.clone()];
+    if !capped {
+        return side;
+    }
+    let [base_radius, top_radius] = radii;
+    let [below, above] = [square(-axis, base, base_radius), square(axis, top, top_radius)];
+    // No point is exactly where it should be; a lid is what is nearest to the ends.
+    let margin = 1e-6;
+    let mut parts = side.into_iter().zip(below).zip(above);
+    array::from_fn(|_| {
+        let ((side, below), above) = parts.next().unwrap_or_default();
+        format!("select({height} - {margin}, {below}, select({height} - {}, {side}, {above}))", 1.0 - margin)
+    })
+}
+
+/// Across and up each of the faces of a box.
+fn faces(cuboid: &Cuboid) -> [String; 2] {
+    let center = vector(cuboid.center);
+    // From -1 to 1 within the box.
+    let [x, y, z] = cuboid.axes.map(vector).map(|axis| along(axis / axis.length_squared(), center));
+    let share = |at: &str| format!("({at} + 1)/2");
+    let rest = |at: &str| format!("(1 - {at})/2");
+    // The face is the one along the largest of the three.
+    let by_face = |[left, right, below, above, back, front]: [String; 6]| {
+        let along_x = format!("select({x}, {left}, {right})");
+        let along_y = format!("select({y}, {below}, {above})");
+        let along_z = format!("select({z}, {back}, {front})");
+        let across = format!("select(abs({y}) - abs({z}), {along_z}, {along_y})");
+        format!("select(abs({x}) - max(abs({y}), abs({z})), {across}, {along_x})")
+    };
+    [
+        by_face([share(&z), rest(&z), share(&x), share(&x), rest(&x), share(&x)]),
+        by_face([share(&y), share(&y), share(&z), rest(&z), share(&y), share(&y)]),
+    ]
+}
+
+/// About the axis, and about the ring.
+fn ring(torus: &Torus) -> [String; 2] {
+    let (axis, center) = (vector(torus.axis).normalize(), vector(torus.center));
+    let [first, second] = around(axis).map(|axis| along(axis, center));
+    let height = along(axis, center);
+    let across = format!("(sqrt({first}*{first} + {second}*{second}) - {})", torus.major_radius);
+    [turn(&second, &first), turn(&height, &across)]
+}
