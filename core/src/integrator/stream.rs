@@ -272,11 +272,12 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        let meets_itself = self.is_met_inside && !vertex.departure(toward).outward;
+        let from = vertex.departure(toward);
+        let meets_itself = self.is_met_inside && !from.outward;
         match self.to(light).filter(|_| !meets_itself) {
             Some(list) if list.is_empty() => Through::All,
-            Some(list) => scene.light_through_list(&vertex.spawn(toward), distance, list),
-            None => scene.light_through_among(&vertex.spawn(toward), distance, None),
+            Some(list) => scene.light_through_list(&vertex.spawn(toward, from), distance, list),
+            None => scene.light_through_among(&vertex.spawn(toward, from), distance, None),
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::share::Share;
+use crate::surface::Surface;
 
 /// A hit, seen from the ray that met it.
 pub(super) struct Vertex<'s, R: Real> {
@@ -52,19 +53,20 @@ impl<'s, R: Real> Vertex<'s, R> {
         bounces: u8,
         kind: RayKind,
     ) -> PendingRay<R> {
-        let (ray, from) = (self.spawn(direction), self.departure(direction));
+        let from = self.departure(direction);
+        let ray = self.spawn(direction, from);
         PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
     }
 
-    /// A ray that leaves the surface.
-    pub(super) fn spawn(&self, direction: Vec3<R>) -> Ray<R> {
-        let surface = &self.hit.surface;
-        Ray::spawn(surface.point, surface.normal, direction, surface.magnitude)
+    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
+    pub(super) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
+        let Surface { point, normal, magnitude, .. } = self.hit.surface;
+        Ray::spawn_to(from.outward, point, normal, direction, magnitude)
     }
 
     /// To which side of the surface a ray of this direction leaves it.
     pub(super) fn departure(&self, direction: Vec3<R>) -> Departure {
-        let outward = !(self.hit.surface.normal.dot(direction) < R::ZERO);
+        let outward = Ray::is_outward(self.hit.surface.normal, direction);
         Departure { object: self.hit.object, outward }
     }
 
@@ -233,7 +235,7 @@ impl<R: Real> Shading<R> for Option<&Shades> {
         let from = vertex.departure(toward);
         let in_the_way = scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, shades);
         if in_the_way.is_none_or(|objects| !objects.is_empty()) {
-            scene.light_through_among(&vertex.spawn(toward), distance, in_the_way)
+            scene.light_through_among(&vertex.spawn(toward, from), distance, in_the_way)
         } else {
             Through::All
         }

@@ -40,8 +40,26 @@ impl<R: Real> Ray<R> {
     /// `point`, which bounds its rounding error. This is the only offset in the crate (after Wächter and
     /// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, ch. 6).
     pub fn spawn(point: Vec3<R>, normal: Vec3<R>, direction: Vec3<R>, magnitude: R) -> Self {
+        Self::spawn_to(Self::is_outward(normal, direction), point, normal, direction, magnitude)
+    }
+
+    /// To which side of a surface a ray leaves it: to that which the normal is on.
+    #[inline(always)]
+    pub(crate) fn is_outward(normal: Vec3<R>, direction: Vec3<R>) -> bool {
+        !(normal.dot(direction) < R::ZERO)
+    }
+
+    /// [`spawn`](Self::spawn), where the side is known.
+    #[inline(always)]
+    pub(crate) fn spawn_to(
+        outward: bool,
+        point: Vec3<R>,
+        normal: Vec3<R>,
+        direction: Vec3<R>,
+        magnitude: R,
+    ) -> Self {
         let offset = normal * R::offset(magnitude);
-        let origin = if normal.dot(direction) < R::ZERO { point - offset } else { point + offset };
+        let origin = if outward { point + offset } else { point - offset };
         Self { origin, direction }
     }
 }
