@@ -180,10 +180,15 @@ impl<R: Real> Path<R> {
         }
         let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
         shading.begin_at(vertex.hit.object);
-        self.light = self.light + throughput.of(vertex.local_light(scene, shading, rays, probe));
+        let light = vertex.local_light(scene, shading, rays, probe);
+        // All of it reaches the eye, and nothing was there before.
+        self.light = if kind == RayKind::Camera { light } else { self.light + throughput.of(light) };
 
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
         let mut followed = |share: Share<R>| {
+            if !(share.largest() > R::ZERO) {
+                return None;
+            }
             let throughput = throughput * share;
             let largest = throughput.largest();
             if !(largest > R::ZERO) {

@@ -92,6 +92,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         }
         // What the lights bring by Lambert's law and by Phong's.
         let (mut diffuse, mut specular) = (LinearRgb::BLACK, LinearRgb::BLACK);
+        let (mut is_lit, mut is_glinting) = (false, false);
         for (index, light) in scene.lights.iter().enumerate() {
             let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
@@ -117,36 +118,41 @@ impl<'s, R: Real> Vertex<'s, R> {
                 break;
             }
             let through = shading.through(scene, self, index, toward, distance);
+            if let Through::TooManyLayers = through {
+                probe.record(Event::Cut(Cut::ShadowLayers));
+            }
             let mut highlight = R::ZERO;
-            let through = match through {
-                Through::All => Share::even(R::ONE),
-                Through::Some(through) => through,
-                Through::Nothing => Share::even(R::ZERO),
-                Through::TooManyLayers => {
-                    probe.record(Event::Cut(Cut::ShadowLayers));
-                    Share::even(R::ZERO)
-                }
-            };
-            if through.largest() > R::ZERO {
-                diffuse = diffuse + (through * cosine).of(color);
+            if through.is_any() {
+                diffuse = diffuse + through.times(cosine).of(color);
+                is_lit = true;
                 // The power takes long: it is for what is seen.
                 highlight = if glints { material.shininess.power_of(along) } else { R::ZERO };
                 if highlight > R::ZERO {
-                    specular = specular + (through * highlight).of(color);
+                    specular = specular + through.times(highlight).of(color);
+                    is_glinting = true;
                 }
             }
             if probe.is_watching() {
                 let shown = self.color * (material.diffuse * cosine);
                 let highlight = LinearRgb::even(material.specular * highlight);
                 let highlight = optics.map_or(highlight, |optics| optics.reflection_color * highlight);
+                let through = through.times(R::ONE);
                 let shown = through.of(color * (shown + highlight));
                 probe.record(Event::Light { light: index, toward, through: through.largest(), shown });
             }
         }
+        // Nothing is added where there is nothing: most points have no highlight.
+        if !is_lit {
+            return ambient;
+        }
+        let scattered = ambient + self.color * diffuse * material.diffuse;
+        if !is_glinting {
+            return scattered;
+        }
         if let Some(optics) = optics {
             specular = specular * optics.reflection_color;
         }
-        ambient + self.color * diffuse * material.diffuse + specular * material.specular
+        scattered + specular * material.specular
     }
 
     /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.

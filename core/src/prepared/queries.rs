@@ -43,6 +43,28 @@ impl<S> Through<S> {
     }
 }
 
+impl<R: Real> Through<Share<R>> {
+    /// Whether any light comes through.
+    #[inline(always)]
+    pub(crate) fn is_any(&self) -> bool {
+        match self {
+            Self::All => true,
+            Self::Nothing | Self::TooManyLayers => false,
+            Self::Some(share) => share.largest() > R::ZERO,
+        }
+    }
+
+    /// The share that comes through of this one.
+    #[inline(always)]
+    pub(crate) fn times(&self, share: R) -> Share<R> {
+        match self {
+            Self::All => Share::even(share),
+            Self::Nothing | Self::TooManyLayers => Share::even(R::ZERO),
+            Self::Some(through) => *through * share,
+        }
+    }
+}
+
 /// A hit, and the material of the object.
 pub(crate) type HitOn<'m, R> = (Hit<R>, &'m PreparedMaterial<'m, R>);
 
