@@ -148,6 +148,13 @@ impl<R: Real> Path<R> {
         true
     }
 
+    /// Adds this share of light from where the ray at hand ends; all of it reaches the eye by the camera ray, before which nothing was there.
+    #[inline(always)]
+    fn receive(&mut self, throughput: Share<R>, light: LinearRgb<R>) {
+        self.light =
+            if self.next.kind == RayKind::Camera { light } else { self.light + throughput.of(light) };
+    }
+
     /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "in a struct they would be stored and loaded for each ray")]
@@ -167,7 +174,7 @@ impl<R: Real> Path<R> {
             let color = scene.background.color(ray.direction);
             probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
-            self.light = self.light + throughput.of(color);
+            self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };
         let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
@@ -181,8 +188,7 @@ impl<R: Real> Path<R> {
         let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
         shading.begin_at(vertex.hit.object);
         let light = vertex.local_light(scene, shading, rays, probe);
-        // All of it reaches the eye, and nothing was there before.
-        self.light = if kind == RayKind::Camera { light } else { self.light + throughput.of(light) };
+        self.receive(throughput, light);
 
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
         let mut followed = |share: Share<R>| {

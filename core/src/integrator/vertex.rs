@@ -79,9 +79,12 @@ impl<'s, R: Real> Vertex<'s, R> {
         probe: &mut impl Probe<R>,
     ) -> LinearRgb<R> {
         let (material, optics) = (self.material, self.material.optics());
-        let mut ambient = self.color * material.ambient;
-        if let Some(light) = scene.ambient() {
-            ambient = ambient * light;
+        let mut ambient = LinearRgb::BLACK;
+        if material.ambient > R::ZERO {
+            ambient = self.color * material.ambient;
+            if let Some(light) = scene.ambient() {
+                ambient = ambient * light;
+            }
         }
         if let Some(optics) = optics {
             ambient = ambient + optics.emission;
