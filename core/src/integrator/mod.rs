@@ -151,8 +151,8 @@ impl<R: Real> Path<R> {
     /// Adds this share of light from where the ray at hand ends; all of it reaches the eye by the camera ray, before which nothing was there.
     #[inline(always)]
     fn receive(&mut self, throughput: Share<R>, light: LinearRgb<R>) {
-        self.light =
-            if self.next.kind == RayKind::Camera { light } else { self.light + throughput.of(light) };
+        let is_first = R::SEEKS_FACTORS && self.next.kind == RayKind::Camera;
+        self.light = if is_first { light } else { self.light + throughput.of(light) };
     }
 
     /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.
@@ -192,7 +192,7 @@ impl<R: Real> Path<R> {
 
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
         let mut followed = |share: Share<R>| {
-            if !(share.largest() > R::ZERO) {
+            if R::SEEKS_FACTORS && !(share.largest() > R::ZERO) {
                 return None;
             }
             let throughput = throughput * share;

@@ -80,7 +80,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> LinearRgb<R> {
         let (material, optics) = (self.material, self.material.optics());
         let mut ambient = LinearRgb::BLACK;
-        if material.ambient > R::ZERO {
+        if !R::SEEKS_FACTORS || material.ambient > R::ZERO {
             ambient = self.color * material.ambient;
             if let Some(light) = scene.ambient() {
                 ambient = ambient * light;

@@ -49,6 +49,8 @@ pub trait Real:
     /// The largest coordinate and number that may be computed with, where that is less than a scene may name. A
     /// scene is then scaled before it is traced, see [`Scale`](super::Scale).
     const REACH: Option<f32> = None;
+    /// Whether a product takes longer than to look for a factor of 0 or 1.
+    const SEEKS_FACTORS: bool = false;
 
     /// The nearest representable value.
     fn from_f32(value: f32) -> Self;

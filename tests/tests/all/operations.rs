@@ -30,10 +30,10 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
 #[test]
 fn arithmetic_per_pixel_does_not_grow() {
     let most = [
-        ("classic", 197.0, 73.0),
-        ("whitted", 640.0, 202.0),
-        ("flake", 1807.0, 689.0),
-        ("prism", 2140.0, 840.0),
+        ("classic", 183.0, 69.0),
+        ("whitted", 602.0, 191.0),
+        ("flake", 1763.0, 678.0),
+        ("prism", 2018.0, 796.0),
     ];
     println!(
         "| scene | mode | sums | products | quotients and roots | comparisons | in all |\n|---|---|---:|---:|---:|---:|---:|"

@@ -152,6 +152,7 @@ impl Real for Fixed {
     // A 2¹⁷th part for what grows with the number: directions and normals are off by 2⁻²⁴. See `offset`.
     const RAY_OFFSET: Self = Self(1 << (FRACTION - 17));
     const REACH: Option<f32> = Some(59.0);
+    const SEEKS_FACTORS: bool = true;
 
     fn from_f32(value: f32) -> Self {
         // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
