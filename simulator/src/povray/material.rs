@@ -1,6 +1,6 @@
 //! Materials: textures, finishes and interiors.
 
-use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
+use rayline::{Falloff, Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
 
 use super::Lack;
 use super::pattern::{self, Coordinates, Pattern};
@@ -46,34 +46,42 @@ fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinate
 fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
     let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
     let optics = material.optics.unwrap_or(&Optics::PLAIN);
-    let Optics { highlight, fresnel, reflection_color, transmission_color, emission, .. } = *optics;
-    // Whatever is not looked at here.
-    let rest = Optics { highlight, fresnel, reflection_color, transmission_color, emission, ..Optics::PLAIN };
-    if *optics != (Optics { absorption: optics.absorption, outside: optics.outside, ..rest }) {
+    let Optics {
+        highlight,
+        fresnel,
+        reflection_color,
+        transmission_color,
+        absorption: _,
+        emission,
+        reflection_falloff,
+        outside: _,
+    } = *optics;
+    if reflection_falloff != Falloff::NONE {
         return Err(Lack::ReflectionFalloff);
     }
     let is_matte = ambient != 0.0 || diffuse != 0.0;
     // A surface that lets everything through has no color of its own in POV-Ray, but may have one here.
     let transmit = f64::from(transmittance).min(0.999_999);
     let opacity = 1.0 - transmit;
-    let pigment = if is_matte || transmittance > 0.0 && transmission_color == LinearRgb::WHITE {
-        if transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
+    let pigment = if transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
+        if is_matte {
             return Err(Lack::TransmissionColor);
         }
-        let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
-        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)?
-    } else if transmittance > 0.0 {
         let LinearRgb { r, g, b } = transmission_color;
         format!("rgbf <{r}, {g}, {b}, {transmit}>")
+    } else if is_matte || transmittance > 0.0 {
+        let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
+        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)?
     } else {
         // Of the highlight.
         format!("rgb {}", rgb(reflection_color))
     };
     let highlight = match highlight {
         Highlight::Phong => format!("phong {} phong_size {}", material.specular, material.shininess),
-        // Its exponent is one over the roughness.
         Highlight::BlinnPhong => {
-            format!("specular {} roughness {}", material.specular, f64::from(material.shininess).recip())
+            // The exponent is one over it. An exponent of 0 has none.
+            let roughness = f64::from(material.shininess).max(1e-3).recip();
+            format!("specular {} roughness {roughness}", material.specular)
         }
     };
     let metallic = if is_matte || transmittance > 0.0 { "" } else { " metallic" };
@@ -130,7 +138,7 @@ pub(super) fn interior(material: &Material, ior: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::{Falloff, Texture, materials};
+    use rayline::{Texture, materials};
 
     const PLAIN: Material = Material::matte(LinearRgb::WHITE);
 

@@ -177,14 +177,9 @@ fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3
         (Space::Surface, Coordinates { surface: Some([u, v]), .. }) => vec![u, v],
         _ => return Err(Lack::Place),
     };
-    let origin = vector(origin);
-    let axes = turned(rotation).to_cols_array_2d().map(DVec3::from);
-    let per_unit = vector(size).to_array().map(f64::recip);
-    let mut axes = axes.into_iter().zip(per_unit).map(|(axis, per_unit)| axis * per_unit);
-    Ok([(); 3].map(|()| {
-        let axis = axes.next().unwrap_or_default();
-        linear(axis, -axis.dot(origin), &place)
-    }))
+    let (origin, size) = (vector(origin), vector(size));
+    let [x, y, z] = turned(rotation).to_cols_array_2d().map(DVec3::from);
+    Ok([x / size.x, y / size.y, z / size.z].map(|axis| linear(axis, -axis.dot(origin), &place)))
 }
 
 /// About x, then about y, then about z.

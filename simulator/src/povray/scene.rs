@@ -17,8 +17,8 @@
 //! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
 //! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
 //!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside.
-//! - Where a smooth triangle's normal would mirror a ray into the surface, POV-Ray turns the ray out of it again; the
-//!   core follows it.
+//! - A ray that a smooth triangle's normal mirrors into the surface is followed there by both. (Turned out again, it would leave 95.8 % of
+//!   the pixels of `teapot_s2` alike, in place of 99.5 %.)
 //!
 //! Render with `File_Gamma=1` and without anti-aliasing to get the bytes that
 //! [`Transfer::Linear`](rayline::Transfer::Linear) gives, but for rounding.

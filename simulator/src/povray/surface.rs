@@ -1,7 +1,5 @@
 //! Places on surfaces, u and v, as functions of x, y and z: what [`Intersect::uv`](rayline::shape::Intersect::uv) tells.
 
-use core::array;
-
 use glam::DVec3;
 use rayline::shape::{Cone, Cuboid, Cylinder, Polygon, Shape, Torus};
 
@@ -91,19 +89,19 @@ fn barrel([base, top]: [DVec3; 2], radii: [f32; 2], capped: bool) -> [String; 2]
     let axis = (top - base) / length;
     let [first, second] = around(axis).map(|axis| along(axis, base));
     let height = linear(axis / length, -axis.dot(base) / length, &XYZ);
-    let side = [turn(&second, &first), height.clone()];
+    let around = turn(&second, &first);
     if !capped {
-        return side;
+        return [around, height];
     }
     let [base_radius, top_radius] = radii;
-    let [below, above] = [square(-axis, base, base_radius), square(axis, top, top_radius)];
     // No point is exactly where it should be; a lid is what is nearest to the ends.
-    let margin = 1e-6;
-    let mut parts = side.into_iter().zip(below).zip(above);
-    array::from_fn(|_| {
-        let ((side, below), above) = parts.next().unwrap_or_default();
-        format!("select({height} - {margin}, {below}, select({height} - {}, {side}, {above}))", 1.0 - margin)
-    })
+    let (low, high) = (1e-6, 1.0 - 1e-6);
+    let by_height = |below: String, side: &str, above: String| {
+        format!("select({height} - {low}, {below}, select({height} - {high}, {side}, {above}))")
+    };
+    let ([u_below, v_below], [u_above, v_above]) =
+        (square(-axis, base, base_radius), square(axis, top, top_radius));
+    [by_height(u_below, &around, u_above), by_height(v_below, &height, v_above)]
 }
 
 /// Across and up each of the faces of a box.
