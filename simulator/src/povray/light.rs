@@ -44,7 +44,7 @@ fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
         let distance = (f64::from(constant) / f64::from(quadratic)).sqrt();
         fade = format!(" fade_distance {distance} fade_power 2");
     }
-    let color = [lamp.color.r, lamp.color.g, lamp.color.b].map(|channel| f64::from(channel) * brightness);
+    let color = lamp.color.channels().map(|channel| f64::from(channel) * brightness);
     let cone = lamp.cone.map_or(String::new(), |cone| {
         let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();
         // Where the bright part has no size, POV-Ray takes the edge for a sharp one.

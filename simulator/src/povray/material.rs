@@ -93,21 +93,20 @@ fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, L
             rgb(emission),
         )
     };
-    let mirrored = [reflection_color.r, reflection_color.g, reflection_color.b].map(f64::from);
-    let times = |share: f32| list(&mirrored.map(|channel| channel * f64::from(share)));
+    let mirrored =
+        |share: f32| reflection_color.channels().map(|channel| f64::from(channel) * f64::from(share));
     Ok(match fresnel {
-        Fresnel::Constant => with_reflection(&format!("reflection rgb {}", times(reflectance))),
+        Fresnel::Constant => with_reflection(&format!("reflection rgb {}", list(&mirrored(reflectance)))),
         Fresnel::Exact => with_reflection(&format!(
             "reflection {{ rgb 0 rgb {} fresnel on }} conserve_energy",
-            times(reflectance + transmittance)
+            list(&mirrored(reflectance + transmittance))
         )),
         Fresnel::Schlick if transmittance > 0.0 => return Err(Lack::Schlick),
         Fresnel::Schlick => {
             // Half a turn, from rays along the normal to rays against it.
             let at_angle = |degrees: u32| {
                 let grazing = (1.0 - f64::from(degrees).to_radians().cos().abs()).powi(5);
-                let straight = mirrored.map(|channel| channel * f64::from(reflectance));
-                let shares = straight.map(|share| (share + (1.0 - share) * grazing) as f32);
+                let shares = mirrored(reflectance).map(|share| (share + (1.0 - share) * grazing) as f32);
                 let texture = with_reflection(&format!("reflection rgb {}", list(&shares)));
                 format!(" [{}{texture}]", f64::from(degrees) / 180.0)
             };
@@ -123,11 +122,11 @@ pub(super) fn interior(material: &Material, ior: f64) -> String {
         return String::new();
     }
     let ior = if ior == 1.0 { 1.000_001 } else { ior };
-    let LinearRgb { r, g, b } = optics.absorption;
-    let most = f64::from(r.max(g).max(b));
+    let absorption = optics.absorption.channels().map(f64::from);
+    let most = absorption.into_iter().fold(0.0, f64::max);
     // With a power of 1000 or more, exp(-(1 - color) d / distance) is left.
     let fade = if most > 0.0 {
-        let color = [r, g, b].map(|coefficient| 1.0 - f64::from(coefficient) / most);
+        let color = absorption.map(|coefficient| 1.0 - coefficient / most);
         format!(" fade_power 1001 fade_distance {} fade_color rgb {}", most.recip(), list(&color))
     } else {
         String::new()

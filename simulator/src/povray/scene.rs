@@ -23,13 +23,13 @@
 //! Render with `File_Gamma=1` and without anti-aliasing to get the bytes that
 //! [`Transfer::Linear`](rayline::Transfer::Linear) gives, but for rounding.
 
-use rayline::shape::{Cone, CsgStep, Cylinder, Rectangle, Shape, Sphere};
+use rayline::shape::{Cone, CsgStep, Cylinder, Shape, Sphere};
 use rayline::{Background, Camera, Object, Scene, Settings, Sky, Vec3};
 
 use super::light::{ambient, light};
 use super::material::{interior, is_on_surface, texture};
 use super::pattern::{Coordinates, Pattern};
-use super::shape::shape;
+use super::shape::{corners, shape};
 use super::surface::coordinates;
 use super::words::{rgb, unit, xyz};
 use super::{Lack, PovrayError};
@@ -112,9 +112,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
         Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
         Shape::Plane(plane) => vec![plane.point],
         Shape::Disc(disc) => vec![disc.center, Vec3::new(disc.radius, 0.0, 0.0)],
-        Shape::Rectangle(Rectangle { corner, right, up }) => {
-            vec![corner, corner + right, corner + right + up, corner + up]
-        }
+        Shape::Rectangle(rectangle) => corners(&rectangle).to_vec(),
         Shape::Triangle(triangle) => triangle.vertices.to_vec(),
         Shape::Polygon(polygon) => polygon.vertices.to_vec(),
         Shape::Cylinder(Cylinder { base, top, radius, .. }) => vec![base, top, Vec3::new(radius, 0.0, 0.0)],

@@ -1,7 +1,7 @@
 //! Shapes.
 
-use rayline::Vec3;
 use rayline::shape::{Blob, Csg, CsgStep, Instances, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape};
+use rayline::{Real, Vec3};
 
 use super::words::{degrees, list, matrix, point, points, unit, xyz};
 
@@ -165,8 +165,8 @@ fn polygon(vertices: &[Vec3<f64>]) -> (&'static str, String) {
     ("polygon", format!("{}, {}", closed.len(), closed.join(", ")))
 }
 
-/// The corners, exactly: POV-Ray draws nothing where they are not quite in one plane.
-fn corners(rectangle: &Rectangle) -> [Vec3<f64>; 4] {
+/// The corners. In `f64` they are exact: POV-Ray draws nothing where they are not quite in one plane.
+pub(super) fn corners<R: Real>(rectangle: &Rectangle) -> [Vec3<R>; 4] {
     let [corner, right, up] = [rectangle.corner, rectangle.right, rectangle.up].map(Vec3::to);
     [corner, corner + right, corner + right + up, corner + up]
 }

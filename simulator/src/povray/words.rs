@@ -18,7 +18,7 @@ pub(super) fn xyz(vector: Vec3<f64>) -> String {
 }
 
 pub(super) fn rgb(color: LinearRgb) -> String {
-    list(&[color.r, color.g, color.b])
+    list(&color.channels())
 }
 
 pub(super) fn list<T: fmt::Display>(numbers: &[T]) -> String {
