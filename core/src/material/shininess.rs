@@ -1,21 +1,13 @@
 //! The exponent of a highlight, and its powers.
 
-use crate::math::{Real, float};
+use crate::math::{Real, power};
 
 /// The exponent of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shininess<R: Real> {
     /// A cosine below this has a power below [`Self::INVISIBLE`].
     least: R,
-    exponent: Exponent<R>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Exponent<R: Real> {
-    /// Raised to by squaring: in floating point a tenth of the time of a power that may be any. Fixed point has a
-    /// quick power for all.
-    Whole(u32),
-    Any(R::Factor),
+    exponent: R::Factor,
 }
 
 impl<R: Real> Shininess<R> {
@@ -25,15 +17,9 @@ impl<R: Real> Shininess<R> {
 
     /// The exponent 0 or more.
     pub(super) fn new(shininess: f32) -> Self {
-        let whole = shininess as u32;
-        let exponent = if whole as f32 == shininess && R::REACH.is_none() {
-            Exponent::Whole(whole)
-        } else {
-            Exponent::Any(R::factor(shininess))
-        };
         // Of exponents below 1/5, not even this power leaves the range of f32.
-        let least = if shininess > 0.2 { float::set_up_powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
-        Self { least: R::from_f32(least), exponent }
+        let least = if shininess > 0.2 { power::powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
+        Self { least: R::from_f32(least), exponent: R::factor(shininess) }
     }
 
     /// Whether a highlight is so small that few pixels show it.
@@ -63,21 +49,7 @@ impl<R: Real> Shininess<R> {
         if cosine >= R::ONE {
             return R::ONE;
         }
-        match self.exponent {
-            Exponent::Any(exponent) => cosine.powf(exponent),
-            Exponent::Whole(mut left) => {
-                let mut power = R::ONE;
-                let mut square = cosine;
-                while left > 1 {
-                    if left & 1 == 1 {
-                        power = power * square;
-                    }
-                    square = square * square;
-                    left >>= 1;
-                }
-                if left == 1 { power * square } else { power }
-            }
-        }
+        cosine.powf(self.exponent)
     }
 }
 
@@ -86,18 +58,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whole_exponents_are_powers_too() {
+    fn highlights_are_powers_while_they_are_visible() {
         for shininess in [0.0f32, 1.0, 2.0, 3.0827, 10.0, 50.0, 125.0, 1425.0, 100_000.0] {
             let power = Shininess::<f32>::new(shininess);
             for step in 1..=1000u16 {
                 let cosine = f32::from(step) / 1000.0;
                 let exact = f64::from(cosine).powf(f64::from(shininess));
                 let error = (f64::from(power.power_of(cosine)) - exact).abs();
-                // Every squaring doubles the relative error, so that it grows with the exponent.
-                let whole = 1e-7 + exact * (1e-6 + 6e-8 * f64::from(shininess));
-                let any = if cfg!(feature = "micromath") { 3e-3 } else { whole };
-                let bound = if shininess.fract() == 0.0 { whole } else { any };
-                assert!(error < bound, "{cosine} to the power {shininess} is off by {error:e}");
+                assert!(error < 2e-7, "{cosine} to the power {shininess} is off by {error:e}");
             }
             for none in [0.0, -0.5, f32::NAN] {
                 assert_eq!(power.power_of(none), 0.0);

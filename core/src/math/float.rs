@@ -1,4 +1,4 @@
-//! The door to the floating-point backends: which crate computes a root or a power, and how well.
+//! The door to the floating-point backends: which crate computes a root or an angle, and how well.
 //!
 //! | function | backend, the first that applies | error bound |
 //! |---|---|---|
@@ -6,12 +6,10 @@
 //! | | `vsqrt.f32` on Arm with a hardware float ABI | correctly rounded |
 //! | | feature `std`: the standard library | correctly rounded |
 //! | | libm | correctly rounded |
-//! | `powf` | feature `micromath`: squarings and refined square roots | 3e-3 for exponents to 1000 |
-//! | | libm | 1 unit in the last place |
 //! | `turn` | libm | 2⁻²³ of a turn, 2⁻⁵¹ in `f64` |
 //!
-//! Powers never come from the standard library: its `pow` is the platform's, and differs between platforms.
-//! Tangents, needed once per picture, always come from libm.
+//! Nothing else comes from the standard library: its functions are the platform's, and differ between platforms. Powers in `f32` are
+//! our own, see [`power`](super::power). Tangents, needed once per picture, always come from libm.
 
 /// The square root.
 #[allow(unreachable_code)]
@@ -23,19 +21,6 @@ pub(crate) fn sqrt(value: f32) -> f32 {
     #[cfg(feature = "std")]
     return std::primitive::f32::sqrt(value);
     libm::sqrtf(value)
-}
-
-/// `base` to the power `exponent`, for `base` in `[0, 1]`.
-#[allow(unreachable_code)]
-pub(crate) fn powf(base: f32, exponent: f32) -> f32 {
-    #[cfg(feature = "micromath")]
-    return micro::powf(base, exponent);
-    libm::powf(base, exponent)
-}
-
-/// As [`powf`], while a scene is prepared: always libm's, and so the same with every feature.
-pub(crate) fn set_up_powf(base: f32, exponent: f32) -> f32 {
-    libm::powf(base, exponent)
 }
 
 /// The angle of the vector (x, y) as a share of a turn, see [`Real::turn`](super::Real::turn): never the platform's arc tangent.
@@ -51,6 +36,11 @@ pub(crate) fn turn_f64(y: f64, x: f64) -> f64 {
     let turn = libm::atan2(y, x) * (0.5 * core::f64::consts::FRAC_1_PI);
     let turn = if turn < 0.0 { turn + 1.0 } else { turn };
     if turn < 1.0 { turn } else { 0.0 }
+}
+
+/// 1, halved so often, in the reference build.
+pub(crate) fn halved_f64(times: f64) -> f64 {
+    libm::exp2(-times)
 }
 
 /// The cosine of an angle in radians, while a scene is prepared: always libm's.
@@ -98,7 +88,7 @@ fn vsqrt(value: f32) -> f32 {
 
 #[cfg(feature = "micromath")]
 mod micro {
-    //! micromath's estimates, refined here until the bounds in the table above hold.
+    //! micromath's estimate, refined here until the bound in the table above holds.
 
     use micromath::F32Ext;
 
@@ -112,33 +102,6 @@ mod micro {
             root = 0.5 * (root + value / root);
         }
         root
-    }
-
-    pub(super) fn powf(base: f32, exponent: f32) -> f32 {
-        if !(base > 0.0) {
-            return if exponent > 0.0 { 0.0 } else { 1.0 };
-        }
-        // micromath's powf loses all digits for large exponents. The binary expansion of the exponent needs
-        // squarings left of the point and square roots right of it; ten roots leave an exponent error of 2⁻¹¹.
-        let quantized = (exponent * 1024.0 + 0.5) as u32;
-        let mut power = 1.0;
-        let mut factor = base;
-        let mut whole = quantized >> 10;
-        while whole > 0 {
-            if whole & 1 == 1 {
-                power *= factor;
-            }
-            factor *= factor;
-            whole >>= 1;
-        }
-        let mut root = base;
-        for bit in (0..10).rev() {
-            root = sqrt(root);
-            if quantized >> bit & 1 == 1 {
-                power *= root;
-            }
-        }
-        power
     }
 }
 
@@ -165,19 +128,6 @@ mod tests {
     fn sqrt_f64_is_correctly_rounded() {
         for value in positive_floats().map(f64::from) {
             assert_eq!(sqrt_f64(value), value.sqrt());
-        }
-    }
-
-    #[test]
-    fn powf_keeps_its_bound() {
-        for exponent in [0.0, 0.5, 1.0, 3.0827, 10.0, 50.0, 101.148, 999.9] {
-            for step in 0..=1000u16 {
-                let base = f32::from(step) / 1000.0;
-                let exact = f64::from(base).powf(f64::from(exponent));
-                let error = (f64::from(powf(base, exponent)) - exact).abs();
-                let bound = if cfg!(feature = "micromath") { 3e-3 } else { exact * 1.2e-7 + 1e-45 };
-                assert!(error <= bound, "{base} to the power {exponent} is off by {error:e}");
-            }
         }
     }
 }

@@ -5,6 +5,7 @@ mod cell;
 mod fixed;
 pub(crate) mod float;
 mod interval;
+pub(crate) mod power;
 mod ray;
 mod real;
 mod roots;

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Cell, Vec3, float};
+use super::{Cell, Vec3, float, power};
 
 /// A number system for the kernel: `f32`, `f64`, [`Fixed`](super::Fixed), or a type of your own.
 ///
@@ -210,7 +210,7 @@ impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
 }
 
 macro_rules! impl_real_for_float {
-    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $exp2:path) => {
+    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path) => {
         impl Product<$Float> for $Float {
             const ZERO: Self = 0.0;
 
@@ -311,7 +311,7 @@ macro_rules! impl_real_for_float {
             }
 
             fn halved(self) -> Self {
-                $exp2(-self)
+                $halved(self)
             }
 
             fn floor_to_i32(self) -> i32 {
@@ -330,8 +330,8 @@ macro_rules! impl_real_for_float {
 
 // 1e-5 is 168 units in the last place of f32: 10.8 million spawned rays on spheres of radius 1e-3 to 1e6
 // never met their own surface.
-impl_real_for_float!(f32, 1e-5, float::sqrt, libm::tanf, float::powf, float::turn, libm::exp2f);
-impl_real_for_float!(f64, 1e-10, float::sqrt_f64, libm::tan, libm::pow, float::turn_f64, libm::exp2);
+impl_real_for_float!(f32, 1e-5, float::sqrt, libm::tanf, power::powf, float::turn, power::halved);
+impl_real_for_float!(f64, 1e-10, float::sqrt_f64, libm::tan, libm::pow, float::turn_f64, float::halved_f64);
 
 #[cfg(test)]
 mod tests {
