@@ -145,6 +145,9 @@ fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     Ok(rgb)
 }
 
+/// Lines that one thread renders side by side.
+const LINES_AT_ONCE: usize = 4;
+
 /// Some lines that are to be rendered.
 struct Lines<'j, 'm, R: Real> {
     renderer: &'j Renderer<'j, 'm, R>,
@@ -161,15 +164,17 @@ impl<R: Real> ForColor for Lines<'_, '_, R> {
         C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
     {
         let width = self.renderer.width() as usize;
-        let blank_line = || vec![C::from(BinaryColor::Off); width];
-        let line = |colors: &mut Vec<C>, (y, pixels): (u32, &mut [u8])| {
+        let blank_lines = || vec![C::from(BinaryColor::Off); width * LINES_AT_ONCE];
+        let lines = |colors: &mut Vec<C>, (chunk, pixels): (usize, &mut [u8])| {
             let mut rays = RayCounts::default();
-            self.renderer.line_watched(y, colors, &mut rays)?;
-            for (pixel, color) in pixels.chunks_exact_mut(3).zip(colors) {
+            let y = self.first.start + (chunk * LINES_AT_ONCE) as u32;
+            let colors = colors.get_mut(..pixels.len() / 3).unwrap_or_default();
+            self.renderer.lines(y, colors, &mut rays)?;
+            for (pixel, color) in pixels.chunks_exact_mut(3).zip(&*colors) {
                 let color: Rgb888 = (*color).into();
                 pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
             }
-            (self.line_done)();
+            (0..colors.len() / width.max(1)).for_each(|_| (self.line_done)());
             Ok(rays)
         };
         let sum = |mut a: RayCounts, b| {
@@ -177,10 +182,10 @@ impl<R: Real> ForColor for Lines<'_, '_, R> {
             Ok(a)
         };
         // A picture without columns has no bytes to share out, whatever the length of a chunk.
-        self.first
-            .into_par_iter()
-            .zip(self.rgb.par_chunks_exact_mut((width * 3).max(1)))
-            .map_init(blank_line, line)
+        self.rgb
+            .par_chunks_mut((width * LINES_AT_ONCE * 3).max(1))
+            .enumerate()
+            .map_init(blank_lines, lines)
             .try_reduce(RayCounts::default, sum)
     }
 }

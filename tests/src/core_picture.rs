@@ -26,7 +26,7 @@ fn render<R: Real>(scene: &Scene<'_>, settings: Settings) -> (Vec<[u8; 3]>, RayC
     let mut line = vec![Rgb888::BLACK; settings.width as usize];
     let mut pixels = Vec::new();
     for y in 0..settings.height {
-        renderer.line_watched(y, &mut line, &mut counts).unwrap();
+        renderer.lines(y, &mut line, &mut counts).unwrap();
         pixels.extend(line.iter().map(|color| [color.r(), color.g(), color.b()]));
     }
     (pixels, counts)

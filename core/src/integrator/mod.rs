@@ -42,6 +42,11 @@ pub(crate) struct Sight<'k> {
     pub(crate) shades: Option<&'k Shades>,
 }
 
+impl Sight<'_> {
+    /// Nothing is known.
+    pub(crate) const UNKNOWN: Self = Self { among: None, shades: None };
+}
+
 /// What can stand between a place of one object and the first lights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shades {
@@ -93,17 +98,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
     let mut path = Path::new(ray);
-    let mut waiting = Waiting::new();
-    // Counted here, and told at the end.
-    let mut left = *rays;
-    while path.goes_on(&mut left, probe) {
-        let mut shades = if path.next.kind == RayKind::Camera { sight.shades } else { None };
-        let find = |ray: &Ray<R>, from| scene.closest_hit_from(ray, from, sight.among);
-        if !path.follow(scene, find, &mut shades, &mut waiting, bounds, &mut left, probe) {
-            break;
-        }
-    }
-    *rays = left;
+    path.end(scene, sight, &mut Waiting::new(), bounds, rays, probe);
     path.light
 }
 
@@ -153,6 +148,31 @@ impl<R: Real> Path<R> {
     fn receive(&mut self, throughput: Share<R>, light: LinearRgb<R>) {
         let is_first = R::SEEKS_FACTORS && self.next.kind == RayKind::Camera;
         self.light = if is_first { light } else { self.light + throughput.of(light) };
+    }
+
+    /// Follows the ray at hand, and those that wait, to their end: all of them, or as far as rays are left.
+    // Where groups call it as well, one copy is enough.
+    #[cfg_attr(not(feature = "groups"), inline(always))]
+    fn end<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        sight: Sight<'_>,
+        waiting: &mut Waiting<R>,
+        bounds: &Bounds<R>,
+        rays: &mut RayBudget,
+        probe: &mut impl Probe<R>,
+    ) {
+        // Counted here, and told at the end.
+        let mut left = *rays;
+        while self.goes_on(&mut left, probe) {
+            let mut shades = if self.next.kind == RayKind::Camera { sight.shades } else { None };
+            let find = |ray: &Ray<R>, from| scene.closest_hit_from(ray, from, sight.among);
+            if !self.follow(scene, find, &mut shades, waiting, bounds, &mut left, probe) {
+                break;
+            }
+        }
+        *rays = left;
+        waiting.clear();
     }
 
     /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.

@@ -6,6 +6,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
+use super::groups::Groups;
 use super::painter::LinePainter;
 use super::{DisplayColor, DrawError, LineError, Renderer};
 use crate::math::Real;
@@ -22,7 +23,7 @@ pub struct Frame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     buffer: &'b mut [C],
     /// The lines that are not yet on the display; the buffer begins with the first.
     lines: Range<u32>,
-    /// Pixels at the front of the buffer that are traced.
+    /// Pixels of the buffer that are traced.
     traced: usize,
     /// How many lines were to be drawn.
     total: u32,
@@ -56,21 +57,15 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
         if lines.end > height {
             return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height });
         }
-        let whole_lines = match (buffer.len() as u64).checked_rem(u64::from(width)) {
-            Some(rest) => rest == 0 && !buffer.is_empty(),
-            // A picture without columns needs no buffer.
-            None => buffer.is_empty(),
-        };
-        if !whole_lines {
-            return Err(LineError::BufferLength { given: buffer.len(), width });
-        }
+        renderer.whole_lines(buffer.len())?;
         let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
         Ok(Self { renderer, total: lines.end.saturating_sub(lines.start), buffer, lines, traced: 0 })
     }
 
     /// Traces pixels until `budget_rays` are spent, and at least one; sends each buffer to the display as soon
     /// as it is full. A step spends less than `budget_rays` plus
-    /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel).
+    /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel): of a scene with a hierarchy, in floating point, plus that for each of
+    /// 16 pixels, which are traced side by side.
     ///
     /// # Errors
     /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next
@@ -103,6 +98,9 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
     /// Traces pixels into the buffer until it is full or the rays are spent; tells how many were.
     fn trace(&mut self, budget_rays: u32) -> u32 {
         let band = self.band_pixels();
+        if let (Some(groups), Some(lines)) = (Groups::new(&self.renderer, &()), self.buffer.get_mut(..band)) {
+            return groups.trace(self.lines.start as u16, lines, &mut self.traced, budget_rays, &mut ());
+        }
         let width = usize::from(self.renderer.width);
         let first = self.traced.checked_div(width).unwrap_or(0);
         let mut y = self.lines.start.saturating_add(first as u32) as u16;

@@ -98,7 +98,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// The light that pixel (x, y) receives, and the rays that it took: at most
     /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_at(x, y, Sight { among: None, shades: None }, probe)
+        self.light_at(x, y, Sight::UNKNOWN, probe)
     }
 
     /// As [`pixel`](Self::pixel), with what is known of it.
@@ -146,34 +146,50 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// # Errors
     /// Before the first pixel, where the slice has another length or the picture has no such line.
     pub fn line<C: DisplayColor>(&self, y: u32, line: &mut [C]) -> Result<(), LineError> {
-        self.line_watched(y, line, &mut ())
-    }
-
-    /// As [`line`](Self::line), and tells `probe` what happens.
-    ///
-    /// # Errors
-    /// As [`line`](Self::line).
-    pub fn line_watched<C: DisplayColor>(
-        &self,
-        y: u32,
-        line: &mut [C],
-        probe: &mut impl Probe<R>,
-    ) -> Result<(), LineError> {
-        let Some(y) = u16::try_from(y).ok().filter(|y| *y < self.height) else {
-            return Err(LineError::NoSuchLine { line: y, height: self.height() });
-        };
         if line.len() != usize::from(self.width) {
             return Err(LineError::BufferLength { given: line.len(), width: self.width() });
         }
+        self.lines(y, line, &mut ())
+    }
+
+    /// Renders as many whole lines as a slice holds, from line `y` on, and tells `probe` what happens. Four lines at once, or a multiple
+    /// of four, may take less time than one after the other.
+    ///
+    /// # Errors
+    /// Before the first pixel, where the slice does not hold one whole line or several, or the picture has no such lines.
+    pub fn lines<C: DisplayColor>(
+        &self,
+        y: u32,
+        lines: &mut [C],
+        probe: &mut impl Probe<R>,
+    ) -> Result<(), LineError> {
+        let count = self.whole_lines(lines.len())?;
+        let last = y.saturating_add(count.saturating_sub(1));
+        let Some(y) = u16::try_from(y).ok().filter(|_| last < self.height()) else {
+            return Err(LineError::NoSuchLine { line: last, height: self.height() });
+        };
         if let Some(groups) = Groups::new(self, probe) {
-            groups.line(y, line, probe);
+            groups.trace(y, lines, &mut 0, u32::MAX, probe);
             return Ok(());
         }
-        let mut painter = LinePainter::new(self, y);
-        for (x, pixel) in (0..self.width).zip(line) {
-            *pixel = painter.pixel(x, probe).0;
+        for (down, line) in lines.chunks_mut(usize::from(self.width).max(1)).enumerate() {
+            let mut painter = LinePainter::new(self, y.wrapping_add(down as u16));
+            for (x, pixel) in (0..self.width).zip(line) {
+                *pixel = painter.pixel(x, probe).0;
+            }
         }
         Ok(())
+    }
+
+    /// How many whole lines so many pixels are: one, or several. A picture without columns needs no pixels.
+    fn whole_lines(&self, pixels: usize) -> Result<u32, LineError> {
+        let lines = match pixels.checked_rem(usize::from(self.width)) {
+            Some(0) if pixels > 0 => pixels.checked_div(usize::from(self.width)),
+            None if pixels == 0 => Some(1),
+            _ => None,
+        };
+        let lines = lines.map(|lines| u32::try_from(lines).unwrap_or(u32::MAX));
+        lines.ok_or(LineError::BufferLength { given: pixels, width: self.width() })
     }
 
     /// Draws the whole picture with its upper left corner at the display's origin, one `fill_contiguous` per

@@ -32,7 +32,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
     /// Pixel `x` in the display's color, and the rays that it took. `x` must not decrease.
     #[inline(always)]
     pub(super) fn pixel(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let unknown = Sight { among: None, shades: None };
+        let unknown = Sight::UNKNOWN;
         let sight = self.candidates.as_mut().map_or(unknown, |candidates| candidates.at(x));
         if let (Some(among), Some(background)) = (sight.among, self.background)
             && among.is_empty()

@@ -11,11 +11,14 @@ include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 pub type Memory = Workspace<PREPARED_BYTES>;
 
 /// How the picture is rendered.
+/// Lines that are drawn at once: of many objects four, whose pixels are traced side by side.
+pub const LINES: usize = if cfg!(feature = "groups") { 4 } else { 1 };
+
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
 /// Colors that are drawn at once: a line, or the band of lines that realtime quality needs.
 const COLORS: usize = match QUALITY {
-    None => WIDTH,
+    None => WIDTH * LINES,
     Some(quality) => quality.colors(WIDTH as u16),
 };
 

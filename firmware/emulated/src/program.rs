@@ -10,7 +10,7 @@ use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
 use crate::InstructionCounter;
 use crate::fpu;
 use crate::meter::Meter;
-use crate::picture::{Buffer, HEIGHT, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
+use crate::picture::{Buffer, HEIGHT, LINES, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 
@@ -99,16 +99,18 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     })
 }
 
-/// Draws line by line: the way that spends nothing on anything but pixels.
+/// Draws some lines at a time: the way that spends nothing on anything but pixels.
 fn draw_exact<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,
     display: &mut D,
-    line: &mut [D::Color],
+    buffer: &mut [D::Color],
 ) -> Result<(), Fault> {
-    for y in 0..HEIGHT as u32 {
-        renderer.line(y, line).map_err(|_| Fault::Buffer)?;
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(WIDTH as u32, 1));
-        display.fill_contiguous(&area, line.iter().copied()).map_err(|_| Fault::Output)?;
+    for y in (0..HEIGHT).step_by(LINES) {
+        let height = LINES.min(HEIGHT - y);
+        let lines = buffer.get_mut(..WIDTH * height).ok_or(Fault::Buffer)?;
+        renderer.lines(y as u32, lines, &mut ()).map_err(|_| Fault::Buffer)?;
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(WIDTH as u32, height as u32));
+        display.fill_contiguous(&area, lines.iter().copied()).map_err(|_| Fault::Output)?;
     }
     Ok(())
 }

@@ -66,7 +66,7 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
         Mode::Exact => {
             let mut line = vec![black; usize::from(picture.size.width)];
             for y in 0..renderer.height() {
-                renderer.line_watched(y, &mut line, &mut counts)?;
+                renderer.lines(y, &mut line, &mut counts)?;
                 canvas.colors.extend_from_slice(&line);
             }
         }

@@ -85,8 +85,8 @@ fn pixels_side_by_side_take_the_same_rays() {
             for y in 0..40 {
                 let (mut together, mut alone) = (RayCounts::default(), RayCounts::default());
                 let (mut in_order, mut pixel_by_pixel) = (Record::default(), Record::default());
-                renderer.line_watched(y, &mut line, &mut together).unwrap();
-                renderer.line_watched(y, &mut line, &mut in_order).unwrap();
+                renderer.lines(y, &mut line, &mut together).unwrap();
+                renderer.lines(y, &mut line, &mut in_order).unwrap();
                 for x in 0..53 {
                     renderer.pixel(x, y as u16, &mut alone);
                     renderer.pixel(x, y as u16, &mut pixel_by_pixel);

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use rayline::builtin::CLASSIC;
+use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer,
@@ -80,11 +80,11 @@ fn a_buffer_larger_than_the_picture_is_enough() {
     });
 }
 
-#[test]
-fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
-    with_renderer(&CLASSIC, SMALL, |renderer| {
+/// Draws with many budgets and buffers; a step may go so many rays beyond its budget.
+fn assert_steps(scene: &Scene, most_beyond: u32, smallest_step: usize) {
+    with_renderer(scene, SMALL, |renderer| {
         let expected = picture(renderer);
-        for (budget, lines) in [(0, 1), (1, 1), (7, 1), (50, 3), (10_000, 1)] {
+        for (budget, lines) in [(0, 1), (1, 1), (7, 1), (50, 3), (300, 8), (10_000, 1)] {
             let mut screen = Screen::new(renderer);
             let mut buffer = vec![Rgb888::BLACK; 37 * lines];
             let mut frame = renderer.frame(0..23, &mut buffer).expect("a frame");
@@ -93,7 +93,7 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
                 let progress = frame.step(&mut screen, budget).expect("a step");
                 steps += 1;
                 assert!(progress.rays >= 1);
-                assert!(progress.rays < budget.max(1) + SMALL.rays_per_pixel);
+                assert!(progress.rays < budget.max(1) + most_beyond);
                 assert_eq!(progress.lines_total, 23);
                 let drawn = screen.windows.iter().map(|window| window.size.height).sum::<u32>();
                 assert_eq!(progress.lines_done, drawn);
@@ -102,11 +102,47 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
                 }
             }
             assert!(screen.picture() == expected);
-            assert!(budget > 1 || steps == 37 * 23, "one pixel a step");
+            assert!(
+                budget > 1 || steps == 23 * 37usize.div_ceil(smallest_step),
+                "as few pixels a step as can be"
+            );
             let after = frame.step(&mut screen, budget).expect("nothing to do");
             assert!(after.is_done() && after.rays == 0);
         }
     });
+}
+
+#[test]
+fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
+    assert_steps(&CLASSIC, SMALL.rays_per_pixel, 1);
+}
+
+/// Of many objects, sixteen pixels are traced side by side.
+#[test]
+fn stepping_through_groups_of_pixels_is_bounded_too() {
+    assert_steps(&FLAKE, 16 * SMALL.rays_per_pixel, 16);
+}
+
+#[test]
+fn several_lines_at_once_are_the_same_lines() {
+    for scene in [&CLASSIC, &FLAKE] {
+        with_renderer(scene, SMALL, |renderer| {
+            let expected = picture(renderer);
+            for height in [1, 2, 3, 4, 5, 23] {
+                let mut lines = vec![Rgb888::BLACK; 37 * height];
+                for y in [0, 3, 23 - height] {
+                    let fits = y + height <= 23;
+                    let drawn = renderer.lines(y as u32, &mut lines, &mut ());
+                    let refused = LineError::NoSuchLine { line: (y + height - 1) as u32, height: 23 };
+                    assert_eq!(drawn, if fits { Ok(()) } else { Err(refused) });
+                    assert!(
+                        !fits || lines == expected[y * 37..][..lines.len()],
+                        "{height} lines from {y} on"
+                    );
+                }
+            }
+        });
+    }
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture 
     let mut line = vec![Rgb888::BLACK; renderer.width() as usize];
     let mut pixels = Vec::new();
     for y in 0..renderer.height() {
-        renderer.line_watched(y, &mut line, probe).expect("a line");
+        renderer.lines(y, &mut line, probe).expect("a line");
         pixels.extend(line.iter().map(|color| [color.r(), color.g(), color.b()]));
     }
     Picture { width: renderer.width(), pixels }
