@@ -28,6 +28,11 @@ pub const MAX_FACES: usize = 64;
 /// The largest width or height of a picture in pixels: a coordinate is a `u16`.
 pub const MAX_SIDE: u32 = 65_535;
 
+/// How many lines [`Renderer::lines`](crate::Renderer::lines) traces side by side, at most: more at once save nothing.
+///
+/// Groups of sixteen pixels are squares then.
+pub const LINES_AT_ONCE: usize = 4;
+
 /// The most objects of a scene that needs no hierarchy: so many fit in a set of 32 bits.
 pub const FEW_OBJECTS: usize = 32;
 

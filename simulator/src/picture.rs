@@ -8,6 +8,7 @@ use core::mem::MaybeUninit;
 use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
+use rayline::limits::LINES_AT_ONCE;
 use rayline::math::Fixed;
 use rayline::{
     DisplayColor, LineError, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, SettingsError,
@@ -144,9 +145,6 @@ fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     }
     Ok(rgb)
 }
-
-/// Lines that one thread renders side by side.
-const LINES_AT_ONCE: usize = 4;
 
 /// Some lines that are to be rendered.
 struct Lines<'j, 'm, R: Real> {

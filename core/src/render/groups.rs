@@ -5,13 +5,11 @@
 
 use super::{DisplayColor, Light16, Quantizer, Renderer, Settings};
 use crate::integrator::{RayBudget, Stream, WIDTH};
+use crate::limits::LINES_AT_ONCE;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::sampler::sample_position;
 use crate::shape::Geometry;
-
-/// The most lines of a group.
-const HEIGHT: usize = 4;
 
 /// Renders lines in groups of pixels.
 pub(super) struct Groups<'r, 'p, 'm, R: Real, S: Geometry + 'm> {
@@ -96,8 +94,8 @@ impl Group {
     /// bottom.
     fn after(traced: usize, pixels: usize, width: usize) -> Self {
         let lines_of = |pixels: usize| pixels.checked_div(width).unwrap_or(0);
-        let top = lines_of(traced) / HEIGHT * HEIGHT;
-        let height = lines_of(pixels).saturating_sub(top).clamp(1, HEIGHT);
+        let top = lines_of(traced) / LINES_AT_ONCE * LINES_AT_ONCE;
+        let height = lines_of(pixels).saturating_sub(top).clamp(1, LINES_AT_ONCE);
         let left = traced.saturating_sub(top * width).checked_div(height).unwrap_or(0);
         let most = WIDTH.checked_div(height).unwrap_or(1);
         Self { left, top, width: width.saturating_sub(left).clamp(1, most), height }

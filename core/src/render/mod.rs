@@ -152,8 +152,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         self.lines(y, line, &mut ())
     }
 
-    /// Renders as many whole lines as a slice holds, from line `y` on, and tells `probe` what happens. Four lines at once, or a multiple
-    /// of four, may take less time than one after the other.
+    /// Renders as many whole lines as a slice holds, from line `y` on, and tells `probe` what happens.
+    /// [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE), or a multiple, may take less time than one after the other.
     ///
     /// # Errors
     /// Before the first pixel, where the slice does not hold one whole line or several, or the picture has no such lines.

@@ -1,6 +1,7 @@
 //! The picture: scene, size, bounces, number system and mode, chosen when the program is built.
 
 use embedded_graphics::prelude::PixelColor;
+use rayline::limits::LINES_AT_ONCE;
 use rayline::{Sample, Settings, Workspace};
 
 include!(concat!(env!("OUT_DIR"), "/picture.rs"));
@@ -10,13 +11,13 @@ include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 /// Memory for the prepared scene.
 pub type Memory = Workspace<PREPARED_BYTES>;
 
-/// How the picture is rendered.
-/// Lines that are drawn at once: of many objects four, whose pixels are traced side by side.
-pub const LINES: usize = if cfg!(feature = "groups") { 4 } else { 1 };
+/// Lines that are drawn at once: of many objects several, whose pixels are traced side by side.
+pub const LINES: usize = if cfg!(feature = "groups") { LINES_AT_ONCE } else { 1 };
 
+/// How the picture is rendered.
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
-/// Colors that are drawn at once: a line, or the band of lines that realtime quality needs.
+/// Colors that are drawn at once: a line or several, or the band of lines that realtime quality needs.
 const COLORS: usize = match QUALITY {
     None => WIDTH * LINES,
     Some(quality) => quality.colors(WIDTH as u16),
