@@ -89,9 +89,9 @@ impl<R: Real> Hull<R> {
     }
 }
 
-impl<R: Real> BoxTest<R> for &Beam<R> {
+impl<R: Real> BoxTest<R> for Beam<R> {
     #[cfg_attr(any(target_feature = "sse2", target_feature = "neon"), inline(always))]
-    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+    fn meet(&self, node: &Node<R>) -> u32 {
         let (mut near, mut far) = ([R::ZERO; WIDTH], [self.max; WIDTH]);
         for ((lines, lowest), highest) in self.lines.iter().zip(&node.lower).zip(&node.upper) {
             // The lower line must not be above the box, nor the upper one below it.
@@ -110,12 +110,6 @@ impl<R: Real> BoxTest<R> for &Beam<R> {
                 far = both(far, crossed, smaller);
             }
         }
-        (met(near, far), near)
-    }
-
-    fn end_at(&mut self, _: R) {}
-
-    fn reaches(&self, _: R) -> bool {
-        true
+        met(near, far)
     }
 }

@@ -134,11 +134,17 @@ impl Content {
     const NOTHING: Self = Self::Objects { count: 0, first: 0 };
 }
 
-/// A test whether a ray may meet something in a box.
+/// A test of what may be met in boxes.
 trait BoxTest<R> {
+    /// Which of a node's boxes are met, a bit for each.
+    fn meet(&self, node: &Node<R>) -> u32;
+}
+
+/// A test that tells where as well.
+trait RayTest<R>: BoxTest<R> {
     /// Which of a node's boxes the ray meets, a bit for each, and for each a number that grows with the distance from the
     /// ray's origin.
-    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]);
+    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]);
 
     /// Ends the ray at a distance.
     fn end_at(&mut self, max: R);
@@ -187,9 +193,9 @@ impl<'m, R: Real> Hierarchy<'m, R> {
     }
 
     /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
-    /// first, roughly. It says what the largest distance is from then on, or `None` to stop. Returns whether it stopped.
+    /// first, roughly. It says what the largest distance is from then on.
     #[inline]
-    pub(crate) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> Option<R>) -> bool {
+    pub(crate) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> R) {
         if R::REACH.is_none() {
             self.walk_boxes(Slabs::new(ray, max), test)
         } else {
@@ -197,39 +203,48 @@ impl<'m, R: Real> Hierarchy<'m, R> {
         }
     }
 
-    /// The same for all objects that a point may lie on: a point that was computed, off by less than `margin`.
+    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more, in no order, until it says
+    /// `true`. Returns whether it did.
+    #[inline]
+    pub(crate) fn any(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> bool) -> bool {
+        if R::REACH.is_none() {
+            self.any_in_boxes(&Slabs::new(ray, max), test)
+        } else {
+            self.any_in_boxes(&Segment::new(ray, max), test)
+        }
+    }
+
+    /// The same for all objects that any ray of a beam can meet.
+    #[inline]
+    pub(crate) fn any_in_beam(&self, beam: &Beam<R>, test: impl FnMut(usize) -> bool) -> bool {
+        self.any_in_boxes(beam, test)
+    }
+
+    /// Calls `visit` for all objects that a point may lie on: a point that was computed, off by less than `margin`.
     #[inline]
     pub(crate) fn visit(&self, point: Vec3<R>, margin: R, mut visit: impl FnMut(usize)) {
-        self.walk_boxes(Place::new(point, margin), |object| {
+        self.any_in_boxes(&Place::new(point, margin), |object| {
             visit(object);
-            Some(R::ZERO)
+            false
         });
     }
 
-    /// Calls `meet` for all objects that any ray of a beam can meet, and for some more, until it says `false`. Returns whether it never
-    /// did.
-    #[inline]
-    pub(crate) fn gather(&self, beam: &Beam<R>, mut meet: impl FnMut(u16) -> bool) -> bool {
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By a remainder.
+    fn any_in_boxes(&self, boxes: &impl BoxTest<R>, mut test: impl FnMut(usize) -> bool) -> bool {
         let unbounded = self.order.get(..self.unbounded).unwrap_or_default();
-        if !unbounded.iter().all(|object| meet(*object)) {
-            return false;
+        if unbounded.iter().any(|object| test(usize::from(*object))) {
+            return true;
         }
         let mut waiting: Vec<u16, MOST_WAITING> = Vec::new();
         let mut next = Some(0);
         while let Some(index) = next {
             if let Some(node) = self.nodes.get(usize::from(index)) {
-                let (met, _) = beam.meet(node);
-                for (slot, content) in node.content.iter().enumerate() {
-                    if met >> slot & 1 == 0 {
-                        continue;
-                    }
-                    match *content {
+                for slot in slots(boxes.meet(node)) {
+                    match node.content[slot] {
                         Content::Objects { count, first } => {
-                            let first = usize::from(first);
-                            let objects =
-                                self.order.get(first..first + usize::from(count)).unwrap_or_default();
-                            if !objects.iter().all(|object| meet(*object)) {
-                                return false;
+                            if self.leaf(count, first).iter().any(|object| test(usize::from(*object))) {
+                                return true;
                             }
                         }
                         Content::Node(inner) => {
@@ -241,38 +256,41 @@ impl<'m, R: Real> Hierarchy<'m, R> {
             }
             next = waiting.pop();
         }
-        true
+        false
+    }
+
+    /// So many objects from the first on.
+    #[inline(always)]
+    fn leaf(&self, count: u8, first: u16) -> &'m [u16] {
+        let first = usize::from(first);
+        self.order.get(first..first + usize::from(count)).unwrap_or_default()
     }
 
     #[inline(always)]
-    fn walk_boxes(&self, mut ray: impl BoxTest<R>, mut test: impl FnMut(usize) -> Option<R>) -> bool {
+    fn walk_boxes(&self, mut ray: impl RayTest<R>, mut test: impl FnMut(usize) -> R) {
         let mut waiting: Vec<Waiting<R>, MOST_WAITING> = Vec::new();
         let mut objects = self.order.get(..self.unbounded).unwrap_or_default();
         let mut next = Some((R::ZERO, Content::Node(0)));
         loop {
             for object in objects {
-                match test(usize::from(*object)) {
-                    Some(nearer) => ray.end_at(nearer),
-                    None => return true,
-                }
+                ray.end_at(test(usize::from(*object)));
             }
             if self.nodes.is_empty() {
-                return false;
+                return;
             }
             // To the next leaf that matters.
             objects = loop {
-                let Some((key, content)) = next.take().or_else(|| waiting.pop()) else { return false };
+                let Some((key, content)) = next.take().or_else(|| waiting.pop()) else { return };
                 if !ray.reaches(key) {
                     continue;
                 }
                 match content {
                     Content::Objects { count, first } => {
-                        let first = usize::from(first);
-                        break self.order.get(first..first + usize::from(count)).unwrap_or_default();
+                        break self.leaf(count, first);
                     }
                     Content::Node(index) => {
                         if let Some(node) = self.nodes.get(usize::from(index)) {
-                            next = nearest(ray.meet(node), &node.content, &mut waiting);
+                            next = nearest(ray.meet_at(node), &node.content, &mut waiting);
                         }
                     }
                 }
@@ -285,14 +303,12 @@ impl<'m, R: Real> Hierarchy<'m, R> {
 #[inline(always)]
 #[allow(clippy::indexing_slicing)] // By a remainder.
 fn nearest<R: Real>(
-    (mut met, keys): (u32, [R; WIDTH]),
+    (met, keys): (u32, [R; WIDTH]),
     content: &[Content; WIDTH],
     waiting: &mut Vec<Waiting<R>, MOST_WAITING>,
 ) -> Option<Waiting<R>> {
     let mut nearest: Option<Waiting<R>> = None;
-    while met != 0 {
-        let slot = met.trailing_zeros() as usize % WIDTH;
-        met &= met - 1;
+    for slot in slots(met) {
         let mut nearer = (keys[slot], content[slot]);
         if let Some(mut farther) = nearest {
             if farther.0 < nearer.0 {
@@ -304,4 +320,14 @@ fn nearest<R: Real>(
         nearest = Some(nearer);
     }
     nearest
+}
+
+/// The places of the bits that are set.
+#[inline(always)]
+fn slots(mut met: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let slot = (met != 0).then(|| met.trailing_zeros() as usize % WIDTH);
+        met &= met.wrapping_sub(1);
+        slot
+    })
 }

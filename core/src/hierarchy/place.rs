@@ -1,6 +1,6 @@
 //! The test which boxes hold a point, in every number system.
 
-use super::{BoxTest, Node, WIDTH};
+use super::{BoxTest, Node};
 use crate::math::{Real, Vec3};
 
 /// A point, with room for its rounding.
@@ -20,7 +20,7 @@ impl<R: Real> Place<R> {
 }
 
 impl<R: Real> BoxTest<R> for Place<R> {
-    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+    fn meet(&self, node: &Node<R>) -> u32 {
         let Self { upper, lower } = *self;
         let mut met = 0;
         for (slot, (min, max)) in node.corners().enumerate() {
@@ -32,12 +32,6 @@ impl<R: Real> BoxTest<R> for Place<R> {
                 && max.z >= lower.z;
             met |= u32::from(holds) << slot;
         }
-        (met, [R::ZERO; WIDTH])
-    }
-
-    fn end_at(&mut self, _: R) {}
-
-    fn reaches(&self, _: R) -> bool {
-        true
+        met
     }
 }

@@ -5,7 +5,7 @@
 //! reciprocal, which fixed point could not hold, and what lies behind the ray or beyond its end costs no multiplication.
 //! The products are exact, and boxes are inflated as in floating point.
 
-use super::{Axis, BoxTest, Node, WIDTH};
+use super::{Axis, BoxTest, Node, RayTest, WIDTH};
 use crate::math::{Ray, Real, Vec3};
 
 /// The piece of a ray from its origin to the farthest hit that matters, mirrored so that it runs upward along all axes.
@@ -51,7 +51,14 @@ impl<R: Real> Segment<R> {
 }
 
 impl<R: Real> BoxTest<R> for Segment<R> {
-    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+    #[inline(always)]
+    fn meet(&self, node: &Node<R>) -> u32 {
+        self.meet_at(node).0
+    }
+}
+
+impl<R: Real> RayTest<R> for Segment<R> {
+    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
         let Self { slope, steepest, end, .. } = self;
         let mut keys = [R::ZERO; WIDTH];
         let mut met = 0;

@@ -11,7 +11,7 @@
 //! meets a zero, and nothing depends on what became of it (Williams et al., "An Efficient and Robust Ray-Box Intersection
 //! Algorithm", JGT 2005).
 
-use super::{BoxTest, Node, WIDTH};
+use super::{BoxTest, Node, RayTest, WIDTH};
 use crate::math::{Ray, Real, Vec3};
 
 /// Whether the processor computes four numbers at once.
@@ -47,7 +47,14 @@ impl<R: Real> Slabs<R> {
 
 impl<R: Real> BoxTest<R> for Slabs<R> {
     #[inline(always)]
-    fn meet(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+    fn meet(&self, node: &Node<R>) -> u32 {
+        self.meet_at(node).0
+    }
+}
+
+impl<R: Real> RayTest<R> for Slabs<R> {
+    #[inline(always)]
+    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
         let Self { above, below, per_unit, max } = *self;
         let [lower_x, lower_y, lower_z] = node.lower;
         let [upper_x, upper_y, upper_z] = node.upper;
@@ -86,8 +93,7 @@ impl<R: Real> BoxTest<R> for Slabs<R> {
 /// Which boxes there is a way through, a bit for each, from where it begins and ends in them.
 #[inline(always)]
 pub(super) fn met<R: Real>(near: [R; WIDTH], far: [R; WIDTH]) -> u32 {
-    let [a, b, c, d] = both(near, far, |near, far| u32::from(near <= far));
-    a | b << 1 | c << 2 | d << 3
+    R::no_larger(near, far)
 }
 
 /// A function of both, for each of four boxes.

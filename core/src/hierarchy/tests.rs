@@ -121,8 +121,9 @@ fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
 
 /// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
 fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
-    fn found<R: Real>(test: impl BoxTest<R>, node: &Node<R>) -> bool {
-        let (met, keys) = test.meet(node);
+    fn found<R: Real>(test: impl RayTest<R>, node: &Node<R>) -> bool {
+        let (met, keys) = test.meet_at(node);
+        assert_eq!(met, test.meet(node));
         met & 4 != 0 && test.reaches(keys[2])
     }
     if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
@@ -200,10 +201,10 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
             let ray = Ray { origin: Vec3::new(x * -30.0, 0.0, 0.0).to(), direction };
             let visits = |end: f32| {
                 let mut visited = Vec::new();
-                assert!(!hierarchy.walk(&ray, R::FARTHEST, |object| {
+                hierarchy.walk(&ray, R::FARTHEST, |object| {
                     visited.push(place(object));
-                    Some(R::from_f32(end))
-                }));
+                    R::from_f32(end)
+                });
                 visited
             };
             let all = visits(100.0);
@@ -244,7 +245,7 @@ fn a_ray_tests_few_of_many_objects() {
             let ray = Ray { origin, direction: (target - origin).normalized().unwrap() };
             hierarchy.walk(&ray, (target - origin).length(), |_| {
                 tested += 1;
-                Some((target - origin).length())
+                (target - origin).length()
             });
         }
         let tested = tested as f32 / 1000.0;
@@ -305,17 +306,25 @@ fn a_beam_meets_what_its_rays_meet() {
             }
         };
         let mut gathered = vec![false; count];
-        assert!(hierarchy.gather(&beam, |object| {
-            assert!(!gathered[usize::from(object)], "told twice");
-            gathered[usize::from(object)] = true;
-            true
+        assert!(!hierarchy.any_in_beam(&beam, |object| {
+            assert!(!gathered[object], "told twice");
+            gathered[object] = true;
+            false
         }));
         let mut any = vec![false; count];
         for (ray, max) in rays {
+            let mut walked = vec![false; count];
             hierarchy.walk(&ray, max, |object| {
-                any[object] = true;
-                Some(max)
+                walked[object] = true;
+                max
             });
+            let mut met = vec![false; count];
+            assert!(!hierarchy.any(&ray, max, |object| {
+                met[object] = true;
+                false
+            }));
+            assert_eq!(met, walked);
+            any.iter_mut().zip(met).for_each(|(any, met)| *any |= met);
         }
         assert!(gathered[17] && any[17]);
         assert!(any.iter().zip(&gathered).all(|(any, gathered)| *gathered || !any), "{round}");
@@ -324,13 +333,13 @@ fn a_beam_meets_what_its_rays_meet() {
             met_by_beams += gathered.iter().filter(|met| **met).count();
         }
         let mut told = 0;
-        let stops = hierarchy.gather(&beam, |_| {
+        let stops = hierarchy.any_in_beam(&beam, |_| {
             told += 1;
-            told < 2
+            told == 2
         });
         assert_eq!(
             (stops, told),
-            if gathered.iter().filter(|met| **met).count() < 2 { (true, 1) } else { (false, 2) }
+            if gathered.iter().filter(|met| **met).count() < 2 { (false, 1) } else { (true, 2) }
         );
     }
     std::println!("{met} met by rays, {met_by_beams} by beams");

@@ -9,6 +9,8 @@ mod vertex;
 
 pub(crate) use stream::{Stream, WIDTH};
 
+use core::borrow::Borrow;
+
 use heapless::Vec;
 
 use crate::color::LinearRgb;
@@ -77,6 +79,8 @@ impl RayBudget {
 
 /// A ray that is still to be traced.
 #[derive(Clone, Copy, Debug)]
+// In this order: where a copy takes along what stands beside a field that was just written, processors wait for it to reach memory.
+#[repr(C)]
 struct PendingRay<R> {
     ray: Ray<R>,
     /// Share of its light that reaches the pixel, in each channel.
@@ -107,9 +111,10 @@ type Waiting<R> = Vec<PendingRay<R>, { MAX_BOUNCES as usize }>;
 
 /// The rays of one pixel but those that wait: those behind, as light, and the one at hand.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)] // As `PendingRay`.
 struct Path<R> {
-    light: LinearRgb<R>,
     next: PendingRay<R>,
+    light: LinearRgb<R>,
 }
 
 impl<R: Real> Path<R> {
@@ -178,10 +183,10 @@ impl<R: Real> Path<R> {
     /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "in a struct they would be stored and loaded for each ray")]
-    fn follow<'s, S: Geometry>(
+    fn follow<'s, S: Geometry, H: Borrow<HitOn<'s, R>>>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<HitOn<'s, R>>,
+        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<H>,
         shading: &mut impl Shading<R>,
         waiting: &mut Waiting<R>,
         bounds: &Bounds<R>,
@@ -190,22 +195,24 @@ impl<R: Real> Path<R> {
     ) -> bool {
         let from = self.from();
         let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
-        let Some((mut hit, mut material)) = find(&ray, from) else {
+        let Some(found) = find(&ray, from) else {
             let color = scene.background.color(ray.direction);
             probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
             self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };
+        let &(ref hit, mut material) = found.borrow();
         let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
         let mapped;
+        let mut normal = hit.surface.shading_normal;
         if !material.maps.is_empty() {
             let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
             mapped = material.mapped(&hit.surface, uv);
-            let normal = material.maps.bumped(&hit.surface, ray.direction, uv);
-            (hit.surface.shading_normal, material) = (normal, &mapped);
+            normal = material.maps.bumped(&hit.surface, ray.direction, uv);
+            material = &mapped;
         }
-        let vertex = Vertex::new(scene, &ray, hit, material, kind, probe);
+        let vertex = Vertex::new(scene, &ray, hit, normal, material, kind, probe);
         shading.begin_at(vertex.hit.object);
         let light = vertex.local_light(scene, shading, rays, probe);
         self.receive(throughput, light);

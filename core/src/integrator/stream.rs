@@ -42,7 +42,7 @@ const MOST: usize = 24;
 /// For so many lights beams are looked up.
 const LIGHTS: usize = 8;
 
-/// What a beam can meet, from the lowest position up.
+/// What a beam can meet.
 type List = Vec<u16, MOST>;
 
 /// Traces pixels of a scene side by side.
@@ -52,6 +52,7 @@ pub(crate) struct Stream<'p, 'm, R: Real, S: Geometry + 'm> {
 }
 
 /// One pixel of a group.
+#[repr(C)] // As `PendingRay`.
 struct Lane<'m, R: Real> {
     path: Path<R>,
     rays: RayBudget,
@@ -138,6 +139,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         {
             let left = first.path.from().filter(|from| !self.scene.is_met_again(*from));
             list = self.list(&beam, left.map(|from| from.object));
+            // Of several objects at the same distance the first counts.
+            list.iter_mut().for_each(|list| sort(list));
         }
         for lane in run {
             let ray = &lane.path.next.ray;
@@ -162,9 +165,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         }
         let mut ways = Ways::new(self, run);
         for lane in run {
-            let find = |_: &Ray<R>, _| lane.hit;
-            lane.goes_on =
-                lane.path.follow(self.scene, find, &mut ways, waiting, bounds, &mut lane.rays, probe);
+            let Lane { path, rays, hit, .. } = lane;
+            let find = |_: &Ray<R>, _| hit.as_ref();
+            lane.goes_on = path.follow(self.scene, find, &mut ways, waiting, bounds, rays, probe);
             if !waiting.is_empty() {
                 lane.path.end(self.scene, Sight::UNKNOWN, waiting, bounds, &mut lane.rays, probe);
                 lane.goes_on = false;
@@ -176,27 +179,24 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
     #[inline(never)]
     fn list(&self, beam: &Beam<R>, but: Option<usize>) -> Option<List> {
         let mut list = List::new();
-        let is_complete = self
+        let is_much = self
             .hierarchy
-            .gather(beam, |object| but == Some(usize::from(object)) || insert(&mut list, object));
-        is_complete.then_some(list)
+            .any_in_beam(beam, |object| but != Some(object) && list.push(object as u16).is_err());
+        (!is_much).then_some(list)
     }
 }
 
-/// Inserts an object where it belongs, if there is room.
-#[inline(always)]
-fn insert(list: &mut List, object: u16) -> bool {
-    if list.push(object).is_err() {
-        return false;
+/// Brings objects in order: the lowest position first.
+fn sort(objects: &mut [u16]) {
+    for sorted in 2..=objects.len() {
+        let mut rest = objects.get_mut(..sorted).unwrap_or_default();
+        while let [.., before, last] = rest
+            && *before > *last
+        {
+            core::mem::swap(before, last);
+            rest = rest.split_last_mut().map_or(&mut [], |(_, rest)| rest);
+        }
     }
-    let mut rest: &mut [u16] = list;
-    while let [.., before, last] = rest
-        && *before > *last
-    {
-        core::mem::swap(before, last);
-        rest = rest.split_last_mut().map_or(&mut [], |(_, rest)| rest);
-    }
-    true
 }
 
 /// The ways from some points of an object to the lights.
@@ -233,7 +233,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
 
     /// What can be in the way to a light, if it is known.
     #[inline(always)]
-    fn to(&mut self, light: usize) -> Option<&List> {
+    fn to(&mut self, light: usize) -> Option<&mut List> {
         let (points, magnitude) = self.points?;
         let known = self.lights.iter().position(|(other, _)| *other == light);
         if known.is_none() {
@@ -246,8 +246,11 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             };
             self.lights.push((light, self.stream.list(&beam, self.receiver))).ok()?;
         }
-        let (_, list) = known.map_or(self.lights.last(), |known| self.lights.get(known))?;
-        list.as_ref()
+        let known = match known {
+            Some(known) => self.lights.get_mut(known),
+            None => self.lights.last_mut(),
+        };
+        known?.1.as_mut()
     }
 }
 

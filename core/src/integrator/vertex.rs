@@ -13,7 +13,7 @@ use crate::surface::Surface;
 
 /// A hit, seen from the ray that met it.
 pub(super) struct Vertex<'s, R: Real> {
-    pub(super) hit: Hit<R>,
+    pub(super) hit: &'s Hit<R>,
     material: &'s PreparedMaterial<'s, R>,
     /// The color of the texture.
     color: LinearRgb<R>,
@@ -28,19 +28,22 @@ pub(super) struct Vertex<'s, R: Real> {
 }
 
 impl<'s, R: Real> Vertex<'s, R> {
+    /// With a unit normal to shade with, which a map may have turned.
     #[inline(always)]
     pub(super) fn new<S: Geometry>(
         scene: &PreparedScene<'_, R, S>,
         ray: &Ray<R>,
-        hit: Hit<R>,
+        hit: &'s Hit<R>,
+        shading_normal: Vec3<R>,
         material: &'s PreparedMaterial<'s, R>,
         kind: RayKind,
         probe: &mut impl Probe<R>,
     ) -> Self {
         let incoming = ray.direction;
-        let (normal, cosine) = hit.surface.shading_normal.facing(incoming);
+        let (normal, cosine) = shading_normal.facing(incoming);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
-        probe.record(Event::Hit { kind, hit, color });
+        let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
+        probe.record(Event::Hit { kind, hit: shown, color });
         let mirrored = incoming + normal * (cosine + cosine);
         Self { hit, material, color, incoming, normal, cosine, mirrored }
     }

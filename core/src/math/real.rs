@@ -141,6 +141,12 @@ pub trait Real:
         Self::REACH.is_none_or(|reach| !(value.abs() > Self::Setup::from_f32(reach)))
     }
 
+    /// Which of four numbers are no larger than four others: a bit for each.
+    #[inline(always)]
+    fn no_larger(numbers: [Self; 4], others: [Self; 4]) -> u32 {
+        float::no_larger(numbers, others)
+    }
+
     /// The absolute value.
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
@@ -210,7 +216,7 @@ impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
 }
 
 macro_rules! impl_real_for_float {
-    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path) => {
+    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path, $no_larger:path) => {
         impl Product<$Float> for $Float {
             const ZERO: Self = 0.0;
 
@@ -320,6 +326,11 @@ macro_rules! impl_real_for_float {
                 if (truncated as $Float) > self { truncated.saturating_sub(1) } else { truncated }
             }
 
+            #[inline(always)]
+            fn no_larger(numbers: [Self; 4], others: [Self; 4]) -> u32 {
+                $no_larger(numbers, others)
+            }
+
             fn to_q16(self) -> u32 {
                 // The conversion saturates, and makes 0 of what is negative or NaN.
                 ((self * 65536.0 + 0.5) as u32).min(65536)
@@ -330,8 +341,26 @@ macro_rules! impl_real_for_float {
 
 // 1e-5 is 168 units in the last place of f32: 10.8 million spawned rays on spheres of radius 1e-3 to 1e6
 // never met their own surface.
-impl_real_for_float!(f32, 1e-5, float::sqrt, libm::tanf, power::powf, float::turn, power::halved);
-impl_real_for_float!(f64, 1e-10, float::sqrt_f64, libm::tan, libm::pow, float::turn_f64, float::halved_f64);
+impl_real_for_float!(
+    f32,
+    1e-5,
+    float::sqrt,
+    libm::tanf,
+    power::powf,
+    float::turn,
+    power::halved,
+    float::no_larger_f32
+);
+impl_real_for_float!(
+    f64,
+    1e-10,
+    float::sqrt_f64,
+    libm::tan,
+    libm::pow,
+    float::turn_f64,
+    float::halved_f64,
+    float::no_larger
+);
 
 #[cfg(test)]
 mod tests {

@@ -251,7 +251,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             {
                 closest = Some((t, index));
             }
-            Some(closest.map_or(range.max, |(t, _)| t))
+            closest.map_or(range.max, |(t, _)| t)
         });
         closest
     }
@@ -307,7 +307,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
-        let mut blocks = |index: usize| {
+        let blocks = |index: usize| {
             if !self.meets(index, ray, range) {
                 return false;
             }
@@ -315,12 +315,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             !(self.transmittance(index) > R::ZERO)
         };
         let blocked = match among {
-            Some(mut some) => some.any(&mut blocks),
+            Some(mut some) => some.any(blocks),
             None => match self.hierarchy() {
-                Some(hierarchy) => {
-                    hierarchy.walk(ray, range.max, |index| (!blocks(index)).then_some(range.max))
-                }
-                None => (0..self.objects.len()).any(&mut blocks),
+                Some(hierarchy) => hierarchy.any(ray, range.max, blocks),
+                None => (0..self.objects.len()).any(blocks),
             },
         };
         if blocked {
@@ -345,20 +343,34 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// The same for a ray that can meet none but the objects in a list.
+    /// The same for a ray that can meet none but the objects in a list. What is in the way comes first from then on: it may well be in the
+    /// way of the next ray (Haines and Greenberg, "The Light Buffer", IEEE CG&A 1986).
     #[inline(always)]
-    pub(crate) fn light_through_list(&self, ray: &Ray<R>, distance: R, list: &[u16]) -> Through<Share<R>> {
+    pub(crate) fn light_through_list(
+        &self,
+        ray: &Ray<R>,
+        distance: R,
+        list: &mut [u16],
+    ) -> Through<Share<R>> {
         let range = Interval { min: R::ZERO, max: distance };
-        for object in list {
-            let object = usize::from(*object);
-            if self.meets(object, ray, range) {
-                if self.transmittance(object) > R::ZERO {
-                    return self.light_through_among(ray, distance, None);
-                }
-                return Through::Nothing;
+        let Some((first, rest)) = list.split_first_mut() else { return Through::All };
+        let mut met = self.meets(usize::from(*first), ray, range);
+        for object in rest {
+            if met {
+                break;
+            }
+            if self.meets(usize::from(*object), ray, range) {
+                core::mem::swap(first, object);
+                met = true;
             }
         }
-        Through::All
+        if !met {
+            Through::All
+        } else if self.transmittance(usize::from(*first)) > R::ZERO {
+            self.light_through_among(ray, distance, None)
+        } else {
+            Through::Nothing
+        }
     }
 
     #[inline(always)]

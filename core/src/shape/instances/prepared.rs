@@ -74,7 +74,7 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
                 range.max = t;
                 nearest = Some(t);
             }
-            Some(range.max)
+            range.max
         });
         nearest
     }

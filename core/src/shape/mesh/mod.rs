@@ -308,7 +308,7 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
                 range.max = t;
                 nearest = Some(t);
             }
-            Some(range.max)
+            range.max
         });
         nearest
     }
