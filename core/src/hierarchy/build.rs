@@ -182,11 +182,19 @@ fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F
                 *bin = bin.union(Bin { bounds: Some(bounds), count: 1 });
             }
         }
-        for cut in 1..BINS {
-            let before = bins.iter().take(cut).copied().fold(Bin::EMPTY, Bin::union);
-            let behind = bins.iter().skip(cut).copied().fold(Bin::EMPTY, Bin::union);
-            let cost = before.cost() + behind.cost();
-            if before.count > 0 && behind.count > 0 && best.is_none_or(|(least, ..)| cost < least) {
+        // What lies behind each cut, from the last to the first; then what lies before.
+        let mut behind = [(F::ZERO, 0); BINS];
+        let mut union = Bin::EMPTY;
+        for (bin, behind) in bins.iter().zip(&mut behind).rev() {
+            union = union.union(*bin);
+            *behind = (union.cost(), union.count);
+        }
+        let mut before = Bin::EMPTY;
+        for (cut, (bin, (cost_behind, count_behind))) in (1..BINS).zip(bins.iter().zip(behind.iter().skip(1)))
+        {
+            before = before.union(*bin);
+            let cost = before.cost() + *cost_behind;
+            if before.count > 0 && *count_behind > 0 && best.is_none_or(|(least, ..)| cost < least) {
                 best = Some((cost, row, cut));
             }
         }
