@@ -175,6 +175,19 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         }
     }
 
+    /// What can stand between some points and a light but for one object, unless that is much.
+    #[inline(always)]
+    fn way(&self, (points, magnitude): (Aabb<R>, R), light: usize, but: Option<usize>) -> Option<List> {
+        // A shadow ray begins that far beside its point.
+        let beside = R::offset(magnitude);
+        let beam = match self.scene.lights.get(light)?.source {
+            Source::At(position) => Beam::toward_point(points, beside, position),
+            Source::Toward(direction) => Beam::toward(points, beside, direction),
+            Source::Far(..) => return None,
+        };
+        self.list(&beam, but)
+    }
+
     /// What a beam can meet but for one object, unless that is much.
     #[inline(never)]
     fn list(&self, beam: &Beam<R>, but: Option<usize>) -> Option<List> {
@@ -199,6 +212,16 @@ fn sort(objects: &mut [u16]) {
     }
 }
 
+/// The ways from some points to a light.
+enum Way {
+    /// Not looked up.
+    New,
+    /// No more than these can be in it.
+    Among(List),
+    /// Much can be in it.
+    Unknown,
+}
+
 /// The ways from some points of an object to the lights.
 struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     stream: &'t Stream<'p, 'm, R, S>,
@@ -208,16 +231,20 @@ struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     receiver: Option<usize>,
     /// Whether one that leaves it inward does.
     is_met_inside: bool,
-    /// What can stand between the points and those lights that were looked up; `None`: much.
-    lights: Vec<(usize, Option<List>), LIGHTS>,
+    lights: [Way; LIGHTS],
 }
 
 impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     /// From where the rays of these lanes end.
     #[inline(always)]
     fn new(stream: &'t Stream<'p, 'm, R, S>, run: &[Lane<'m, R>]) -> Self {
-        let mut ways =
-            Self { stream, points: None, receiver: None, is_met_inside: false, lights: Vec::new() };
+        let mut ways = Self {
+            stream,
+            points: None,
+            receiver: None,
+            is_met_inside: false,
+            lights: [const { Way::New }; LIGHTS],
+        };
         if let [first, _, ..] = run
             && let Some(object) = first.object()
         {
@@ -234,23 +261,18 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     /// What can be in the way to a light, if it is known.
     #[inline(always)]
     fn to(&mut self, light: usize) -> Option<&mut List> {
-        let (points, magnitude) = self.points?;
-        let known = self.lights.iter().position(|(other, _)| *other == light);
-        if known.is_none() {
-            // A shadow ray begins that far beside its point.
-            let beside = R::offset(magnitude);
-            let beam = match self.stream.scene.lights.get(light)?.source {
-                Source::At(position) => Beam::toward_point(points, beside, position),
-                Source::Toward(direction) => Beam::toward(points, beside, direction),
-                Source::Far(..) => return None,
-            };
-            self.lights.push((light, self.stream.list(&beam, self.receiver))).ok()?;
+        self.points?;
+        if let Way::New = self.lights.get(light)? {
+            self.look_up(light);
         }
-        let known = match known {
-            Some(known) => self.lights.get_mut(known),
-            None => self.lights.last_mut(),
-        };
-        known?.1.as_mut()
+        if let Way::Among(list) = self.lights.get_mut(light)? { Some(list) } else { None }
+    }
+
+    #[inline(never)]
+    fn look_up(&mut self, light: usize) {
+        if let (Some(points), Some(way)) = (self.points, self.lights.get_mut(light)) {
+            *way = self.stream.way(points, light, self.receiver).map_or(Way::Unknown, Way::Among);
+        }
     }
 }
 
