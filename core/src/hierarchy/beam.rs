@@ -92,8 +92,9 @@ impl<R: Real> Hull<R> {
 impl<R: Real> BoxTest<R> for Beam<R> {
     #[cfg_attr(any(target_feature = "sse2", target_feature = "neon"), inline(always))]
     fn meet(&self, node: &Node<R>) -> u32 {
+        let [lower, upper] = &node.planes;
         let (mut near, mut far) = ([R::ZERO; WIDTH], [self.max; WIDTH]);
-        for ((lines, lowest), highest) in self.lines.iter().zip(&node.lower).zip(&node.upper) {
+        for ((lines, lowest), highest) in self.lines.iter().zip(lower).zip(upper) {
             // The lower line must not be above the box, nor the upper one below it.
             let (start, per_unit) = lines.lower;
             let crossed = highest.map(|plane| (plane - start) * per_unit);

@@ -83,7 +83,7 @@ pub(super) fn build<'m, R: Real>(
     let objects = order.len();
     let unbounded = partition(order, |object| bounds(object).is_none());
     let zero = [[R::ZERO; WIDTH]; 3];
-    let empty = Node { lower: zero, upper: zero, content: [Content::NOTHING; WIDTH] };
+    let empty = Node { planes: [zero; 2], content: [Content::NOTHING; WIDTH] };
     let nodes: &'m mut [Node<R>] =
         arena.try_store_with(most_nodes(objects, leaf), |_, _| Ok::<_, Fault>(empty))?;
 
@@ -129,7 +129,7 @@ pub(super) fn build<'m, R: Real>(
 impl<R: Real> Node<R> {
     /// Sets one of the boxes.
     pub(super) fn enclose(&mut self, place: usize, Aabb { min, max }: Aabb<R>) {
-        let rows = self.lower.iter_mut().chain(&mut self.upper);
+        let rows = self.planes.iter_mut().flatten();
         for (row, plane) in rows.zip([min.x, min.y, min.z, max.x, max.y, max.z]) {
             if let Some(place) = row.get_mut(place) {
                 *place = plane;

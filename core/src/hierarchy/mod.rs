@@ -50,10 +50,8 @@ const WIDTH: usize = 4;
 /// Four boxes, and what lies in each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node<R> {
-    /// The smallest coordinates of the four boxes: x, y, z.
-    lower: [[R; WIDTH]; 3],
-    /// The largest.
-    upper: [[R; WIDTH]; 3],
+    /// The smallest coordinates of the four boxes, x, y, z, and the largest.
+    planes: [[[R; WIDTH]; 3]; 2],
     content: [Content; WIDTH],
 }
 
@@ -66,7 +64,10 @@ impl<R> Node<R> {
     where
         R: Copy,
     {
-        Self { lower, upper, content: [Content::new(a), Content::new(b), Content::new(c), Content::new(d)] }
+        Self {
+            planes: [lower, upper],
+            content: [Content::new(a), Content::new(b), Content::new(c), Content::new(d)],
+        }
     }
 
     /// What lies in each of its boxes, as [`new`](Self::new) takes it.
@@ -80,8 +81,8 @@ impl<R> Node<R> {
 
     /// The smallest and the largest coordinates of its boxes: x, y, z.
     #[cfg(feature = "bake")]
-    pub(crate) const fn planes(&self) -> [&[[R; WIDTH]; 3]; 2] {
-        [&self.lower, &self.upper]
+    pub(crate) const fn planes(&self) -> &[[[R; WIDTH]; 3]; 2] {
+        &self.planes
     }
 
     /// Whether each leads only to nodes after it, so that a walk ends.
@@ -107,7 +108,8 @@ impl<R> Node<R> {
 impl<R: Real> Node<R> {
     /// The smallest and the largest coordinates of each box.
     fn corners(&self) -> impl Iterator<Item = (Vec3<R>, Vec3<R>)> {
-        points(&self.lower).zip(points(&self.upper))
+        let [lower, upper] = &self.planes;
+        points(lower).zip(points(upper))
     }
 }
 

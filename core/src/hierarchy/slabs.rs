@@ -12,36 +12,43 @@
 //! Algorithm", JGT 2005).
 
 use super::{BoxTest, Node, RayTest, WIDTH};
-use crate::math::{Ray, Real, Vec3};
-
-/// Whether the processor computes four numbers at once.
-const FOUR_AT_ONCE: bool = cfg!(any(target_feature = "sse2", target_feature = "neon"));
+use crate::math::{Ray, Real};
 
 /// A ray between two distances, prepared to be tested.
 pub(super) struct Slabs<R> {
-    /// What lower planes are seen from: the origin, moved by how much boxes are inflated.
-    above: Vec3<R>,
-    /// What upper planes are seen from.
-    below: Vec3<R>,
-    /// Distance for each unit of a coordinate.
-    per_unit: Vec3<R>,
+    axes: [Along<R>; 3],
     max: R,
+}
+
+/// A ray along one axis.
+struct Along<R> {
+    /// Which planes are nearer: 0, the lower ones, or 1.
+    nearer: usize,
+    /// What the nearer planes are seen from: the origin, moved by how much boxes are inflated.
+    near: R,
+    /// What the others are seen from.
+    far: R,
+    /// Distance for each unit of the coordinate.
+    per_unit: R,
 }
 
 impl<R: Real> Slabs<R> {
     #[inline(always)]
     pub(super) fn new(ray: &Ray<R>, max: R) -> Self {
-        let Ray { origin, direction: d } = *ray;
+        let Ray { origin, direction } = *ray;
         let margin = R::offset(origin.magnitude());
-        let margin = Vec3::new(margin, margin, margin);
         let tiniest = R::FARTHEST.recip();
-        let per_unit = |d: R| (if d.abs() < tiniest { tiniest } else { d }).recip();
-        Self {
-            above: origin + margin,
-            below: origin - margin,
-            per_unit: Vec3::new(per_unit(d.x), per_unit(d.y), per_unit(d.z)),
-            max,
-        }
+        let along = |origin: R, d: R| {
+            let per_unit = (if d.abs() < tiniest { tiniest } else { d }).recip();
+            let (above, below) = (origin + margin, origin - margin);
+            if per_unit > R::ZERO {
+                Along { nearer: 0, near: above, far: below, per_unit }
+            } else {
+                Along { nearer: 1, near: below, far: above, per_unit }
+            }
+        };
+        let axes = [along(origin.x, direction.x), along(origin.y, direction.y), along(origin.z, direction.z)];
+        Self { axes, max }
     }
 }
 
@@ -54,29 +61,15 @@ impl<R: Real> BoxTest<R> for Slabs<R> {
 
 impl<R: Real> RayTest<R> for Slabs<R> {
     #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By a bit.
     fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
-        let Self { above, below, per_unit, max } = *self;
-        let [lower_x, lower_y, lower_z] = node.lower;
-        let [upper_x, upper_y, upper_z] = node.upper;
-        let between = |lower: [R; WIDTH], upper: [R; WIDTH], above: R, below: R, per_unit: R| {
-            let one = lower.map(|plane| (plane - above) * per_unit);
-            let other = upper.map(|plane| (plane - below) * per_unit);
-            // The direction tells which of the two planes is nearer. To compare them is less where four are compared at once.
-            if FOUR_AT_ONCE {
-                (both(one, other, smaller), both(one, other, R::larger))
-            } else if per_unit > R::ZERO {
-                (one, other)
-            } else {
-                (other, one)
-            }
-        };
-        let (near_x, far_x) = between(lower_x, upper_x, above.x, below.x, per_unit.x);
-        let (near_y, far_y) = between(lower_y, upper_y, above.y, below.y, per_unit.y);
-        let (near_z, far_z) = between(lower_z, upper_z, above.z, below.z, per_unit.z);
-        let near =
-            both(both(both([R::ZERO; WIDTH], near_x, R::larger), near_y, R::larger), near_z, R::larger);
-        let far = both(both(both([max; WIDTH], far_x, smaller), far_y, smaller), far_z, smaller);
-        (met(near, far), near)
+        let (mut nears, mut fars) = ([R::ZERO; WIDTH], [self.max; WIDTH]);
+        for (i, Along { nearer, near, far, per_unit }) in self.axes.iter().enumerate() {
+            let [near_planes, far_planes] = [nearer & 1, !nearer & 1].map(|side| node.planes[side][i]);
+            nears = both(nears, near_planes.map(|plane| (plane - *near) * *per_unit), R::larger);
+            fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), smaller);
+        }
+        (met(nears, fars), nears)
     }
 
     #[inline(always)]

@@ -114,7 +114,7 @@ fn at_most_50_bytes_an_object() {
 /// A node of one box, in the third place.
 fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
     let nowhere = [[-R::ONE; WIDTH]; 3];
-    let mut node = Node { lower: nowhere, upper: nowhere, content: [Content::NOTHING; WIDTH] };
+    let mut node = Node { planes: [nowhere; 2], content: [Content::NOTHING; WIDTH] };
     node.enclose(2, Aabb::around(center, reach));
     node
 }

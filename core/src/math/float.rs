@@ -147,6 +147,23 @@ mod tests {
     }
 
     #[test]
+    fn bits_tell_which_of_four_are_no_larger() {
+        let numbers = [-1.0, -0.0, 0.0, 1.0, f32::INFINITY, f32::NAN];
+        for (i, a) in numbers.into_iter().enumerate() {
+            for (j, b) in numbers.into_iter().enumerate() {
+                let is_no_larger = i.max(j) < 5 && (i <= j || i.max(j) == 2 && i.min(j) == 1);
+                for place in 0..4 {
+                    let (mut some, mut others) = ([1.0; 4], [0.0; 4]);
+                    (some[place], others[place]) = (a, b);
+                    let expected = u32::from(is_no_larger) << place;
+                    assert_eq!(no_larger_f32(some, others), expected, "{a} and {b} at {place}");
+                    assert_eq!(no_larger(some, others), expected, "{a} and {b} at {place}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn sqrt_f64_is_correctly_rounded() {
         for value in positive_floats().map(f64::from) {
             assert_eq!(sqrt_f64(value), value.sqrt());
