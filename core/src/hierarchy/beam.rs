@@ -8,7 +8,7 @@
 //!
 //! Beams around 8 rays that begin or point up to 1/100 apart meet 448 of the boxes in a cube where the rays meet 440.
 
-use super::slabs::{both, met, smaller};
+use super::slabs::{both, smaller};
 use super::{BoxTest, Node, WIDTH};
 use crate::math::{Aabb, Ray, Real, Vec3};
 
@@ -111,6 +111,6 @@ impl<R: Real> BoxTest<R> for Beam<R> {
                 far = both(far, crossed, smaller);
             }
         }
-        met(near, far)
+        R::no_larger(near, far)
     }
 }

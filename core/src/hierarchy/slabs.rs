@@ -69,7 +69,8 @@ impl<R: Real> RayTest<R> for Slabs<R> {
             nears = both(nears, near_planes.map(|plane| (plane - *near) * *per_unit), R::larger);
             fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), smaller);
         }
-        (met(nears, fars), nears)
+        // There is a way through a box where it begins no later than it ends.
+        (R::no_larger(nears, fars), nears)
     }
 
     #[inline(always)]
@@ -81,12 +82,6 @@ impl<R: Real> RayTest<R> for Slabs<R> {
     fn reaches(&self, key: R) -> bool {
         key <= self.max
     }
-}
-
-/// Which boxes there is a way through, a bit for each, from where it begins and ends in them.
-#[inline(always)]
-pub(super) fn met<R: Real>(near: [R; WIDTH], far: [R; WIDTH]) -> u32 {
-    R::no_larger(near, far)
 }
 
 /// A function of both, for each of four boxes.

@@ -143,7 +143,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
             let left = first.path.from().filter(|from| !self.scene.is_met_again(*from));
             list = self.list(&beam, left.map(|from| from.object));
             // Of several objects at the same distance the first counts.
-            list.iter_mut().for_each(|list| sort(list));
+            if let Some(list) = &mut list {
+                sort(list);
+            }
         }
         for lane in run {
             let ray = &lane.path.next.ray;

@@ -307,7 +307,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let mut clear = true;
-        let blocks = |index: usize| {
+        let mut blocks = |index: usize| {
             if !self.meets(index, ray, range) {
                 return false;
             }
@@ -315,10 +315,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             !(self.transmittance(index) > R::ZERO)
         };
         let blocked = match among {
-            Some(mut some) => some.any(blocks),
+            Some(mut some) => some.any(&mut blocks),
             None => match self.hierarchy() {
-                Some(hierarchy) => hierarchy.any(ray, range.max, blocks),
-                None => (0..self.objects.len()).any(blocks),
+                Some(hierarchy) => hierarchy.any(ray, range.max, &mut blocks),
+                None => (0..self.objects.len()).any(&mut blocks),
             },
         };
         if blocked {
@@ -353,24 +353,16 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         list: &mut [u16],
     ) -> Through<Share<R>> {
         let range = Interval { min: R::ZERO, max: distance };
+        let met = list.iter().position(|object| self.meets(usize::from(*object), ray, range));
+        let Some(place) = met else { return Through::All };
         let Some((first, rest)) = list.split_first_mut() else { return Through::All };
-        let mut met = self.meets(usize::from(*first), ray, range);
-        for object in rest {
-            if met {
-                break;
-            }
-            if self.meets(usize::from(*object), ray, range) {
-                core::mem::swap(first, object);
-                met = true;
-            }
+        if let Some(other) = place.checked_sub(1).and_then(|place| rest.get_mut(place)) {
+            core::mem::swap(first, other);
         }
-        if !met {
-            Through::All
-        } else if self.transmittance(usize::from(*first)) > R::ZERO {
-            self.light_through_among(ray, distance, None)
-        } else {
-            Through::Nothing
+        if self.transmittance(usize::from(*first)) > R::ZERO {
+            return self.light_through_among(ray, distance, None);
         }
+        Through::Nothing
     }
 
     #[inline(always)]
