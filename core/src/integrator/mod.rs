@@ -7,7 +7,7 @@
 mod stream;
 mod vertex;
 
-pub(crate) use stream::{Stream, WIDTH};
+pub(crate) use stream::{Lane, Lanes, Stream, WIDTH};
 
 use core::borrow::Borrow;
 

@@ -56,7 +56,7 @@ pub(crate) struct Stream<'p, 'm, R: Real, S: Geometry + 'm> {
 
 /// One pixel of a group.
 #[repr(C)] // As `PendingRay`.
-struct Lane<'m, R: Real> {
+pub(crate) struct Lane<'m, R: Real> {
     path: Path<R>,
     rays: RayBudget,
     goes_on: bool,
@@ -64,7 +64,26 @@ struct Lane<'m, R: Real> {
     hit: Option<HitOn<'m, R>>,
 }
 
+/// The pixels of a group.
+pub(crate) type Lanes<'m, R> = Vec<Lane<'m, R>, WIDTH>;
+
 impl<R: Real> Lane<'_, R> {
+    /// One with a camera ray, and the rays that it may spend.
+    #[inline(always)]
+    pub(crate) fn new(ray: Ray<R>, rays: RayBudget) -> Self {
+        Self { path: Path::new(ray), rays, goes_on: true, hit: None }
+    }
+
+    /// The light that came along the camera ray.
+    pub(crate) fn light(&self) -> LinearRgb<R> {
+        self.path.light
+    }
+
+    /// The rays that it may still spend.
+    pub(crate) fn left(&self) -> RayBudget {
+        self.rays
+    }
+
     /// The object there.
     fn object(&self) -> Option<usize> {
         self.hit.as_ref().map(|(hit, _)| hit.object)
@@ -93,42 +112,26 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         Some(Self { scene, hierarchy: scene.hierarchy()? })
     }
 
-    /// Tells the light that comes along each of some camera rays, of which there are to be no more than [`WIDTH`], and the rays that it may
-    /// still spend.
-    pub(crate) fn radiance(
-        &self,
-        rays: impl Iterator<Item = Ray<R>>,
-        bounds: &Bounds<R>,
-        budget: RayBudget,
-        probe: &mut impl Probe<R>,
-        mut show: impl FnMut(LinearRgb<R>, RayBudget),
-    ) {
-        let mut lanes: Vec<Lane<'m, R>, WIDTH> = Vec::new();
-        for ray in rays {
-            let pushed = lanes.push(Lane { path: Path::new(ray), rays: budget, goes_on: true, hit: None });
-            debug_assert!(pushed.is_ok(), "more rays than in a group");
-        }
+    /// Traces the camera rays of a group, and all that follow.
+    pub(crate) fn trace(&self, lanes: &mut [Lane<'m, R>], bounds: &Bounds<R>, probe: &mut impl Probe<R>) {
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;
-            for lane in &mut lanes {
+            for lane in &mut *lanes {
                 lane.goes_on = lane.goes_on && lane.path.goes_on(&mut lane.rays, probe);
                 all_end = all_end && !lane.goes_on;
             }
             if all_end {
                 break;
             }
-            let mut rest: &mut [_] = &mut lanes;
+            let mut rest = &mut *lanes;
             while let Some(run) = take_run(&mut rest, |lane| (lane.goes_on, lane.path.from())) {
                 self.meet(run);
             }
-            let mut rest: &mut [_] = &mut lanes;
+            let mut rest = &mut *lanes;
             while let Some(run) = take_run(&mut rest, |lane| (lane.goes_on, lane.object())) {
                 self.shade(run, &mut waiting, bounds, probe);
             }
-        }
-        for lane in &lanes {
-            show(lane.path.light, lane.rays);
         }
     }
 
