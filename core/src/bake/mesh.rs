@@ -84,7 +84,7 @@ fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Resu
             parts;
         let nodes = joined(nodes, |node| {
             let [lower, upper] = node.planes().each_ref().map(|planes| joined(planes, row));
-            format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.content())
+            format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.contents())
         });
         format!(
             "static MESH_{index}: rayline::shape::BakedMesh<{}> = rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{

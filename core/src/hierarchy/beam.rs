@@ -9,7 +9,7 @@
 //! Beams around 8 rays that begin or point up to 1/100 apart meet 448 of the boxes in a cube where the rays meet 440.
 
 use super::slabs::{both, smaller};
-use super::{BoxTest, Node, WIDTH};
+use super::{BoxTest, Node};
 use crate::math::{Aabb, Ray, Real, Vec3};
 
 /// Rays that lie together.
@@ -89,11 +89,11 @@ impl<R: Real> Hull<R> {
     }
 }
 
-impl<R: Real> BoxTest<R> for Beam<R> {
+impl<R: Real, const W: usize> BoxTest<R, W> for Beam<R> {
     #[cfg_attr(any(target_feature = "sse2", target_feature = "neon"), inline(always))]
-    fn meet(&self, node: &Node<R>) -> u32 {
+    fn meet(&self, node: &Node<R, W>) -> u32 {
         let [lower, upper] = &node.planes;
-        let (mut near, mut far) = ([R::ZERO; WIDTH], [self.max; WIDTH]);
+        let (mut near, mut far) = ([R::ZERO; W], [self.max; W]);
         for ((lines, lowest), highest) in self.lines.iter().zip(lower).zip(upper) {
             // The lower line must not be above the box, nor the upper one below it.
             let (start, per_unit) = lines.lower;
@@ -111,6 +111,6 @@ impl<R: Real> BoxTest<R> for Beam<R> {
                 far = both(far, crossed, smaller);
             }
         }
-        R::no_larger(near, far)
+        R::no_larger(&near, &far)
     }
 }

@@ -7,14 +7,15 @@
 //! Cuts that cost least may part one object from thousands. So in nodes that lie in [`CUT_DEPTH`] others the objects are
 //! halved and halved again: eight such nodes part 65535, and a leaf lies in at most [`MAX_HIERARCHY_DEPTH`] nodes.
 //!
-//! A node without nodes in it holds one object more than a leaf may, or more; one with some nodes in it has four parts, each of
-//! at least one object. So where a leaf holds two objects there are at most 4/9 as many nodes as objects, which take 50 bytes an
-//! object in `f32`; where it holds three or four, at most 1/3, which take 38.
+//! A node without nodes in it holds one object more than a leaf may, or more; one with some nodes in it has as many parts as it can, each
+//! of at least one object. So where a node has four boxes and a leaf holds two objects there are at most 4/9 as many nodes as objects,
+//! which take 48 bytes an object in `f32`; where it holds three or four, at most 1/3, which take 36. Where a node has eight boxes and
+//! a leaf holds three objects, there are at most 2/7, which take 62.
 
 use heapless::Vec;
 
 use super::axis::Axis;
-use super::{Content, Hierarchy, MOST_WAITING, Node, WIDTH};
+use super::{Content, Hierarchy, MOST_WAITING, NARROW, Node};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
@@ -31,7 +32,7 @@ const BINS: usize = 8;
 const fn halving_nodes(mut objects: usize) -> usize {
     let mut nodes = 0;
     while objects > SMALLEST_LEAF {
-        objects = objects.div_ceil(WIDTH);
+        objects = objects.div_ceil(NARROW);
         nodes += 1;
     }
     nodes
@@ -39,9 +40,11 @@ const fn halving_nodes(mut objects: usize) -> usize {
 
 const _: () = assert!(CUT_DEPTH + halving_nodes(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
 
-/// How many nodes there may be, of more objects than there are in a leaf.
-pub(super) const fn most_nodes(objects: usize, leaf: usize) -> usize {
-    if leaf > SMALLEST_LEAF { objects / 3 } else { objects.saturating_mul(4) / 9 }
+/// How many nodes of so many boxes there may be, of more objects than there are in a leaf.
+pub(super) const fn most_nodes(objects: usize, leaf: usize, width: usize) -> usize {
+    let around_leaves = objects.saturating_mul(width) / ((leaf + 1) * (width - 1));
+    let around_nodes = objects / (width - 1);
+    if around_leaves > around_nodes { around_leaves } else { around_nodes }
 }
 
 /// Objects that lie together.
@@ -74,18 +77,16 @@ struct Pending {
 }
 
 /// Builds the hierarchy of the objects in a list. See [`Hierarchy::new`].
-pub(super) fn build<'m, R: Real>(
+pub(super) fn build<'m, R: Real, const W: usize>(
     order: &'m mut [u16],
     leaf: usize,
     bounds: impl Fn(u16) -> Option<Aabb<R>>,
     arena: &mut Arena<'m>,
-) -> Result<Hierarchy<'m, R>, Fault> {
+) -> Result<Hierarchy<'m, R, W>, Fault> {
     let objects = order.len();
     let unbounded = partition(order, |object| bounds(object).is_none());
-    let zero = [[R::ZERO; WIDTH]; 3];
-    let empty = Node { planes: [zero; 2], content: [Content::NOTHING; WIDTH] };
-    let nodes: &'m mut [Node<R>] =
-        arena.try_store_with(most_nodes(objects, leaf), |_, _| Ok::<_, Fault>(empty))?;
+    let nodes: &'m mut [Node<R, W>] =
+        arena.try_store_with(most_nodes(objects, leaf, W), |_, _| Ok::<_, Fault>(Node::EMPTY))?;
 
     let mut used: u16 = 0;
     // The root lies in no node; what it says there is overwritten with its parts.
@@ -95,15 +96,13 @@ pub(super) fn build<'m, R: Real>(
     let mut next = Some(all);
     while let Some(pending) = next.take().or_else(|| waiting.pop()) {
         let Pending { first, count, depth, of: (parent, place) } = pending;
-        if let Some(node) = nodes.get_mut(usize::from(parent))
-            && let Some(content) = node.content.get_mut(usize::from(place))
-        {
-            *content = Content::Node(used);
+        if let Some(node) = nodes.get_mut(usize::from(parent)) {
+            node.fill(usize::from(place), Content::node(used));
         }
         let (first, count) = (usize::from(first), usize::from(count));
         let in_all = order.get_mut(first..first.saturating_add(count)).unwrap_or_default();
-        let parts = four_parts(in_all, &bounds, usize::from(depth) >= CUT_DEPTH);
-        let mut node = empty;
+        let parts = parts::<R, W>(in_all, &bounds, usize::from(depth) >= CUT_DEPTH);
+        let mut node = Node::EMPTY;
         for (place, part) in parts.into_iter().enumerate() {
             let Some(Part { first: begin, count, around }) = part else { continue };
             // What is rounded is of the size of this box, not of the shapes in it.
@@ -114,8 +113,8 @@ pub(super) fn build<'m, R: Real>(
                 let part = Pending { first: first as u16, count: count as u16, depth: depth + 1, of };
                 let pushed = waiting.push(part);
                 debug_assert!(pushed.is_ok(), "deeper than CUT_DEPTH allows");
-            } else if let Some(content) = node.content.get_mut(place) {
-                *content = Content::Objects { count: count as u8, first: first as u16 };
+            } else {
+                node.fill(place, Content { count: count as u8, first: first as u16 });
             }
         }
         let Some(slot) = nodes.get_mut(usize::from(used)) else { break };
@@ -126,7 +125,7 @@ pub(super) fn build<'m, R: Real>(
     Ok(Hierarchy { nodes, order, unbounded })
 }
 
-impl<R: Real> Node<R> {
+impl<R: Real, const W: usize> Node<R, W> {
     /// Sets one of the boxes.
     pub(super) fn enclose(&mut self, place: usize, Aabb { min, max }: Aabb<R>) {
         let rows = self.planes.iter_mut().flatten();
@@ -138,18 +137,21 @@ impl<R: Real> Node<R> {
     }
 }
 
-/// Parts objects in four or fewer, each time the part that the most tests are expected in.
-fn four_parts<R: Real>(
+/// Parts objects in so many or fewer, each time the part that the most tests are expected in.
+fn parts<R: Real, const W: usize>(
     objects: &mut [u16],
     bounds: &impl Fn(u16) -> Option<Aabb<R>>,
     halve: bool,
-) -> [Option<Part<R>>; WIDTH] {
+) -> [Option<Part<R>>; W] {
     let cost = |part: &Part<R>| {
         let weight = R::Setup::from_u16(part.count as u16);
         if halve { weight } else { area(part.around.to_setup()) * weight }
     };
-    let mut parts = [Part::new(objects, 0, bounds), None, None, None];
-    for free in 1..WIDTH {
+    let mut parts = [None; W];
+    if let Some(first) = parts.first_mut() {
+        *first = Part::new(objects, 0, bounds);
+    }
+    for free in 1..W {
         let several = parts.iter_mut().flatten().filter(|part| part.count > 1);
         let Some(largest) = several.reduce(|a, b| if cost(b) > cost(a) { b } else { a }) else { break };
         let first = largest.first;

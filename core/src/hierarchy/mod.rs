@@ -4,10 +4,14 @@
 //! Scenes of many objects have a hierarchy, and so has a mesh of its triangles. A node holds four boxes, coordinate by
 //! coordinate, so that a processor that computes four numbers at once tests them at once (Dammertz, Hanika and Keller,
 //! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
-//! the instructions that it took with nodes of one box. To sort all boxes of a node by distance visits fewer, but takes 5 %
-//! longer than to go on with the nearest and to let the others wait as they come. How it is built: see [`build`]. How
-//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at
-//! once.
+//! the instructions that it took with nodes of one box. There, the hierarchy of a scene has nodes of eight boxes: it waits for the outcome
+//! of fewer nodes, in 0.91 (balls_s3), 0.98 (teapot_s2) and 0.93 (rings_s1) times the time. Sixteen take 1.16 to 1.27 times as long, and
+//! an M4F takes 1.06 to 1.11 times the instructions with eight. A mesh has four everywhere, as it may be built for another processor.
+//!
+//! To sort all boxes of a node by distance visits fewer, but takes 5 %
+//! longer than to go on with the nearest and to let the others wait as they come. Two nodes of four boxes at a time take as long as one.
+//! How it is built: see [`build`]. How
+//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at once.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.
@@ -33,29 +37,39 @@ use place::Place;
 use segment::Segment;
 use slabs::Slabs;
 
-/// Objects, by where they are.
+/// Objects, by where they are, in nodes of so many boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Hierarchy<'m, R> {
+pub(crate) struct Hierarchy<'m, R, const W: usize = NARROW> {
     /// All nodes; the first is the root.
-    nodes: &'m [Node<R>],
+    nodes: &'m [Node<R, W>],
     /// The objects: first those without bounds, then leaf by leaf.
     order: &'m [u16],
     /// How many have no bounds.
     unbounded: usize,
 }
 
-/// The boxes of a node.
-const WIDTH: usize = 4;
+/// The boxes of a node that may be used on any processor.
+pub(crate) const NARROW: usize = 4;
 
-/// Four boxes, and what lies in each.
+/// The boxes of a node that stays on one processor: more, where that computes four numbers at once.
+pub(crate) const WIDE: usize =
+    if cfg!(any(target_feature = "sse2", target_feature = "neon")) { 8 } else { NARROW };
+
+/// Some boxes, and what lies in each.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Node<R> {
-    /// The smallest coordinates of the four boxes, x, y, z, and the largest.
-    planes: [[[R; WIDTH]; 3]; 2],
-    content: [Content; WIDTH],
+pub struct Node<R, const W: usize = NARROW> {
+    /// The smallest coordinates of the boxes, x, y, z, and the largest.
+    planes: [[[R; W]; 3]; 2],
+    /// What lies in each: so many objects of the order, or another [`NODE`].
+    count: [u8; W],
+    /// The first of the objects, or that node.
+    first: [u16; W],
 }
 
-const _: () = assert!(size_of::<Node<f32>>() == 112);
+/// In place of a number of objects.
+const NODE: u8 = u8::MAX;
+
+const _: () = assert!(size_of::<Node<f32>>() == 108 && size_of::<Node<f32, 8>>() == 216);
 
 impl<R> Node<R> {
     /// A node: the smallest and the largest coordinates of four boxes, and what lies in each: so many objects from the
@@ -64,25 +78,17 @@ impl<R> Node<R> {
     where
         R: Copy,
     {
+        const fn count((count, _): (Option<u8>, u16)) -> u8 {
+            match count {
+                Some(count) => count,
+                None => NODE,
+            }
+        }
         Self {
             planes: [lower, upper],
-            content: [Content::new(a), Content::new(b), Content::new(c), Content::new(d)],
+            count: [count(a), count(b), count(c), count(d)],
+            first: [a.1, b.1, c.1, d.1],
         }
-    }
-
-    /// What lies in each of its boxes, as [`new`](Self::new) takes it.
-    #[cfg(feature = "bake")]
-    pub(crate) fn content(&self) -> [(Option<u8>, u16); 4] {
-        self.content.map(|content| match content {
-            Content::Objects { count, first } => (Some(count), first),
-            Content::Node(node) => (None, node),
-        })
-    }
-
-    /// The smallest and the largest coordinates of its boxes: x, y, z.
-    #[cfg(feature = "bake")]
-    pub(crate) const fn planes(&self) -> &[[[R; WIDTH]; 3]; 2] {
-        &self.planes
     }
 
     /// Whether each leads only to nodes after it, so that a walk ends.
@@ -91,10 +97,8 @@ impl<R> Node<R> {
         let mut i = 0;
         while i < nodes.len() {
             let mut place = 0;
-            while place < WIDTH {
-                if let Content::Node(next) = nodes[i].content[place]
-                    && next as usize <= i
-                {
+            while place < NARROW {
+                if nodes[i].count[place] == NODE && nodes[i].first[place] as usize <= i {
                     return false;
                 }
                 place += 1;
@@ -105,7 +109,40 @@ impl<R> Node<R> {
     }
 }
 
+#[cfg(feature = "bake")]
 impl<R: Real> Node<R> {
+    /// What lies in each of its boxes, as [`new`](Self::new) takes it.
+    pub(crate) fn contents(&self) -> [(Option<u8>, u16); 4] {
+        core::array::from_fn(|place| {
+            let content = self.content(place);
+            ((!content.is_node()).then_some(content.count), content.first)
+        })
+    }
+
+    /// The smallest and the largest coordinates of its boxes: x, y, z.
+    pub(crate) const fn planes(&self) -> &[[[R; NARROW]; 3]; 2] {
+        &self.planes
+    }
+}
+
+impl<R: Real, const W: usize> Node<R, W> {
+    /// No boxes yet.
+    const EMPTY: Self = Self { planes: [[[R::ZERO; W]; 3]; 2], count: [0; W], first: [0; W] };
+
+    /// What lies in a box.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By a remainder.
+    fn content(&self, place: usize) -> Content {
+        Content { count: self.count[place % W], first: self.first[place % W] }
+    }
+
+    /// Sets what lies in a box.
+    fn fill(&mut self, place: usize, content: Content) {
+        if let (Some(count), Some(first)) = (self.count.get_mut(place), self.first.get_mut(place)) {
+            (*count, *first) = (content.count, content.first);
+        }
+    }
+
     /// The smallest and the largest coordinates of each box.
     fn corners(&self) -> impl Iterator<Item = (Vec3<R>, Vec3<R>)> {
         let [lower, upper] = &self.planes;
@@ -113,40 +150,38 @@ impl<R: Real> Node<R> {
     }
 }
 
-fn points<R: Copy>([x, y, z]: &[[R; WIDTH]; 3]) -> impl Iterator<Item = Vec3<R>> {
+fn points<R: Copy, const W: usize>([x, y, z]: &[[R; W]; 3]) -> impl Iterator<Item = Vec3<R>> {
     x.iter().zip(y).zip(z).map(|((x, y), z)| Vec3::new(*x, *y, *z))
 }
 
+/// What lies in a box: so many objects of the order, from `first` on, or where the number is [`NODE`], another node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Content {
-    /// So many objects of the order, from `first` on.
-    Objects { count: u8, first: u16 },
-    /// Another node.
-    Node(u16),
+struct Content {
+    count: u8,
+    first: u16,
 }
 
 impl Content {
-    const fn new((count, first): (Option<u8>, u16)) -> Self {
-        match count {
-            Some(count) => Self::Objects { count, first },
-            None => Self::Node(first),
-        }
+    const fn node(node: u16) -> Self {
+        Self { count: NODE, first: node }
     }
 
-    const NOTHING: Self = Self::Objects { count: 0, first: 0 };
+    const fn is_node(self) -> bool {
+        self.count == NODE
+    }
 }
 
 /// A test of what may be met in boxes.
-trait BoxTest<R> {
+trait BoxTest<R, const W: usize> {
     /// Which of a node's boxes are met, a bit for each.
-    fn meet(&self, node: &Node<R>) -> u32;
+    fn meet(&self, node: &Node<R, W>) -> u32;
 }
 
 /// A test that tells where as well.
-trait RayTest<R>: BoxTest<R> {
+trait RayTest<R, const W: usize>: BoxTest<R, W> {
     /// Which of a node's boxes the ray meets, a bit for each, and for each a number that grows with the distance from the
     /// ray's origin.
-    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]);
+    fn meet_at(&self, node: &Node<R, W>) -> (u32, [R; W]);
 
     /// Ends the ray at a distance.
     fn end_at(&mut self, max: R);
@@ -159,28 +194,28 @@ trait RayTest<R>: BoxTest<R> {
 type Waiting<R> = (R, Content);
 
 /// All boxes of a node wait at first, then all but one for each node around the one that is visited.
-const MOST_WAITING: usize = (WIDTH - 1) * MAX_HIERARCHY_DEPTH + 1;
+const MOST_WAITING: usize = (WIDE - 1) * MAX_HIERARCHY_DEPTH + 1;
 
-impl<'m, R: Real> Hierarchy<'m, R> {
+impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     /// No boxes: all objects of a list, one by one.
     pub(crate) fn list(objects: &'m [u16]) -> Self {
         Self { nodes: &[], order: objects, unbounded: objects.len() }
     }
 
     /// One that was built before; no nodes: all objects of the list, one by one.
-    pub(crate) const fn baked(nodes: &'m [Node<R>], order: &'m [u16]) -> Self {
+    pub(crate) const fn baked(nodes: &'m [Node<R, W>], order: &'m [u16]) -> Self {
         Self { nodes, order, unbounded: if nodes.is_empty() { order.len() } else { 0 } }
     }
 
     /// All nodes, and the objects leaf by leaf: for [`baked`](Self::baked), where all have bounds.
     #[cfg(feature = "bake")]
-    pub(crate) const fn parts(&self) -> (&'m [Node<R>], &'m [u16]) {
+    pub(crate) const fn parts(&self) -> (&'m [Node<R, W>], &'m [u16]) {
         (self.nodes, self.order)
     }
 
     /// How many bytes the hierarchy of so many objects takes, with up to `leaf` of them in a leaf, besides the list of them.
     pub(crate) const fn bytes(objects: usize, leaf: usize) -> usize {
-        Arena::bytes::<Node<R>>(build::most_nodes(objects, leaf))
+        Arena::bytes::<Node<R, W>>(build::most_nodes(objects, leaf, W))
     }
 
     /// Builds the hierarchy of the objects in a list, and brings that in its own order. There are to be more than `leaf`, the
@@ -232,8 +267,7 @@ impl<'m, R: Real> Hierarchy<'m, R> {
     }
 
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By a remainder.
-    fn any_in_boxes(&self, boxes: &impl BoxTest<R>, mut test: impl FnMut(usize) -> bool) -> bool {
+    fn any_in_boxes(&self, boxes: &impl BoxTest<R, W>, mut test: impl FnMut(usize) -> bool) -> bool {
         let unbounded = self.order.get(..self.unbounded).unwrap_or_default();
         if unbounded.iter().any(|object| test(usize::from(*object))) {
             return true;
@@ -242,17 +276,13 @@ impl<'m, R: Real> Hierarchy<'m, R> {
         let mut next = Some(0);
         while let Some(index) = next {
             if let Some(node) = self.nodes.get(usize::from(index)) {
-                for slot in slots(boxes.meet(node)) {
-                    match node.content[slot] {
-                        Content::Objects { count, first } => {
-                            if self.leaf(count, first).iter().any(|object| test(usize::from(*object))) {
-                                return true;
-                            }
-                        }
-                        Content::Node(inner) => {
-                            let pushed = waiting.push(inner);
-                            debug_assert!(pushed.is_ok(), "deeper than the builder allows");
-                        }
+                for slot in slots::<W>(boxes.meet(node)) {
+                    let content = node.content(slot);
+                    if content.is_node() {
+                        let pushed = waiting.push(content.first);
+                        debug_assert!(pushed.is_ok(), "deeper than the builder allows");
+                    } else if self.leaf(content).iter().any(|object| test(usize::from(*object))) {
+                        return true;
                     }
                 }
             }
@@ -263,16 +293,16 @@ impl<'m, R: Real> Hierarchy<'m, R> {
 
     /// So many objects from the first on.
     #[inline(always)]
-    fn leaf(&self, count: u8, first: u16) -> &'m [u16] {
+    fn leaf(&self, Content { count, first }: Content) -> &'m [u16] {
         let first = usize::from(first);
         self.order.get(first..first + usize::from(count)).unwrap_or_default()
     }
 
     #[inline(always)]
-    fn walk_boxes(&self, mut ray: impl RayTest<R>, mut test: impl FnMut(usize) -> R) {
+    fn walk_boxes(&self, mut ray: impl RayTest<R, W>, mut test: impl FnMut(usize) -> R) {
         let mut waiting: Vec<Waiting<R>, MOST_WAITING> = Vec::new();
         let mut objects = self.order.get(..self.unbounded).unwrap_or_default();
-        let mut next = Some((R::ZERO, Content::Node(0)));
+        let mut next = Some((R::ZERO, Content::node(0)));
         loop {
             for object in objects {
                 ray.end_at(test(usize::from(*object)));
@@ -286,15 +316,11 @@ impl<'m, R: Real> Hierarchy<'m, R> {
                 if !ray.reaches(key) {
                     continue;
                 }
-                match content {
-                    Content::Objects { count, first } => {
-                        break self.leaf(count, first);
-                    }
-                    Content::Node(index) => {
-                        if let Some(node) = self.nodes.get(usize::from(index)) {
-                            next = nearest(ray.meet_at(node), &node.content, &mut waiting);
-                        }
-                    }
+                if !content.is_node() {
+                    break self.leaf(content);
+                }
+                if let Some(node) = self.nodes.get(usize::from(content.first)) {
+                    next = nearest(ray.meet_at(node), node, &mut waiting);
                 }
             };
         }
@@ -304,14 +330,14 @@ impl<'m, R: Real> Hierarchy<'m, R> {
 /// The nearest of the boxes that were met; the others wait.
 #[inline(always)]
 #[allow(clippy::indexing_slicing)] // By a remainder.
-fn nearest<R: Real>(
-    (met, keys): (u32, [R; WIDTH]),
-    content: &[Content; WIDTH],
+fn nearest<R: Real, const W: usize>(
+    (met, keys): (u32, [R; W]),
+    node: &Node<R, W>,
     waiting: &mut Vec<Waiting<R>, MOST_WAITING>,
 ) -> Option<Waiting<R>> {
     let mut nearest: Option<Waiting<R>> = None;
-    for slot in slots(met) {
-        let mut nearer = (keys[slot], content[slot]);
+    for slot in slots::<W>(met) {
+        let mut nearer = (keys[slot], node.content(slot));
         if let Some(mut farther) = nearest {
             if farther.0 < nearer.0 {
                 core::mem::swap(&mut farther, &mut nearer);
@@ -326,9 +352,9 @@ fn nearest<R: Real>(
 
 /// The places of the bits that are set.
 #[inline(always)]
-fn slots(mut met: u32) -> impl Iterator<Item = usize> {
+fn slots<const W: usize>(mut met: u32) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
-        let slot = (met != 0).then(|| met.trailing_zeros() as usize % WIDTH);
+        let slot = (met != 0).then(|| met.trailing_zeros() as usize % W);
         met &= met.wrapping_sub(1);
         slot
     })

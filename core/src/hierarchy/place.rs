@@ -19,8 +19,8 @@ impl<R: Real> Place<R> {
     }
 }
 
-impl<R: Real> BoxTest<R> for Place<R> {
-    fn meet(&self, node: &Node<R>) -> u32 {
+impl<R: Real, const W: usize> BoxTest<R, W> for Place<R> {
+    fn meet(&self, node: &Node<R, W>) -> u32 {
         let Self { upper, lower } = *self;
         let mut met = 0;
         for (slot, (min, max)) in node.corners().enumerate() {

@@ -5,7 +5,7 @@
 //! reciprocal, which fixed point could not hold, and what lies behind the ray or beyond its end costs no multiplication.
 //! The products are exact, and boxes are inflated as in floating point.
 
-use super::{Axis, BoxTest, Node, RayTest, WIDTH};
+use super::{Axis, BoxTest, Node, RayTest};
 use crate::math::{Ray, Real, Vec3};
 
 /// The piece of a ray from its origin to the farthest hit that matters, mirrored so that it runs upward along all axes.
@@ -50,17 +50,17 @@ impl<R: Real> Segment<R> {
     }
 }
 
-impl<R: Real> BoxTest<R> for Segment<R> {
+impl<R: Real, const W: usize> BoxTest<R, W> for Segment<R> {
     #[inline(always)]
-    fn meet(&self, node: &Node<R>) -> u32 {
+    fn meet(&self, node: &Node<R, W>) -> u32 {
         self.meet_at(node).0
     }
 }
 
-impl<R: Real> RayTest<R> for Segment<R> {
-    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
+impl<R: Real, const W: usize> RayTest<R, W> for Segment<R> {
+    fn meet_at(&self, node: &Node<R, W>) -> (u32, [R; W]) {
         let Self { slope, steepest, end, .. } = self;
-        let mut keys = [R::ZERO; WIDTH];
+        let mut keys = [R::ZERO; W];
         let mut met = 0;
         for (slot, ((lower, upper), key)) in node.corners().zip(&mut keys).enumerate() {
             let (near_x, far_x) = self.along(Axis::X, lower.x, upper.x);

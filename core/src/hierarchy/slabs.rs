@@ -11,7 +11,7 @@
 //! meets a zero, and nothing depends on what became of it (Williams et al., "An Efficient and Robust Ray-Box Intersection
 //! Algorithm", JGT 2005).
 
-use super::{BoxTest, Node, RayTest, WIDTH};
+use super::{BoxTest, Node, RayTest};
 use crate::math::{Ray, Real};
 
 /// A ray between two distances, prepared to be tested.
@@ -52,25 +52,25 @@ impl<R: Real> Slabs<R> {
     }
 }
 
-impl<R: Real> BoxTest<R> for Slabs<R> {
+impl<R: Real, const W: usize> BoxTest<R, W> for Slabs<R> {
     #[inline(always)]
-    fn meet(&self, node: &Node<R>) -> u32 {
+    fn meet(&self, node: &Node<R, W>) -> u32 {
         self.meet_at(node).0
     }
 }
 
-impl<R: Real> RayTest<R> for Slabs<R> {
+impl<R: Real, const W: usize> RayTest<R, W> for Slabs<R> {
     #[inline(always)]
     #[allow(clippy::indexing_slicing)] // By a bit.
-    fn meet_at(&self, node: &Node<R>) -> (u32, [R; WIDTH]) {
-        let (mut nears, mut fars) = ([R::ZERO; WIDTH], [self.max; WIDTH]);
+    fn meet_at(&self, node: &Node<R, W>) -> (u32, [R; W]) {
+        let (mut nears, mut fars) = ([R::ZERO; W], [self.max; W]);
         for (i, Along { nearer, near, far, per_unit }) in self.axes.iter().enumerate() {
             let [near_planes, far_planes] = [nearer & 1, !nearer & 1].map(|side| node.planes[side][i]);
             nears = both(nears, near_planes.map(|plane| (plane - *near) * *per_unit), R::larger);
             fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), smaller);
         }
         // There is a way through a box where it begins no later than it ends.
-        (R::no_larger(nears, fars), nears)
+        (R::no_larger(&nears, &fars), nears)
     }
 
     #[inline(always)]
@@ -84,11 +84,11 @@ impl<R: Real> RayTest<R> for Slabs<R> {
     }
 }
 
-/// A function of both, for each of four boxes.
+/// A function of both, for each box of a node.
 #[inline(always)]
-pub(super) fn both<A, B>(a: [A; WIDTH], b: [A; WIDTH], f: impl Fn(A, A) -> B) -> [B; WIDTH] {
-    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);
-    [f(a0, b0), f(a1, b1), f(a2, b2), f(a3, b3)]
+#[allow(clippy::indexing_slicing)] // Below the lengths.
+pub(super) fn both<A: Copy, const W: usize>(a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
+    core::array::from_fn(|i| f(a[i], b[i]))
 }
 
 #[inline(always)]

@@ -17,20 +17,21 @@ fn list(objects: usize) -> Vec<u16> {
 }
 
 /// Memory for the hierarchy of so many objects.
-fn memory<R: Real>(objects: usize, leaf: usize) -> Vec<MaybeUninit<u8>> {
-    vec![MaybeUninit::uninit(); Hierarchy::<R>::bytes(objects, leaf)]
+fn memory<R: Real, const W: usize>(objects: usize, leaf: usize) -> Vec<MaybeUninit<u8>> {
+    vec![MaybeUninit::uninit(); Hierarchy::<R, W>::bytes(objects, leaf)]
 }
 
-/// Builds hierarchies of these boxes and checks all that they promise; returns the depth with small leaves.
+/// Builds hierarchies of these boxes and checks all that they promise; returns the depth with small nodes and leaves.
 fn check(boxes: &Boxes) -> usize {
-    check_leaves(boxes, 4);
-    check_leaves(boxes, 2)
+    check_leaves::<8>(boxes, 3);
+    check_leaves::<NARROW>(boxes, 4);
+    check_leaves::<NARROW>(boxes, 2)
 }
 
-fn check_leaves(boxes: &Boxes, leaf: usize) -> usize {
-    let (mut order, mut memory) = (list(boxes.len()), memory::<f32>(boxes.len(), leaf));
+fn check_leaves<const W: usize>(boxes: &Boxes, leaf: usize) -> usize {
+    let (mut order, mut memory) = (list(boxes.len()), memory::<f32, W>(boxes.len(), leaf));
     let bounds = |object| boxes[usize::from(object)];
-    let hierarchy = Hierarchy::new(&mut order, leaf, bounds, &mut Arena::new(&mut memory)).unwrap();
+    let hierarchy = Hierarchy::<_, W>::new(&mut order, leaf, bounds, &mut Arena::new(&mut memory)).unwrap();
     let mut found: Vec<u16> = hierarchy.order[..hierarchy.unbounded].to_vec();
     assert!(found.iter().all(|object| boxes[usize::from(*object)].is_none()));
     let mut deepest = 0;
@@ -38,11 +39,11 @@ fn check_leaves(boxes: &Boxes, leaf: usize) -> usize {
     while let Some((index, path)) = stack.pop() {
         let node = hierarchy.nodes[usize::from(index)];
         deepest = deepest.max(path.len() + 1);
-        for (slot, content) in node.content.into_iter().enumerate() {
+        for slot in 0..W {
             let path: Vec<_> = path.iter().copied().chain([(index, slot)]).collect();
-            match content {
-                Content::Node(inner) => stack.push((inner, path)),
-                Content::Objects { count, first } => {
+            match node.content(slot) {
+                Content { count: NODE, first } => stack.push((first, path)),
+                Content { count, first } => {
                     assert!(usize::from(count) <= leaf);
                     let first = usize::from(first);
                     for object in &hierarchy.order[first..first + usize::from(count)] {
@@ -64,7 +65,7 @@ fn check_leaves(boxes: &Boxes, leaf: usize) -> usize {
 }
 
 /// Whether a box lies in one of a node's.
-fn holds(node: &Node<f32>, slot: usize, bounds: Aabb<f32>) -> bool {
+fn holds<const W: usize>(node: &Node<f32, W>, slot: usize, bounds: Aabb<f32>) -> bool {
     let (min, max) = node.corners().nth(slot).unwrap();
     let around = Aabb { min, max };
     around.contains(bounds.min) && around.contains(bounds.max)
@@ -102,26 +103,27 @@ fn no_tree_is_too_deep() {
 }
 
 #[test]
-fn at_most_50_bytes_an_object() {
-    assert_eq!(size_of::<Node<Fixed>>(), 112);
+fn at_most_64_bytes_an_object() {
+    assert_eq!(size_of::<Node<Fixed>>(), 108);
     for objects in [33, 820, 65_535] {
-        assert!(Hierarchy::<f32>::bytes(objects, 2) <= 50 * objects);
-        assert!(Hierarchy::<Fixed>::bytes(objects, 2) <= 50 * objects);
-        assert!(Hierarchy::<f32>::bytes(objects, 4) <= 38 * objects);
+        assert!(Hierarchy::<f32>::bytes(objects, 2) <= 48 * objects);
+        assert!(Hierarchy::<Fixed>::bytes(objects, 2) <= 48 * objects);
+        assert!(Hierarchy::<f32>::bytes(objects, 4) <= 37 * objects);
+        assert!(Hierarchy::<f32, 8>::bytes(objects, 3) <= 62 * objects);
     }
 }
 
 /// A node of one box, in the third place.
 fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
-    let nowhere = [[-R::ONE; WIDTH]; 3];
-    let mut node = Node { planes: [nowhere; 2], content: [Content::NOTHING; WIDTH] };
+    let nowhere = [[-R::ONE; NARROW]; 3];
+    let mut node = Node { planes: [nowhere; 2], ..Node::EMPTY };
     node.enclose(2, Aabb::around(center, reach));
     node
 }
 
 /// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
 fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
-    fn found<R: Real>(test: impl RayTest<R>, node: &Node<R>) -> bool {
+    fn found<R: Real>(test: impl RayTest<R, NARROW>, node: &Node<R>) -> bool {
         let (met, keys) = test.meet_at(node);
         assert_eq!(met, test.meet(node));
         met & 4 != 0 && test.reaches(keys[2])
@@ -190,12 +192,12 @@ fn boxes_behind_beside_and_beyond_are_passed() {
 
 #[test]
 fn the_nearest_box_comes_first_and_hides_the_others() {
-    fn check<R: Real>() {
+    fn check<R: Real, const W: usize>() {
         let at = |x: f32| Aabb::around(Vec3::new(x, 0.0, 0.0).to::<R>(), Vec3::new(0.25, 0.25, 0.25).to());
-        let (mut order, mut memory) = (list(40), memory::<R>(40, 2));
+        let (mut order, mut memory) = (list(40), memory::<R, W>(40, 2));
         let place = |object: usize| object * 7 % 40;
         let bounds = |object: u16| Some(at(place(usize::from(object)) as f32 - 20.0));
-        let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
+        let hierarchy = Hierarchy::<_, W>::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
         for (x, first) in [(1.0f32, 0), (-1.0, 39)] {
             let direction = Vec3::new(x, 0.0, 0.0).to::<R>();
             let ray = Ray { origin: Vec3::new(x * -30.0, 0.0, 0.0).to(), direction };
@@ -214,14 +216,21 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
             assert!(hidden.len() <= 2, "{hidden:?}");
         }
     }
-    check::<f32>();
-    check::<f64>();
-    check::<Fixed>();
+    check::<f32, NARROW>();
+    check::<f64, NARROW>();
+    check::<Fixed, NARROW>();
+    check::<f32, 8>();
+    check::<Fixed, 8>();
 }
 
 /// Objects that a ray tests, on average: the same number on every run, as times are not. It may rise by 5 %.
 #[test]
 fn a_ray_tests_few_of_many_objects() {
+    tests_few::<NARROW>(2, [(91, 0.9), (820, 3.07)]);
+    tests_few::<8>(3, [(91, 1.04), (820, 4.47)]);
+}
+
+fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
     // Boxes of many sizes in a cube, and rays between points of it, from one generator.
     let mut state = 1u32;
     let mut number = || {
@@ -229,16 +238,17 @@ fn a_ray_tests_few_of_many_objects() {
         (state >> 8) as f32 / (1 << 23) as f32 - 1.0
     };
     let mut point = || Vec3::new(number(), number(), number());
-    for (count, most) in [(91, 0.9), (820, 3.07)] {
+    for (count, most) in bounds {
         let boxes: Vec<_> = (0..count)
             .map(|i| {
                 let reach = if i % 9 == 0 { 0.1 } else { 0.03 };
                 Aabb::around(point(), Vec3::new(reach, reach, reach))
             })
             .collect();
-        let (mut order, mut memory) = (list(count), memory::<f32>(count, 2));
+        let (mut order, mut memory) = (list(count), memory::<f32, W>(count, leaf));
         let bounds = |object| Some(boxes[usize::from(object)]);
-        let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
+        let hierarchy =
+            Hierarchy::<_, W>::new(&mut order, leaf, bounds, &mut Arena::new(&mut memory)).unwrap();
         let mut tested = 0u32;
         for _ in 0..1000 {
             let (origin, target) = (point(), point());
@@ -258,6 +268,11 @@ fn a_ray_tests_few_of_many_objects() {
 /// meets, they meet. And they are no wider than they must.
 #[test]
 fn a_beam_meets_what_its_rays_meet() {
+    beams_meet_what_rays_meet::<NARROW>(2);
+    beams_meet_what_rays_meet::<8>(3);
+}
+
+fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
     let mut state = 7u32;
     let mut number = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -272,9 +287,9 @@ fn a_beam_meets_what_its_rays_meet() {
         })
         .collect();
     boxes[17] = None;
-    let (mut order, mut memory) = (list(count), memory::<f32>(count, 2));
+    let (mut order, mut memory) = (list(count), memory::<f32, W>(count, leaf));
     let bounds = |object| boxes[usize::from(object)];
-    let hierarchy = Hierarchy::new(&mut order, 2, bounds, &mut Arena::new(&mut memory)).unwrap();
+    let hierarchy = Hierarchy::<_, W>::new(&mut order, leaf, bounds, &mut Arena::new(&mut memory)).unwrap();
     let (mut met, mut met_by_beams) = (0, 0);
     for round in 0..400 {
         let (place, target, spread) = (point(), point() * 2.0, [0.0, 0.01, 0.3][round % 3]);

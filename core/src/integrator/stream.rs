@@ -28,7 +28,7 @@ use heapless::Vec;
 use super::vertex::{Shading, Vertex};
 use super::{Bounds, Path, RayBudget, Sight, Waiting};
 use crate::color::LinearRgb;
-use crate::hierarchy::{Beam, Hierarchy};
+use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::light::Source;
 use crate::math::{Aabb, Ray, Real, Vec3};
 use crate::prepared::candidates::Departure;
@@ -51,7 +51,7 @@ type List = Vec<u16, MOST>;
 /// Traces pixels of a scene side by side.
 pub(crate) struct Stream<'p, 'm, R: Real, S: Geometry + 'm> {
     scene: &'p PreparedScene<'m, R, S>,
-    hierarchy: &'p Hierarchy<'m, R>,
+    hierarchy: &'p Hierarchy<'m, R, WIDE>,
 }
 
 /// One pixel of a group.

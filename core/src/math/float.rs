@@ -61,23 +61,31 @@ pub(crate) fn sqrt_f64(value: f64) -> f64 {
     libm::sqrt(value)
 }
 
-/// Which of four numbers are no larger than four others: a bit for each.
+/// Which of some numbers are no larger than as many others: a bit for each.
 #[inline(always)]
-pub(crate) fn no_larger<T: PartialOrd>([a, b, c, d]: [T; 4], [e, f, g, h]: [T; 4]) -> u32 {
-    u32::from(a <= e) | u32::from(b <= f) << 1 | u32::from(c <= g) << 2 | u32::from(d <= h) << 3
+pub(crate) fn no_larger<T: PartialOrd, const N: usize>(numbers: &[T; N], others: &[T; N]) -> u32 {
+    let pairs = numbers.iter().zip(others).enumerate();
+    pairs.fold(0, |bits, (place, (number, other))| bits | u32::from(number <= other) << place)
 }
 
 /// The same, where a processor compares all at once and hands out the bits: the compiler does not find that instruction by itself.
 #[allow(unsafe_code)]
 #[inline(always)]
-pub(crate) fn no_larger_f32(numbers: [f32; 4], others: [f32; 4]) -> u32 {
+pub(crate) fn no_larger_f32<const N: usize>(numbers: &[f32; N], others: &[f32; N]) -> u32 {
     #[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
     {
         use core::arch::x86_64::{_mm_cmple_ps, _mm_movemask_ps, _mm_setr_ps};
-        let ([a, b, c, d], [e, f, g, h]) = (numbers, others);
-        // SAFETY: the target has these instructions; they touch no memory.
-        let bits = unsafe { _mm_movemask_ps(_mm_cmple_ps(_mm_setr_ps(a, b, c, d), _mm_setr_ps(e, f, g, h))) };
-        bits as u32
+        let ((fours, rest), (other_fours, other_rest)) = (numbers.as_chunks(), others.as_chunks());
+        let of_rest = rest.iter().zip(other_rest).rev();
+        let bits = of_rest.fold(0, |bits, (number, other)| bits << 1 | u32::from(number <= other));
+        fours.iter().zip(other_fours).rev().fold(bits, |bits, ([a, b, c, d], [e, f, g, h])| {
+            // SAFETY: the target has these instructions; they touch no memory.
+            let four = unsafe {
+                let (four, others) = (_mm_setr_ps(*a, *b, *c, *d), _mm_setr_ps(*e, *f, *g, *h));
+                _mm_movemask_ps(_mm_cmple_ps(four, others))
+            };
+            bits << 4 | four as u32
+        })
     }
     #[cfg(not(all(target_arch = "x86_64", target_feature = "sse")))]
     no_larger(numbers, others)
@@ -147,17 +155,24 @@ mod tests {
     }
 
     #[test]
-    fn bits_tell_which_of_four_are_no_larger() {
+    fn bits_tell_which_are_no_larger() {
+        bits_tell_which_of::<4>();
+        bits_tell_which_of::<8>();
+        // No whole fours.
+        bits_tell_which_of::<7>();
+    }
+
+    fn bits_tell_which_of<const N: usize>() {
         let numbers = [-1.0, -0.0, 0.0, 1.0, f32::INFINITY, f32::NAN];
         for (i, a) in numbers.into_iter().enumerate() {
             for (j, b) in numbers.into_iter().enumerate() {
                 let is_no_larger = i.max(j) < 5 && (i <= j || i.max(j) == 2 && i.min(j) == 1);
-                for place in 0..4 {
-                    let (mut some, mut others) = ([1.0; 4], [0.0; 4]);
+                for place in 0..N {
+                    let (mut some, mut others) = ([1.0; N], [0.0; N]);
                     (some[place], others[place]) = (a, b);
                     let expected = u32::from(is_no_larger) << place;
-                    assert_eq!(no_larger_f32(some, others), expected, "{a} and {b} at {place}");
-                    assert_eq!(no_larger(some, others), expected, "{a} and {b} at {place}");
+                    assert_eq!(no_larger_f32(&some, &others), expected, "{a} and {b} at {place}");
+                    assert_eq!(no_larger(&some, &others), expected, "{a} and {b} at {place}");
                 }
             }
         }

@@ -141,9 +141,9 @@ pub trait Real:
         Self::REACH.is_none_or(|reach| !(value.abs() > Self::Setup::from_f32(reach)))
     }
 
-    /// Which of four numbers are no larger than four others: a bit for each.
+    /// Which of some numbers are no larger than as many others, up to 32: a bit for each.
     #[inline(always)]
-    fn no_larger(numbers: [Self; 4], others: [Self; 4]) -> u32 {
+    fn no_larger<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
         float::no_larger(numbers, others)
     }
 
@@ -327,7 +327,7 @@ macro_rules! impl_real_for_float {
             }
 
             #[inline(always)]
-            fn no_larger(numbers: [Self; 4], others: [Self; 4]) -> u32 {
+            fn no_larger<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
                 $no_larger(numbers, others)
             }
 

@@ -20,7 +20,7 @@ use crate::background::PreparedBackground;
 use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
-use crate::hierarchy::Hierarchy;
+use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
@@ -45,7 +45,7 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m, R>>,
     /// `None`: few objects, or not wanted.
-    hierarchy: Option<Hierarchy<'m, R>>,
+    hierarchy: Option<Hierarchy<'m, R, WIDE>>,
 }
 
 /// Where a ray met an object.

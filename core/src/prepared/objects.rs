@@ -2,7 +2,7 @@
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::hierarchy::Hierarchy;
+use crate::hierarchy::{Hierarchy, NARROW, WIDE};
 use crate::limits::FEW_OBJECTS;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, Real};
@@ -16,7 +16,7 @@ pub(super) struct PreparedObject<'m, R: Real, P> {
 }
 
 /// The most objects in a leaf of their hierarchy.
-const LEAF: usize = 2;
+const LEAF: usize = if WIDE > NARROW { 3 } else { 2 };
 
 /// Of how many objects a hierarchy is stored: none where sets of candidates serve.
 const fn stored(objects: usize) -> usize {
@@ -26,14 +26,14 @@ const fn stored(objects: usize) -> usize {
 /// How many bytes the hierarchy of a scene takes.
 pub(super) const fn hierarchy_bytes<R: Real>(objects: usize) -> usize {
     let objects = stored(objects);
-    Arena::bytes::<u16>(objects).saturating_add(Hierarchy::<R>::bytes(objects, LEAF))
+    Arena::bytes::<u16>(objects).saturating_add(Hierarchy::<R, WIDE>::bytes(objects, LEAF))
 }
 
 /// Builds the hierarchy of a scene, unless that has few objects.
 pub(super) fn hierarchy<'m, R: Real, P: Intersect<R>>(
     objects: &[PreparedObject<'_, R, P>],
     arena: &mut Arena<'m>,
-) -> Result<Option<Hierarchy<'m, R>>, Fault> {
+) -> Result<Option<Hierarchy<'m, R, WIDE>>, Fault> {
     if stored(objects.len()) == 0 {
         return Ok(None);
     }
@@ -56,8 +56,8 @@ mod tests {
     fn at_most_64_bytes_an_object() {
         assert_eq!(hierarchy_bytes::<f32>(32), 0);
         for objects in [33, 820, 65_535] {
-            assert!(hierarchy_bytes::<f32>(objects) <= 52 * objects);
-            assert!(hierarchy_bytes::<Fixed>(objects) <= 52 * objects);
+            assert!(hierarchy_bytes::<f32>(objects) <= 64 * objects);
+            assert!(hierarchy_bytes::<Fixed>(objects) <= 64 * objects);
         }
     }
 }

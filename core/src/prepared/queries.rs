@@ -4,7 +4,7 @@ use super::candidates::{Ball, Candidates, Departure, ObjectSet};
 use super::objects::PreparedObject;
 use super::{Hit, PreparedScene};
 use crate::color::LinearRgb;
-use crate::hierarchy::Hierarchy;
+use crate::hierarchy::{Hierarchy, WIDE};
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, Interval, Ray, Real, Vec3};
@@ -234,7 +234,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(never)]
     fn closest_in_hierarchy(
         &self,
-        hierarchy: &Hierarchy<'m, R>,
+        hierarchy: &Hierarchy<'m, R, WIDE>,
         ray: &Ray<R>,
         range: Interval<R>,
     ) -> Option<(R, usize)> {
@@ -264,7 +264,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The hierarchy, if there can be one: without the feature, the compiler sees that there is none and drops its code.
     #[inline(always)]
-    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R>> {
+    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R, WIDE>> {
         if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 

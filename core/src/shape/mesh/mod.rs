@@ -7,13 +7,13 @@
 //! | what | bytes |
 //! |---|---|
 //! | the list of triangles, in the order of the boxes | 2 a triangle |
-//! | boxes, where there are more than [`FEW_TRIANGLES`] | up to 38 a triangle |
+//! | boxes, where there are more than [`FEW_TRIANGLES`] | up to 36 a triangle |
 //! | vertices, converted | 12 a vertex |
 //! | normals at vertices | 6 a vertex |
 //! | the mesh itself | 76, on processors of 64 bits 128 |
 //!
-//! A closed mesh has half as many vertices as triangles: 49 bytes a triangle with normals, 46 without. As long as there are no
-//! more vertices than triangles it is 58 at most. Which vertices a triangle joins, and coordinates for textures, are read where
+//! A closed mesh has half as many vertices as triangles: 48 bytes a triangle with normals, 45 without. As long as there are no
+//! more vertices than triangles it is 57 at most. Which vertices a triangle joins, and coordinates for textures, are read where
 //! the description has them, in flash. A [`BakedMesh`] takes nothing: all of this lies in flash.
 //!
 //! # Time
