@@ -258,7 +258,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         {
             let hits = run.iter().filter_map(|lane| lane.hit.as_ref());
             let points = hits.map(|(hit, _)| (Aabb::point(hit.surface.point), hit.surface.magnitude));
-            ways.points = points.reduce(|a, b| (a.0.union(b.0), a.1.larger(b.1)));
+            ways.points = points.reduce(|a, b| (a.0.joined(b.0), a.1.larger(b.1)));
             let is_met_again = |outward| stream.scene.is_met_again(Departure { object, outward });
             ways.receiver = (!is_met_again(true)).then_some(object);
             ways.is_met_inside = ways.receiver.is_some() && is_met_again(false);

@@ -23,8 +23,15 @@ impl<R: Real> Aabb<R> {
     }
 
     /// The smallest box that holds both.
+    // Not inlined: in preparation size counts more than time.
     #[inline(never)]
     pub fn union(self, other: Self) -> Self {
+        self.joined(other)
+    }
+
+    /// The same, where time counts.
+    #[inline(always)]
+    pub(crate) fn joined(self, other: Self) -> Self {
         let smaller = |a: R, b: R| if b < a { b } else { a };
         let (a, b) = (self, other);
         Self {
