@@ -30,7 +30,7 @@ use heapless::Vec;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::limits::MAX_HIERARCHY_DEPTH;
-use crate::math::{Aabb, Ray, Real, Vec3};
+use crate::math::{Aabb, FOUR_AT_ONCE, Ray, Real, Vec3};
 use axis::Axis;
 pub(crate) use beam::Beam;
 use place::Place;
@@ -52,8 +52,7 @@ pub(crate) struct Hierarchy<'m, R, const W: usize = NARROW> {
 pub(crate) const NARROW: usize = 4;
 
 /// The boxes of a node that stays on one processor: more, where that computes four numbers at once.
-pub(crate) const WIDE: usize =
-    if cfg!(any(target_feature = "sse2", target_feature = "neon")) { 8 } else { NARROW };
+pub(crate) const WIDE: usize = if FOUR_AT_ONCE { 8 } else { NARROW };
 
 /// Some boxes, and what lies in each.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -61,35 +61,43 @@ pub(crate) fn sqrt_f64(value: f64) -> f64 {
     libm::sqrt(value)
 }
 
-/// Which of some numbers are no larger than as many others: a bit for each.
-#[inline(always)]
-pub(crate) fn no_larger<T: PartialOrd, const N: usize>(numbers: &[T; N], others: &[T; N]) -> u32 {
-    let pairs = numbers.iter().zip(others).enumerate();
-    pairs.fold(0, |bits, (place, (number, other))| bits | u32::from(number <= other) << place)
+/// Comparisons of some numbers with as many others, up to 32: a bit for each. The second is for processors that compare four numbers
+/// at once and hand out the bits: the compiler does not find that instruction by itself.
+macro_rules! compare {
+    ($what:literal, $compare:ident, $compare_f32:ident, $operator:tt, $instruction:ident) => {
+        #[doc = $what]
+        #[inline(always)]
+        pub(crate) fn $compare<T: PartialOrd>(numbers: &[T], others: &[T]) -> u32 {
+            let pairs = numbers.iter().zip(others).enumerate();
+            pairs.fold(0, |bits, (place, (number, other))| bits | u32::from(number $operator other) << place)
+        }
+
+        #[doc = $what]
+        #[allow(unsafe_code)]
+        #[inline(always)]
+        pub(crate) fn $compare_f32(numbers: &[f32], others: &[f32]) -> u32 {
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
+            {
+                use core::arch::x86_64::{$instruction, _mm_movemask_ps, _mm_setr_ps};
+                let ((fours, rest), (other_fours, other_rest)) = (numbers.as_chunks(), others.as_chunks());
+                let pairs = fours.iter().zip(other_fours).rev();
+                pairs.fold($compare(rest, other_rest), |bits, ([a, b, c, d], [e, f, g, h])| {
+                    // SAFETY: the target has these instructions; they touch no memory.
+                    let four = unsafe {
+                        let (numbers, others) = (_mm_setr_ps(*a, *b, *c, *d), _mm_setr_ps(*e, *f, *g, *h));
+                        _mm_movemask_ps($instruction(numbers, others))
+                    };
+                    bits << 4 | four as u32
+                })
+            }
+            #[cfg(not(all(target_arch = "x86_64", target_feature = "sse")))]
+            $compare(numbers, others)
+        }
+    };
 }
 
-/// The same, where a processor compares all at once and hands out the bits: the compiler does not find that instruction by itself.
-#[allow(unsafe_code)]
-#[inline(always)]
-pub(crate) fn no_larger_f32<const N: usize>(numbers: &[f32; N], others: &[f32; N]) -> u32 {
-    #[cfg(all(target_arch = "x86_64", target_feature = "sse"))]
-    {
-        use core::arch::x86_64::{_mm_cmple_ps, _mm_movemask_ps, _mm_setr_ps};
-        let ((fours, rest), (other_fours, other_rest)) = (numbers.as_chunks(), others.as_chunks());
-        let of_rest = rest.iter().zip(other_rest).rev();
-        let bits = of_rest.fold(0, |bits, (number, other)| bits << 1 | u32::from(number <= other));
-        fours.iter().zip(other_fours).rev().fold(bits, |bits, ([a, b, c, d], [e, f, g, h])| {
-            // SAFETY: the target has these instructions; they touch no memory.
-            let four = unsafe {
-                let (four, others) = (_mm_setr_ps(*a, *b, *c, *d), _mm_setr_ps(*e, *f, *g, *h));
-                _mm_movemask_ps(_mm_cmple_ps(four, others))
-            };
-            bits << 4 | four as u32
-        })
-    }
-    #[cfg(not(all(target_arch = "x86_64", target_feature = "sse")))]
-    no_larger(numbers, others)
-}
+compare!("Which numbers are no larger than others.", no_larger, no_larger_f32, <=, _mm_cmple_ps);
+compare!("Which numbers are less than others.", less, less_f32, <, _mm_cmplt_ps);
 
 /// The FPU's own square root: 9 instructions where libm's takes 58, and the same bits.
 ///
@@ -155,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn bits_tell_which_are_no_larger() {
+    fn bits_tell_which_are_less_and_no_larger() {
         bits_tell_which_of::<4>();
         bits_tell_which_of::<8>();
         // No whole fours.
@@ -173,6 +181,9 @@ mod tests {
                     let expected = u32::from(is_no_larger) << place;
                     assert_eq!(no_larger_f32(&some, &others), expected, "{a} and {b} at {place}");
                     assert_eq!(no_larger(&some, &others), expected, "{a} and {b} at {place}");
+                    let expected = u32::from(a < b) << place;
+                    assert_eq!(less_f32(&some, &others), expected, "{a} and {b} at {place}");
+                    assert_eq!(less(&some, &others), expected, "{a} and {b} at {place}");
                 }
             }
         }

@@ -147,6 +147,12 @@ pub trait Real:
         float::no_larger(numbers, others)
     }
 
+    /// Which of some numbers are less than as many others, up to 32: a bit for each.
+    #[inline(always)]
+    fn less<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
+        float::less(numbers, others)
+    }
+
     /// The absolute value.
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
@@ -216,7 +222,7 @@ impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
 }
 
 macro_rules! impl_real_for_float {
-    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path, $no_larger:path) => {
+    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path, $no_larger:path, $less:path) => {
         impl Product<$Float> for $Float {
             const ZERO: Self = 0.0;
 
@@ -331,6 +337,11 @@ macro_rules! impl_real_for_float {
                 $no_larger(numbers, others)
             }
 
+            #[inline(always)]
+            fn less<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
+                $less(numbers, others)
+            }
+
             fn to_q16(self) -> u32 {
                 // The conversion saturates, and makes 0 of what is negative or NaN.
                 ((self * 65536.0 + 0.5) as u32).min(65536)
@@ -349,7 +360,8 @@ impl_real_for_float!(
     power::powf,
     float::turn,
     power::halved,
-    float::no_larger_f32
+    float::no_larger_f32,
+    float::less_f32
 );
 impl_real_for_float!(
     f64,
@@ -359,7 +371,8 @@ impl_real_for_float!(
     libm::pow,
     float::turn_f64,
     float::halved_f64,
-    float::no_larger
+    float::no_larger,
+    float::less
 );
 
 #[cfg(test)]

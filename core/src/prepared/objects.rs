@@ -2,10 +2,10 @@
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::hierarchy::{Hierarchy, NARROW, WIDE};
+use crate::hierarchy::{Hierarchy, WIDE};
 use crate::limits::FEW_OBJECTS;
 use crate::material::PreparedMaterial;
-use crate::math::{Aabb, Real};
+use crate::math::{Aabb, FOUR_AT_ONCE, Real};
 use crate::shape::Intersect;
 
 /// An object that was checked and converted.
@@ -16,7 +16,7 @@ pub(super) struct PreparedObject<'m, R: Real, P> {
 }
 
 /// The most objects in a leaf of their hierarchy.
-const LEAF: usize = if WIDE > NARROW { 3 } else { 2 };
+const LEAF: usize = if FOUR_AT_ONCE { 3 } else { 2 };
 
 /// Of how many objects a hierarchy is stored: none where sets of candidates serve.
 const fn stored(objects: usize) -> usize {

@@ -5,7 +5,7 @@
 use super::{Geometry, Intersect, Spans, Spine, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
-use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
 use crate::surface::Surface;
 
 /// A cone, or the frustum of one, between two points.
@@ -113,12 +113,7 @@ impl<R: Real> Passage<R> {
         // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
         // far away; without floats it might not be representable.
         let one = self.c.over(q);
-        (one, if self.is_met_twice() { q / self.a } else { one })
-    }
-
-    #[inline(always)]
-    fn is_met_twice(&self) -> bool {
-        self.a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
+        (one, if is_met_twice(self.a) { q / self.a } else { one })
     }
 
     /// The part of `-reach..reach` that lies inside the cone, where the `slope` is how much it widens with height. Of
@@ -129,7 +124,7 @@ impl<R: Real> Passage<R> {
         }
         let (one, other) = self.roots();
         let (near, far) = if one < other { (one, other) } else { (other, one) };
-        let rises = if self.is_met_twice() {
+        let rises = if is_met_twice(self.a) {
             if self.a > R::ZERO {
                 return (near, far);
             }
@@ -139,6 +134,12 @@ impl<R: Real> Passage<R> {
         };
         if rises { (far, reach) } else { (-reach, near) }
     }
+}
+
+/// Whether the line is no line of the cone, by the quadratic's first coefficient.
+#[inline(always)]
+fn is_met_twice<R: Real>(a: R) -> bool {
+    a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
 impl<R: Real> PreparedCone<R> {
@@ -222,6 +223,49 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         }
         let range = Interval { max: side.unwrap_or(range.max), ..range };
         self.intersect_caps(&passage, range).or(side)
+    }
+
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
+        if self.capped {
+            return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
+        }
+        // As `passage`. The root of what is not positive is 0 or NaN.
+        let directions = each(|i| rays.ray(i).direction);
+        let near = each(|i| rays.ray(i).nearest_to(self.base));
+        let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
+        let height = each(|i| from_base[i].dot(self.axis));
+        let climb = each(|i| directions[i].dot(self.axis));
+        let radius = each(|i| self.base_radius + self.slope * height[i]);
+        let a = each(|i| R::ONE - self.steepness * climb[i] * climb[i]);
+        let b = each(|i| {
+            from_base[i].dot(directions[i]) - height[i] * climb[i] - self.slope * climb[i] * radius[i]
+        });
+        let across = each(|i| from_base[i] - self.axis * height[i]);
+        let c = each(|i| across[i].dot_wide(across[i]) - radius[i].times(radius[i]));
+        let root = each(|i| (b[i].times(b[i]) - c[i].times(a[i])).sqrt());
+        let zeros = [R::ZERO; 4];
+        let crossed = R::less(&zeros, &root);
+        if crossed == 0 {
+            return (0, *max);
+        }
+        // As `roots`.
+        let q = each(|i| if b[i] > R::ZERO { -b[i] - root[i] } else { root[i] - b[i] });
+        let one = each(|i| c[i].over(q[i]));
+        let other = each(|i| if is_met_twice(a[i]) { q[i] / a[i] } else { one[i] });
+        // As `intersect_side`.
+        let met = |t: [R; 4]| {
+            let at = each(|i| height[i] + climb[i] * t[i]);
+            let radius = each(|i| self.base_radius + self.slope * at[i]);
+            let hit = each(|i| t[i] + advance[i]);
+            let on_side = R::no_larger(&zeros, &at)
+                & R::no_larger(&at, &[self.length; 4])
+                & R::no_larger(&zeros, &radius);
+            (crossed & on_side & R::less(&zeros, &hit) & R::less(&hit, max), hit)
+        };
+        let ((meets_one, one), (meets_other, other)) = (met(one), met(other));
+        let is_other = meets_other & (R::less(&other, &one) | !meets_one);
+        (meets_one | meets_other, choose(is_other, other, one))
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -316,6 +360,14 @@ mod tests {
     const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
     const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
     const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
+
+    #[test]
+    fn four_rays_meet_it_as_single_ones_do() {
+        for (top_radius, capped) in [(0.0, true), (0.0, false), (2.0, false), (1.0, false), (3.0, false)] {
+            let cone = Cone { top_radius, capped, ..TENT };
+            assert_four_are_met_as_one(cone, Vec3::new(0.0, 1.0, 0.0), 2.0);
+        }
+    }
 
     #[test]
     fn met_on_the_side() {

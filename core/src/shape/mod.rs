@@ -154,7 +154,7 @@ pub(crate) use uv::globe;
 
 use crate::arena::Arena;
 use crate::fault::Fault;
-use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// The description of a shape: plain `f32` data, `Copy` and small.
@@ -198,6 +198,14 @@ pub trait Geometry: Copy + Debug {
 pub trait Intersect<R: Real> {
     /// The distance to the nearest hit inside `range`. Merely touching a curved outline is a miss.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
+
+    /// As [`intersect`](Self::intersect) ahead of the origins of four rays, each up to its own `max`: a bit for each ray that is met,
+    /// and the same distances to the bit; what stands in place of others says nothing. For processors that compute four numbers at
+    /// once, in floating point: write it where much time goes to a shape.
+    #[inline(always)]
+    fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
+        rays.one_by_one(max, |ray, range| self.intersect(ray, range))
+    }
 
     /// What is known of the shape beforehand, so that rays need not be tested against it in vain.
     fn form(&self) -> Form<R> {

@@ -2,7 +2,7 @@
 //! Havel and Herout give it, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9.
 
 use super::PreparedPlane;
-use crate::math::{Interval, Linear, Ray, Real, Scale, Vec3};
+use crate::math::{FourRays, Interval, Linear, Ray, Real, Scale, Vec3, each};
 
 /// A plane that two edges from a corner span. Along each edge one coordinate grows from 0 to 1, and the other is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +45,20 @@ impl<R: Real> Patch<R> {
         let t = self.plane.meet(ray, range)?;
         let (u, v) = self.coordinates(ray.at(t));
         Some((t, u, v))
+    }
+
+    /// As [`meet`](Self::meet), of four rays: a bit for each that meets the plane nearer than its `max`.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    pub(super) fn meet_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4], [R; 4], [R; 4]) {
+        let PreparedPlane { normal, distance } = self.plane;
+        let height = each(|i| distance - normal.dot(rays.ray(i).origin));
+        let slope = each(|i| normal.dot(rays.ray(i).direction));
+        // Positive and finite only toward the plane.
+        let t = each(|i| height[i] / slope[i]);
+        let met = R::less(&[R::ZERO; 4], &t) & R::less(&t, max);
+        let points = each(|i| rays.ray(i).at(t[i]));
+        (met, t, each(|i| self.u.at(points[i])), each(|i| self.v.at(points[i])))
     }
 
     /// The coordinates of a point of the plane.

@@ -96,6 +96,13 @@ macro_rules! shape_set {
                 }
             }
 
+            #[inline(always)]
+            fn intersect_four(&self, rays: &$crate::math::FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
+                match self {
+                    $(Self::$Variant(shape) => shape.intersect_four(rays, max)),+
+                }
+            }
+
             fn form(&self) -> $crate::shape::Form<R> {
                 match self {
                     $(Self::$Variant(shape) => shape.form()),+
@@ -108,6 +115,7 @@ macro_rules! shape_set {
                 }
             }
 
+            #[inline(always)]
             fn spine(&self) -> Option<$crate::shape::Spine<R>> {
                 match self {
                     $(Self::$Variant(shape) => shape.spine()),+

@@ -4,7 +4,7 @@
 use super::{Form, Geometry, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
-use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, each};
 use crate::surface::Surface;
 
 /// A sphere.
@@ -83,6 +83,25 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let (near, far) = self.chord(ray)?;
         range.first(near, far)
+    }
+
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
+        // As `chord`. The root of what is not positive is 0 or NaN.
+        let from_center = each(|i| rays.ray(i).origin - self.center);
+        let middle = each(|i| -from_center[i].dot(rays.ray(i).direction));
+        let nearest = each(|i| from_center[i] + rays.ray(i).direction * middle[i]);
+        let half_chord = each(|i| (self.radius_squared - nearest[i].dot_wide(nearest[i])).sqrt());
+        let zeros = [R::ZERO; 4];
+        let met = R::less(&zeros, &half_chord);
+        if met == 0 {
+            return (0, *max);
+        }
+        let near = each(|i| middle[i] - half_chord[i]);
+        let far = each(|i| middle[i] + half_chord[i]);
+        let first = each(|i| if near[i] > R::ZERO { near[i] } else { far[i] });
+        (met & R::less(&zeros, &first) & R::less(&first, max), first)
     }
 
     fn form(&self) -> Form<R> {
@@ -181,6 +200,11 @@ mod tests {
             let center = Vec3::new(3.0, -2.0, 1.0) * extent;
             assert_spans_are_met(Sphere::new(center, extent), center, extent, 2_000);
         }
+    }
+
+    #[test]
+    fn four_rays_meet_it_as_single_ones_do() {
+        assert_four_are_met_as_one(BALL, BALL.center, BALL.radius);
     }
 
     #[test]

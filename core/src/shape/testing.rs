@@ -3,7 +3,7 @@
 use super::{Geometry, Intersect};
 use crate::arena::{Arena, Workspace};
 use crate::fault::Fault;
-use crate::math::{Fixed, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Fixed, FourRays, Interval, Ray, Real, Scale, Vec3, choose};
 use crate::surface::Surface;
 
 /// Where a ray met a shape, in `f64`.
@@ -136,6 +136,43 @@ pub(super) fn assert_spans<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, ex
         let same = spans.iter().zip(expected).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1));
         assert!(same && spans.len() == expected.len(), "{shape:?}: {spans:?}, not {expected:?}");
     }
+}
+
+/// Fires rays at points around `middle`, also from inside and from far away, four by four: they must meet the shape as single rays do,
+/// to the bit, also where something nearer was met before.
+pub(super) fn assert_four_are_met_as_one<G: Geometry>(shape: G, middle: Vec3, extent: f32) {
+    assert_four_are_met_as_one_in::<f32, G>(shape, middle, extent);
+    assert_four_are_met_as_one_in::<f64, G>(shape, middle, extent);
+}
+
+fn assert_four_are_met_as_one_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: f32) {
+    let mut random = Random(extent.to_bits().into());
+    let mut memory = Memory::new();
+    let prepared = prepared::<G, R>(shape, &mut memory).expect("a legal shape");
+    let (mut some, mut all) = (0, 0);
+    for round in 0..20_000 {
+        let away = [0.3, 1.5, 4.0, 1000.0][round % 4] * extent;
+        let mut ray = |_| {
+            let origin = middle + random.direction() * away;
+            let aim = middle + random.vector() * extent;
+            let direction = (aim - origin).normalized().unwrap_or(Vec3::new(0.0, 1.0, 0.0));
+            Ray { origin: origin.to::<R>(), direction: Vec3::from_setup(direction.to()) }
+        };
+        let rays: [Ray<R>; 4] = [ray(0), ray(1), ray(2), ray(3)];
+        let max = [R::FARTHEST, R::from_f32(away), R::from_f32(away + extent * 0.5), R::FARTHEST];
+        let four = FourRays::new(rays.each_ref());
+        let (met, t) = prepared.intersect_four(&four, &max);
+        let (met_by_one, t_by_one) = four.one_by_one(&max, |ray, range| prepared.intersect(ray, range));
+        assert_eq!(met, met_by_one, "{shape:?}: {rays:?} up to {max:?}");
+        let (t, expected) = (choose(met, t, max), choose(met, t_by_one, max));
+        assert_eq!(t, expected, "{shape:?}: {rays:?} up to {max:?}");
+        some += u32::from(met != 0);
+        all += u32::from(met == 15);
+    }
+    assert!(
+        some > 1000 && all > 20 && some - all > 1000,
+        "{shape:?}: {some} times some were met, {all} times all"
+    );
 }
 
 /// Fires `rays` at points around `middle`: each must meet the shape where the parts of its line inside say so, and there

@@ -4,7 +4,7 @@ use super::patch::Patch;
 use super::{Form, Geometry, Intersect, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
 use crate::surface::Surface;
 
 /// A triangle; its front is the side from which the vertices run counterclockwise.
@@ -78,6 +78,15 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         (b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE).then_some(t)
     }
 
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
+        let (met, t, b, c) = self.patch.meet_four(rays, max);
+        let (zeros, sum) = ([R::ZERO; 4], each(|i| b[i].add_saturating(c[i])));
+        let inside = R::no_larger(&zeros, &b) & R::no_larger(&zeros, &c) & R::no_larger(&sum, &[R::ONE; 4]);
+        (met & inside, t)
+    }
+
     fn form(&self) -> Form<R> {
         self.patch.plane.form()
     }
@@ -112,6 +121,11 @@ mod tests {
 
     fn down(x: f32, y: f32) -> (Vec3, Vec3) {
         (Vec3::new(x, y, 6.0), Vec3::new(0.0, 0.0, -1.0))
+    }
+
+    #[test]
+    fn four_rays_meet_it_as_single_ones_do() {
+        assert_four_are_met_as_one(FLAT, Vec3::new(1.3, 1.0, 1.0), 2.0);
     }
 
     #[test]
