@@ -209,6 +209,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         [(a, e), (b, f), (c, g), (d, h)]
     }
 
+    /// The same of one ray.
+    #[inline(always)]
+    pub(crate) fn closest_of_one(&self, ray: &Ray<R>, list: &[u16]) -> Closest<R> {
+        let positions = list.iter().map(|object| usize::from(*object));
+        let closest = self.closest_among(ray, Interval::AHEAD, positions);
+        closest.map_or((R::FARTHEST, u32::MAX), |(t, object)| (t, object as u32))
+    }
+
     /// What a ray meets first, of which distance and position are known.
     #[inline(always)]
     pub(crate) fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<HitOn<'m, R>> {
