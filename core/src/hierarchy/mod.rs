@@ -8,10 +8,9 @@
 //! of fewer nodes, in 0.91 (balls_s3), 0.98 (teapot_s2) and 0.93 (rings_s1) times the time. Sixteen take 1.16 to 1.27 times as long, and
 //! an M4F takes 1.06 to 1.11 times the instructions with eight. A mesh has four everywhere, as it may be built for another processor.
 //!
-//! To sort all boxes of a node by distance visits fewer, but takes 5 %
-//! longer than to go on with the nearest and to let the others wait as they come. Two nodes of four boxes at a time take as long as one.
-//! How it is built: see [`build`]. How
-//! boxes are tested: see [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at once.
+//! To sort all boxes of a node by distance visits fewer, but takes 5 % longer than to go on with the nearest and to let the others wait
+//! as they come. Two nodes of four boxes at a time take as long as one. How it is built: see [`build`]. How boxes are tested: see
+//! [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at once.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.

@@ -37,7 +37,7 @@ use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::light::Source;
 use crate::math::{Aabb, FOUR_AT_ONCE, FourRays, Ray, Real, Vec3};
 use crate::prepared::candidates::Departure;
-use crate::prepared::queries::{Closest, HitOn};
+use crate::prepared::queries::{Closest, HitOn, NOTHING};
 use crate::prepared::{PreparedScene, Through};
 use crate::probe::Probe;
 use crate::shape::Geometry;
@@ -193,7 +193,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
             }
         }
         for (lane, &(t, object)) in run.iter_mut().zip(&closest) {
-            let found = (object != u32::MAX).then_some((t, object as usize));
+            let found = (object != NOTHING).then_some((t, object as usize));
             lane.hit = self.scene.hit(&lane.path.next.ray, found);
         }
     }

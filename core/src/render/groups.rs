@@ -125,7 +125,7 @@ mod tests {
             let (mut traced, mut times) = (0, vec![0; pixels]);
             while traced < pixels {
                 let group = Group::after(traced, pixels, width);
-                let places: std::vec::Vec<_> = group.pixels().collect();
+                let places: Vec<_> = group.pixels().collect();
                 assert!(!places.is_empty() && places.len() <= WIDTH, "{group:?}");
                 for pair in places.windows(2) {
                     assert_eq!(pair[0].0.abs_diff(pair[1].0) + pair[0].1.abs_diff(pair[1].1), 1, "{pair:?}");
