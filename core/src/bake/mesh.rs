@@ -83,7 +83,7 @@ fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Resu
         let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
             parts;
         let nodes = joined(nodes, |node| {
-            let [lower, upper] = node.planes().each_ref().map(|planes| joined(planes, row));
+            let [lower, upper] = node.planes().map(|planes| joined(&planes, row));
             format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.contents())
         });
         format!(

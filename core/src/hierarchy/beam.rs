@@ -9,7 +9,7 @@
 //! Beams around 8 rays that begin or point up to 1/100 apart meet 448 of the boxes in a cube where the rays meet 440.
 
 use super::slabs::{both, smaller};
-use super::{BoxTest, Node};
+use super::{BoxTest, Node, slots};
 use crate::math::{Aabb, Ray, Real, Vec3};
 
 /// Rays that lie together.
@@ -89,12 +89,12 @@ impl<R: Real> Hull<R> {
     }
 }
 
-impl<R: Real, const W: usize> BoxTest<R, W> for Beam<R> {
+impl<R: Real> Beam<R> {
+    /// Which of a node's boxes any ray may meet, a bit for each.
     #[cfg_attr(any(target_feature = "sse2", target_feature = "neon"), inline(always))]
-    fn meet(&self, node: &Node<R, W>) -> u32 {
-        let [lower, upper] = &node.planes;
+    fn meet<const W: usize>(&self, node: &Node<R, W>) -> u32 {
         let (mut near, mut far) = ([R::ZERO; W], [self.max; W]);
-        for ((lines, lowest), highest) in self.lines.iter().zip(lower).zip(upper) {
+        for (lines, [lowest, highest]) in self.lines.iter().zip(&node.planes) {
             // The lower line must not be above the box, nor the upper one below it.
             let (start, per_unit) = lines.lower;
             let crossed = highest.map(|plane| (plane - start) * per_unit);
@@ -112,5 +112,12 @@ impl<R: Real, const W: usize> BoxTest<R, W> for Beam<R> {
             }
         }
         R::no_larger(&near, &far)
+    }
+}
+
+impl<R: Real, const W: usize> BoxTest<R, W> for Beam<R> {
+    #[inline(always)]
+    fn any_met(&self, node: &Node<R, W>, visit: impl FnMut(usize) -> bool) -> bool {
+        slots::<W>(self.meet(node)).any(visit)
     }
 }

@@ -129,7 +129,7 @@ impl<R: Real, const W: usize> Node<R, W> {
     /// Sets one of the boxes.
     pub(super) fn enclose(&mut self, place: usize, Aabb { min, max }: Aabb<R>) {
         let rows = self.planes.iter_mut().flatten();
-        for (row, plane) in rows.zip([min.x, min.y, min.z, max.x, max.y, max.z]) {
+        for (row, plane) in rows.zip([min.x, max.x, min.y, max.y, min.z, max.z]) {
             if let Some(place) = row.get_mut(place) {
                 *place = plane;
             }

@@ -56,8 +56,8 @@ pub(crate) const WIDE: usize = if FOUR_AT_ONCE { 8 } else { NARROW };
 /// Some boxes, and what lies in each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node<R, const W: usize = NARROW> {
-    /// The smallest coordinates of the boxes, x, y, z, and the largest.
-    planes: [[[R; W]; 3]; 2],
+    /// For x, y, z: the smallest coordinates of the boxes, and the largest.
+    planes: [[[R; W]; 2]; 3],
     /// What lies in each: so many objects of the order, or another [`NODE`].
     count: [u8; W],
     /// The first of the objects, or that node.
@@ -76,6 +76,7 @@ impl<R> Node<R> {
     where
         R: Copy,
     {
+        let ([x, y, z], [far_x, far_y, far_z]) = (lower, upper);
         const fn count((count, _): (Option<u8>, u16)) -> u8 {
             match count {
                 Some(count) => count,
@@ -83,7 +84,7 @@ impl<R> Node<R> {
             }
         }
         Self {
-            planes: [lower, upper],
+            planes: [[x, far_x], [y, far_y], [z, far_z]],
             count: [count(a), count(b), count(c), count(d)],
             first: [a.1, b.1, c.1, d.1],
         }
@@ -118,14 +119,15 @@ impl<R: Real> Node<R> {
     }
 
     /// The smallest and the largest coordinates of its boxes: x, y, z.
-    pub(crate) const fn planes(&self) -> &[[[R; NARROW]; 3]; 2] {
-        &self.planes
+    pub(crate) fn planes(&self) -> [[[R; NARROW]; 3]; 2] {
+        let [x, y, z] = self.planes;
+        [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
     }
 }
 
 impl<R: Real, const W: usize> Node<R, W> {
     /// No boxes yet.
-    const EMPTY: Self = Self { planes: [[[R::ZERO; W]; 3]; 2], count: [0; W], first: [0; W] };
+    const EMPTY: Self = Self { planes: [[[R::ZERO; W]; 2]; 3], count: [0; W], first: [0; W] };
 
     /// What lies in a box.
     #[inline(always)]
@@ -141,15 +143,13 @@ impl<R: Real, const W: usize> Node<R, W> {
         }
     }
 
-    /// The smallest and the largest coordinates of each box.
-    fn corners(&self) -> impl Iterator<Item = (Vec3<R>, Vec3<R>)> {
-        let [lower, upper] = &self.planes;
-        points(lower).zip(points(upper))
+    /// The smallest and the largest coordinates of a box.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By a remainder.
+    fn corners(&self, place: usize) -> [Vec3<R>; 2] {
+        let [x, y, z] = &self.planes;
+        [0, 1].map(|side: usize| Vec3::new(x[side][place % W], y[side][place % W], z[side][place % W]))
     }
-}
-
-fn points<R: Copy, const W: usize>([x, y, z]: &[[R; W]; 3]) -> impl Iterator<Item = Vec3<R>> {
-    x.iter().zip(y).zip(z).map(|((x, y), z)| Vec3::new(*x, *y, *z))
 }
 
 /// What lies in a box: so many objects of the order, from `first` on, or where the number is [`NODE`], another node.
@@ -171,15 +171,15 @@ impl Content {
 
 /// A test of what may be met in boxes.
 trait BoxTest<R, const W: usize> {
-    /// Which of a node's boxes are met, a bit for each.
-    fn meet(&self, node: &Node<R, W>) -> u32;
+    /// Calls `visit` with the places of a node's boxes that are met, until it says `true`. Returns whether it did.
+    fn any_met(&self, node: &Node<R, W>, visit: impl FnMut(usize) -> bool) -> bool;
 }
 
 /// A test that tells where as well.
 trait RayTest<R, const W: usize>: BoxTest<R, W> {
-    /// Which of a node's boxes the ray meets, a bit for each, and for each a number that grows with the distance from the
+    /// Calls `visit` with the places of the boxes that the ray meets, and with a number for each that grows with the distance from the
     /// ray's origin.
-    fn meet_at(&self, node: &Node<R, W>) -> (u32, [R; W]);
+    fn each_met(&self, node: &Node<R, W>, visit: impl FnMut(usize, R));
 
     /// Ends the ray at a distance.
     fn end_at(&mut self, max: R);
@@ -274,14 +274,17 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         let mut next = Some(0);
         while let Some(index) = next {
             if let Some(node) = self.nodes.get(usize::from(index)) {
-                for slot in slots::<W>(boxes.meet(node)) {
+                let found = boxes.any_met(node, |slot| {
                     let content = node.content(slot);
                     if content.is_node() {
                         let pushed = waiting.push(content.first);
                         debug_assert!(pushed.is_ok(), "deeper than the builder allows");
-                    } else if self.leaf(content).iter().any(|object| test(usize::from(*object))) {
-                        return true;
+                        return false;
                     }
+                    self.leaf(content).iter().any(|object| test(usize::from(*object)))
+                });
+                if found {
+                    return true;
                 }
             }
             next = waiting.pop();
@@ -318,24 +321,23 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
                     break self.leaf(content);
                 }
                 if let Some(node) = self.nodes.get(usize::from(content.first)) {
-                    next = nearest(ray.meet_at(node), node, &mut waiting);
+                    next = nearest(&ray, node, &mut waiting);
                 }
             };
         }
     }
 }
 
-/// The nearest of the boxes that were met; the others wait.
+/// The nearest of the boxes that a ray meets; the others wait.
 #[inline(always)]
-#[allow(clippy::indexing_slicing)] // By a remainder.
 fn nearest<R: Real, const W: usize>(
-    (met, keys): (u32, [R; W]),
+    ray: &impl RayTest<R, W>,
     node: &Node<R, W>,
     waiting: &mut Vec<Waiting<R>, MOST_WAITING>,
 ) -> Option<Waiting<R>> {
     let mut nearest: Option<Waiting<R>> = None;
-    for slot in slots::<W>(met) {
-        let mut nearer = (keys[slot], node.content(slot));
+    ray.each_met(node, |slot, key| {
+        let mut nearer = (key, node.content(slot));
         if let Some(mut farther) = nearest {
             if farther.0 < nearer.0 {
                 core::mem::swap(&mut farther, &mut nearer);
@@ -344,7 +346,7 @@ fn nearest<R: Real, const W: usize>(
             debug_assert!(pushed.is_ok(), "deeper than the builder allows");
         }
         nearest = Some(nearer);
-    }
+    });
     nearest
 }
 

@@ -20,18 +20,17 @@ impl<R: Real> Place<R> {
 }
 
 impl<R: Real, const W: usize> BoxTest<R, W> for Place<R> {
-    fn meet(&self, node: &Node<R, W>) -> u32 {
+    fn any_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize) -> bool) -> bool {
         let Self { upper, lower } = *self;
-        let mut met = 0;
-        for (slot, (min, max)) in node.corners().enumerate() {
-            let holds = min.x <= upper.x
+        let holds = |slot| {
+            let [min, max] = node.corners(slot);
+            min.x <= upper.x
                 && min.y <= upper.y
                 && min.z <= upper.z
                 && max.x >= lower.x
                 && max.y >= lower.y
-                && max.z >= lower.z;
-            met |= u32::from(holds) << slot;
-        }
-        met
+                && max.z >= lower.z
+        };
+        (0..W).any(|slot| holds(slot) && visit(slot))
     }
 }

@@ -48,42 +48,46 @@ impl<R: Real> Segment<R> {
             (lower - origin - margin, upper - origin + margin)
         }
     }
+
+    /// Whether the ray meets a box, and where that begins along the steepest axis.
+    fn enters(&self, [lower, upper]: [Vec3<R>; 2]) -> Option<R> {
+        let Self { slope, steepest, end, .. } = self;
+        let (near_x, far_x) = self.along(Axis::X, lower.x, upper.x);
+        let (near_y, far_y) = self.along(Axis::Y, lower.y, upper.y);
+        let (near_z, far_z) = self.along(Axis::Z, lower.z, upper.z);
+        let behind = far_x < R::ZERO || far_y < R::ZERO || far_z < R::ZERO;
+        if behind || near_x > end.x || near_y > end.y || near_z > end.z {
+            return None;
+        }
+        // It leaves one pair of planes before it comes between another.
+        let apart = |far: R, slope: R, other_near: R, other_slope: R| {
+            far.times(other_slope) < other_near.times(slope)
+        };
+        let misses = apart(far_x, slope.x, near_y, slope.y)
+            || apart(far_y, slope.y, near_x, slope.x)
+            || apart(far_y, slope.y, near_z, slope.z)
+            || apart(far_z, slope.z, near_y, slope.y)
+            || apart(far_z, slope.z, near_x, slope.x)
+            || apart(far_x, slope.x, near_z, slope.z);
+        (!misses).then(|| steepest.of(Vec3::new(near_x, near_y, near_z)))
+    }
 }
 
 impl<R: Real, const W: usize> BoxTest<R, W> for Segment<R> {
     #[inline(always)]
-    fn meet(&self, node: &Node<R, W>) -> u32 {
-        self.meet_at(node).0
+    fn any_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize) -> bool) -> bool {
+        (0..W).any(|slot| self.enters(node.corners(slot)).is_some() && visit(slot))
     }
 }
 
 impl<R: Real, const W: usize> RayTest<R, W> for Segment<R> {
-    fn meet_at(&self, node: &Node<R, W>) -> (u32, [R; W]) {
-        let Self { slope, steepest, end, .. } = self;
-        let mut keys = [R::ZERO; W];
-        let mut met = 0;
-        for (slot, ((lower, upper), key)) in node.corners().zip(&mut keys).enumerate() {
-            let (near_x, far_x) = self.along(Axis::X, lower.x, upper.x);
-            let (near_y, far_y) = self.along(Axis::Y, lower.y, upper.y);
-            let (near_z, far_z) = self.along(Axis::Z, lower.z, upper.z);
-            let behind = far_x < R::ZERO || far_y < R::ZERO || far_z < R::ZERO;
-            if behind || near_x > end.x || near_y > end.y || near_z > end.z {
-                continue;
+    #[inline(always)]
+    fn each_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize, R)) {
+        for slot in 0..W {
+            if let Some(key) = self.enters(node.corners(slot)) {
+                visit(slot, key);
             }
-            // It leaves one pair of planes before it comes between another.
-            let apart = |far: R, slope: R, other_near: R, other_slope: R| {
-                far.times(other_slope) < other_near.times(slope)
-            };
-            let misses = apart(far_x, slope.x, near_y, slope.y)
-                || apart(far_y, slope.y, near_x, slope.x)
-                || apart(far_y, slope.y, near_z, slope.z)
-                || apart(far_z, slope.z, near_y, slope.y)
-                || apart(far_z, slope.z, near_x, slope.x)
-                || apart(far_x, slope.x, near_z, slope.z);
-            met |= u32::from(!misses) << slot;
-            *key = steepest.of(Vec3::new(near_x, near_y, near_z));
         }
-        (met, keys)
     }
 
     #[inline(always)]

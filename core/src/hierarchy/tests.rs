@@ -66,7 +66,7 @@ fn check_leaves<const W: usize>(boxes: &Boxes, leaf: usize) -> usize {
 
 /// Whether a box lies in one of a node's.
 fn holds<const W: usize>(node: &Node<f32, W>, slot: usize, bounds: Aabb<f32>) -> bool {
-    let (min, max) = node.corners().nth(slot).unwrap();
+    let [min, max] = node.corners(slot);
     let around = Aabb { min, max };
     around.contains(bounds.min) && around.contains(bounds.max)
 }
@@ -115,8 +115,7 @@ fn at_most_64_bytes_an_object() {
 
 /// A node of one box, in the third place.
 fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
-    let nowhere = [[-R::ONE; NARROW]; 3];
-    let mut node = Node { planes: [nowhere; 2], ..Node::EMPTY };
+    let mut node = Node { planes: [[[-R::ONE; NARROW]; 2]; 3], ..Node::EMPTY };
     node.enclose(2, Aabb::around(center, reach));
     node
 }
@@ -124,9 +123,14 @@ fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
 /// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
 fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
     fn found<R: Real>(test: impl RayTest<R, NARROW>, node: &Node<R>) -> bool {
-        let (met, keys) = test.meet_at(node);
-        assert_eq!(met, test.meet(node));
-        met & 4 != 0 && test.reaches(keys[2])
+        let (mut key_there, mut met) = (None, false);
+        test.each_met(node, |slot, key| key_there = (slot == 2).then_some(key).or(key_there));
+        test.any_met(node, |slot| {
+            met |= slot == 2;
+            false
+        });
+        assert_eq!(met, key_there.is_some());
+        key_there.is_some_and(|key| test.reaches(key))
     }
     if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
 }
@@ -221,6 +225,40 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
     check::<Fixed, NARROW>();
     check::<f32, 8>();
     check::<Fixed, 8>();
+}
+
+/// Where a processor computes one number at a time, boxes are tested one by one: the same are met, at the same distances.
+#[test]
+fn boxes_are_met_alone_as_they_are_together() {
+    fn check<R: Real, const W: usize>() {
+        let mut state = 3u32;
+        let mut number = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            R::from_f32((state >> 8) as f32 / (1 << 23) as f32 - 1.0)
+        };
+        let mut point = || Vec3::new(number(), number(), number());
+        let (mut met, mut missed) = (0, 0);
+        for round in 0..500 {
+            let mut node = Node::<R, W>::EMPTY;
+            for slot in 0..W {
+                node.enclose(slot, Aabb::point(point()).union(Aabb::point(point())));
+            }
+            let (origin, target) = (point(), point());
+            let (direction, distance) = (target - origin).polar();
+            let max = if round % 2 == 0 { distance } else { R::FARTHEST };
+            let slabs = Slabs::new(&Ray { origin, direction }, max);
+            let (bits, keys) = slabs.meet(&node);
+            for (slot, key) in keys.into_iter().enumerate() {
+                let together = (bits >> slot & 1 != 0).then_some(key);
+                assert_eq!(slabs.enters(&node, slot), together, "{origin:?} {target:?} {node:?}");
+                *(if together.is_some() { &mut met } else { &mut missed }) += 1;
+            }
+        }
+        assert!(met > 300 && missed > 1000, "{met} {missed}");
+    }
+    check::<f32, NARROW>();
+    check::<f32, 8>();
+    check::<f64, NARROW>();
 }
 
 /// Objects that a ray tests, on average: the same number on every run, as times are not. It may rise by 5 %.
