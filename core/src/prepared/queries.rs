@@ -341,22 +341,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         distance: R,
         among: Option<ObjectSet>,
     ) -> Through<Share<R>> {
-        let mut range = Interval { min: R::ZERO, max: distance };
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
+        let range = Interval { min: R::ZERO, max: distance };
         let mut clear = true;
-        let mut blocks = |index: usize| {
-            if !self.meets(index, ray, range) {
-                return false;
+        let mut blocks = |index: usize| self.blocks(index, ray, range, &mut clear);
+        let blocked = match (among, self.hierarchy()) {
+            (Some(mut some), _) => some.any(&mut blocks),
+            (None, Some(hierarchy)) => {
+                let mut nothing = u16::MAX;
+                return self.light_through_hierarchy(hierarchy, ray, distance, &mut nothing);
             }
-            clear = false;
-            !(self.transmittance(index) > R::ZERO)
-        };
-        let blocked = match among {
-            Some(mut some) => some.any(&mut blocks),
-            None => match self.hierarchy() {
-                Some(hierarchy) => hierarchy.any(ray, range.max, &mut blocks),
-                None => (0..self.objects.len()).any(&mut blocks),
-            },
+            (None, None) => (0..self.objects.len()).any(&mut blocks),
         };
         if blocked {
             return Through::Nothing;
@@ -364,8 +359,59 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if clear {
             return Through::All;
         }
-        // Transparent surfaces are multiplied in the order of the ray: one order, the same rounding. A shape
-        // with an inside is met twice.
+        self.light_through_layers(ray, range, among)
+    }
+
+    /// The same for a ray that can meet anything, where there is a hierarchy. The object that was `last` in the way to a light is asked
+    /// first: it may well be in the way of the next ray (Haines and Greenberg, "The Light Buffer", IEEE CG&A 1986).
+    #[inline(never)]
+    pub(crate) fn light_through_hierarchy(
+        &self,
+        hierarchy: &Hierarchy<'m, R, WIDE>,
+        ray: &Ray<R>,
+        distance: R,
+        last: &mut u16,
+    ) -> Through<Share<R>> {
+        let range = Interval { min: R::ZERO, max: distance };
+        let mut clear = true;
+        let mut blocks = |index: usize| self.blocks(index, ray, range, &mut clear);
+        if blocks(usize::from(*last)) {
+            return Through::Nothing;
+        }
+        let blocked = hierarchy.any(ray, range.max, |index| {
+            let blocks = blocks(index);
+            if blocks {
+                *last = index as u16;
+            }
+            blocks
+        });
+        if blocked {
+            return Through::Nothing;
+        }
+        if clear {
+            return Through::All;
+        }
+        self.light_through_layers(ray, range, None)
+    }
+
+    /// Whether a ray meets an object that lets nothing through; where it meets any, the way is not `clear`.
+    #[inline(always)]
+    fn blocks(&self, index: usize, ray: &Ray<R>, range: Interval<R>, clear: &mut bool) -> bool {
+        if !self.meets(index, ray, range) {
+            return false;
+        }
+        *clear = false;
+        !(self.transmittance(index) > R::ZERO)
+    }
+
+    /// How much comes through transparent surfaces, which are multiplied in the order of the ray: one order, the same rounding. A shape
+    /// with an inside is met twice.
+    fn light_through_layers(
+        &self,
+        ray: &Ray<R>,
+        mut range: Interval<R>,
+        among: Option<ObjectSet>,
+    ) -> Through<Share<R>> {
         let mut through = Share::even(R::ONE);
         for _ in 0..MAX_SHADOW_LAYERS {
             let Some((t, index)) = self.closest_object(ray, range, among) else {
@@ -380,8 +426,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// The same for a ray that can meet none but the objects in a list. What is in the way comes first from then on: it may well be in the
-    /// way of the next ray (Haines and Greenberg, "The Light Buffer", IEEE CG&A 1986).
+    /// The same for a ray that can meet none but the objects in a list, in which what is in the way comes first from then on.
     #[inline(always)]
     pub(crate) fn light_through_list(
         &self,

@@ -98,7 +98,9 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
     /// Traces pixels into the buffer until it is full or the rays are spent; tells how many were.
     fn trace(&mut self, budget_rays: u32) -> u32 {
         let band = self.band_pixels();
-        if let (Some(groups), Some(lines)) = (Groups::new(&self.renderer, &()), self.buffer.get_mut(..band)) {
+        if let (Some(mut groups), Some(lines)) =
+            (Groups::new(&self.renderer, &()), self.buffer.get_mut(..band))
+        {
             return groups.trace(self.lines.start as u16, lines, &mut self.traced, budget_rays, &mut ());
         }
         let width = usize::from(self.renderer.width);

@@ -30,7 +30,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     /// Renders whole lines, from line `y` on, of which so many pixels are already `traced`, until all are or so many rays are spent;
     /// at least one group. Tells how many rays were.
     pub(super) fn trace<C: DisplayColor>(
-        &self,
+        &mut self,
         y: u16,
         lines: &mut [C],
         traced: &mut usize,
@@ -52,7 +52,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     /// Renders one group; tells how many rays that took.
     #[inline(always)]
     fn trace_group<C: DisplayColor>(
-        &self,
+        &mut self,
         group: &Group,
         y: u16,
         lines: &mut [C],

@@ -168,7 +168,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         let Some(y) = u16::try_from(y).ok().filter(|_| last < self.height()) else {
             return Err(LineError::NoSuchLine { line: last, height: self.height() });
         };
-        if let Some(groups) = Groups::new(self, probe) {
+        if let Some(mut groups) = Groups::new(self, probe) {
             groups.trace(y, lines, &mut 0, u32::MAX, probe);
             return Ok(());
         }
