@@ -177,32 +177,39 @@ fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F
     let mut best: Option<(F, Row<F>, usize)> = None;
     for axis in Axis::ALL {
         let row = Row::new(axis, centers);
-        let mut bins = [Bin { bounds: None, count: 0 }; BINS];
+        let mut bins = [Bin::empty(); BINS];
         for object in objects.iter() {
             let bounds = bounds(*object);
-            if let Some(bin) = bins.get_mut(row.place(bounds)) {
-                *bin = bin.union(Bin { bounds: Some(bounds), count: 1 });
+            if let Some(bin) = bins.get_mut(row.place(bounds.center())) {
+                bin.add(&Bin { bounds, count: 1 });
             }
         }
         // What lies behind each cut, from the last to the first; then what lies before.
         let mut behind = [(F::ZERO, 0); BINS];
-        let mut union = Bin::EMPTY;
+        let (mut union, mut last) = (Bin::empty(), (F::ZERO, 0));
         for (bin, behind) in bins.iter().zip(&mut behind).rev() {
-            union = union.union(*bin);
-            *behind = (union.cost(), union.count);
+            if bin.count > 0 {
+                union.add(bin);
+                last = (union.cost(), union.count);
+            }
+            *behind = last;
         }
-        let mut before = Bin::EMPTY;
+        let mut before = Bin::empty();
         for (cut, (bin, (cost_behind, count_behind))) in (1..BINS).zip(bins.iter().zip(behind.iter().skip(1)))
         {
-            before = before.union(*bin);
+            // Behind a place without objects, the cut is the same as before it.
+            if bin.count == 0 || *count_behind == 0 {
+                continue;
+            }
+            before.add(bin);
             let cost = before.cost() + *cost_behind;
-            if before.count > 0 && *count_behind > 0 && best.is_none_or(|(least, ..)| cost < least) {
+            if best.is_none_or(|(least, ..)| cost < least) {
                 best = Some((cost, row, cut));
             }
         }
     }
     match best {
-        Some((_, row, cut)) => partition(objects, |object| row.place(bounds(object)) < cut),
+        Some((_, row, cut)) => partition(objects, |object| row.place(bounds(object).center()) < cut),
         // All in one place.
         None => half,
     }
@@ -225,8 +232,8 @@ impl<F: Real> Row<F> {
     }
 
     /// The place of the middle of a box.
-    fn place(&self, bounds: Aabb<F>) -> usize {
-        let along = self.axis.of(bounds.center()) - self.start;
+    fn place(&self, center: Vec3<F>) -> usize {
+        let along = self.axis.of(center) - self.start;
         let place = (along * self.places_per_unit).floor_to_i32();
         place.clamp(0, BINS as i32 - 1) as usize
     }
@@ -235,26 +242,28 @@ impl<F: Real> Row<F> {
 /// The objects at one place.
 #[derive(Clone, Copy)]
 struct Bin<F> {
-    bounds: Option<Aabb<F>>,
+    /// Around all of them; around none, from the largest numbers to the smallest.
+    bounds: Aabb<F>,
     count: usize,
 }
 
 impl<F: Real> Bin<F> {
-    const EMPTY: Self = Self { bounds: None, count: 0 };
+    fn empty() -> Self {
+        let far = Vec3::new(F::FARTHEST, F::FARTHEST, F::FARTHEST);
+        Self { bounds: Aabb { min: far, max: -far }, count: 0 }
+    }
 
+    // Not inlined, as `cost`.
     #[inline(never)]
-    fn union(self, other: Self) -> Self {
-        let bounds = match (self.bounds, other.bounds) {
-            (Some(a), Some(b)) => Some(a.union(b)),
-            (a, b) => a.or(b),
-        };
-        Self { bounds, count: self.count + other.count }
+    fn add(&mut self, other: &Self) {
+        self.bounds = self.bounds.joined(other.bounds);
+        self.count += other.count;
     }
 
     /// The share of rays that come through, times the number of objects that they test.
     #[inline(never)]
-    fn cost(self) -> F {
-        self.bounds.map_or(F::ZERO, |bounds| area(bounds) * F::from_u16(self.count as u16))
+    fn cost(&self) -> F {
+        if self.count == 0 { F::ZERO } else { area(self.bounds) * F::from_u16(self.count as u16) }
     }
 }
 
