@@ -15,11 +15,10 @@ use heapless::Vec;
 
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
-use crate::material::Shares;
+use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
-use crate::prepared::PreparedScene;
 use crate::prepared::candidates::{Departure, ObjectSet};
-use crate::prepared::queries::HitOn;
+use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::share::Share;
@@ -183,10 +182,10 @@ impl<R: Real> Path<R> {
     /// Adds the light from where the ray at hand ends, which `find` tells, and goes on to the next ray; `false` where there is none.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "in a struct they would be stored and loaded for each ray")]
-    fn follow<'s, S: Geometry, H: Borrow<HitOn<'s, R>>>(
+    fn follow<'s, S: Geometry, H: Borrow<Hit<R>>>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<H>,
+        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<(H, &'s PreparedMaterial<'s, R>)>,
         shading: &mut impl Shading<R>,
         waiting: &mut Waiting<R>,
         bounds: &Bounds<R>,
@@ -195,14 +194,14 @@ impl<R: Real> Path<R> {
     ) -> bool {
         let from = self.from();
         let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
-        let Some(found) = find(&ray, from) else {
+        let Some((hit, mut material)) = find(&ray, from) else {
             let color = scene.background.color(ray.direction);
             probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
             self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };
-        let &(ref hit, mut material) = found.borrow();
+        let hit = hit.borrow();
         let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, Some(hit.t));
         let mapped;
         let mut normal = hit.surface.shading_normal;

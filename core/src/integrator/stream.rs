@@ -35,10 +35,11 @@ use super::{Bounds, Path, RayBudget, Sight, Waiting};
 use crate::color::LinearRgb;
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::light::Source;
+use crate::material::PreparedMaterial;
 use crate::math::{Aabb, FOUR_AT_ONCE, FourRays, Ray, Real, Vec3};
 use crate::prepared::candidates::Departure;
-use crate::prepared::queries::{Closest, HitOn, NOTHING};
-use crate::prepared::{PreparedScene, Through};
+use crate::prepared::queries::{Closest, NOTHING};
+use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::Probe;
 use crate::shape::Geometry;
 use crate::share::Share;
@@ -69,18 +70,28 @@ pub(crate) struct Lane<'m, R: Real> {
     path: Path<R>,
     rays: RayBudget,
     goes_on: bool,
-    /// Where the ray at hand ends.
-    hit: Option<HitOn<'m, R>>,
+    /// Where the ray at hand ends, if it does.
+    hit: Hit<R>,
+    /// The material there; `None` where it meets nothing.
+    material: Option<&'m PreparedMaterial<'m, R>>,
 }
 
 /// The pixels of a group.
 pub(crate) type Lanes<'m, R> = Vec<Lane<'m, R>, WIDTH>;
 
-impl<R: Real> Lane<'_, R> {
-    /// One with a camera ray, and the rays that it may spend.
+impl<'m, R: Real> Lane<'m, R> {
+    /// One without a ray.
+    pub(crate) fn new() -> Self {
+        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
+        Self { path: Path::new(nowhere), rays: RayBudget(0), goes_on: false, hit: Hit::BLANK, material: None }
+    }
+
+    /// Begins with a camera ray, and the rays that it may spend. In place: a copy would wait for what was just written to reach memory.
     #[inline(always)]
-    pub(crate) fn new(ray: Ray<R>, rays: RayBudget) -> Self {
-        Self { path: Path::new(ray), rays, goes_on: true, hit: None }
+    pub(crate) fn begin(&mut self, ray: Ray<R>, rays: RayBudget) {
+        self.path = Path::new(ray);
+        self.rays = rays;
+        self.goes_on = true;
     }
 
     /// The light that came along the camera ray.
@@ -95,7 +106,13 @@ impl<R: Real> Lane<'_, R> {
 
     /// The object there.
     fn object(&self) -> Option<usize> {
-        self.hit.as_ref().map(|(hit, _)| hit.object)
+        self.material.map(|_| self.hit.object)
+    }
+
+    /// Where the ray at hand ends: at this distance, on the object of this position.
+    #[inline(always)]
+    fn meet<S: Geometry>(&mut self, scene: &PreparedScene<'m, R, S>, closest: Option<(R, usize)>) {
+        self.material = scene.meet_at(&self.path.next.ray, closest, &mut self.hit);
     }
 }
 
@@ -164,10 +181,11 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
             _ => {
                 for lane in run {
                     let ray = &lane.path.next.ray;
-                    lane.hit = match &list {
-                        Some(list) => self.scene.closest_hit_in(ray, list),
-                        None => self.scene.closest_hit_from(ray, lane.path.from(), None),
+                    let closest = match &list {
+                        Some(list) => self.scene.closest_in(ray, list),
+                        None => self.scene.closest_from(ray, lane.path.from(), None),
                     };
+                    lane.meet(self.scene, closest);
                 }
             }
         }
@@ -195,8 +213,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
             }
         }
         for (lane, &(t, object)) in run.iter_mut().zip(&closest) {
-            let found = (object != NOTHING).then_some((t, object as usize));
-            lane.hit = self.scene.hit(&lane.path.next.ray, found);
+            lane.meet(self.scene, (object != NOTHING).then_some((t, object as usize)));
         }
     }
 
@@ -215,8 +232,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         let scene = self.scene;
         let mut ways = Ways::new(self, run);
         for lane in run {
-            let Lane { path, rays, hit, .. } = lane;
-            let find = |_: &Ray<R>, _| hit.as_ref();
+            let Lane { path, rays, hit, material, .. } = lane;
+            let find = |_: &Ray<R>, _| material.map(|material| (&*hit, material));
             lane.goes_on = path.follow(scene, find, &mut ways, waiting, bounds, rays, probe);
             if !waiting.is_empty() {
                 lane.path.end(scene, Sight::UNKNOWN, waiting, bounds, &mut lane.rays, probe);
@@ -299,8 +316,8 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         if let [first, _, ..] = run
             && let Some(object) = first.object()
         {
-            let hits = run.iter().filter_map(|lane| lane.hit.as_ref());
-            let points = hits.map(|(hit, _)| (Aabb::point(hit.surface.point), hit.surface.magnitude));
+            let surfaces = run.iter().map(|lane| &lane.hit.surface);
+            let points = surfaces.map(|surface| (Aabb::point(surface.point), surface.magnitude));
             ways.points = points.reduce(|a, b| (a.0.joined(b.0), a.1.larger(b.1)));
             let is_met_again = |outward| scene.is_met_again(Departure { object, outward });
             ways.receiver = (!is_met_again(true)).then_some(object);

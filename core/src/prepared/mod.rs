@@ -24,7 +24,7 @@ use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
-use crate::math::{Real, Scale};
+use crate::math::{Real, Scale, Vec3};
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
 use crate::surface::Surface;
@@ -57,6 +57,15 @@ pub struct Hit<R> {
     pub object: usize,
     /// The surface there.
     pub surface: Surface<R>,
+}
+
+impl<R: Real> Hit<R> {
+    /// None yet.
+    pub(crate) const BLANK: Self = {
+        let (point, normal) = (Vec3::ZERO, Vec3::ZERO);
+        let surface = Surface { point, normal, shading_normal: normal, magnitude: R::ZERO, part: 0 };
+        Self { t: R::ZERO, object: 0, surface }
+    };
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {

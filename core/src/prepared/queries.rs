@@ -141,6 +141,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         from: Option<Departure>,
         among: Option<ObjectSet>,
     ) -> Option<HitOn<'m, R>> {
+        self.hit(ray, self.closest_from(ray, from, among))
+    }
+
+    /// Distance and position of that.
+    #[inline(always)]
+    pub(crate) fn closest_from(
+        &self,
+        ray: &Ray<R>,
+        from: Option<Departure>,
+        among: Option<ObjectSet>,
+    ) -> Option<(R, usize)> {
         let among = match (from, self.candidates()) {
             (Some(from), Some(candidates)) => Some(candidates.leaving(from)),
             (Some(_), None) => None,
@@ -154,7 +165,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
             closest = self.closest_of_all(ray);
         }
-        self.hit(ray, closest)
+        closest
     }
 
     /// What is left of a ray's throughput where it has gone this far from a surface, or for ever: its material tells what absorbs
@@ -187,16 +198,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.closest_object(ray, Interval::AHEAD, all)
     }
 
-    /// As [`closest_hit_from`](Self::closest_hit_from), for a ray that can meet none but these objects, which are given from the lowest
-    /// position up.
+    /// As [`closest_from`](Self::closest_from), for a ray that can meet none but these objects, which are given from the lowest position up.
     #[inline(always)]
-    pub(crate) fn closest_hit_in(&self, ray: &Ray<R>, list: &[u16]) -> Option<HitOn<'m, R>> {
-        self.hit(ray, self.closest_in(ray, list))
-    }
-
-    /// Distance and position of the first of these objects that a ray meets.
-    #[inline(always)]
-    fn closest_in(&self, ray: &Ray<R>, list: &[u16]) -> Option<(R, usize)> {
+    pub(crate) fn closest_in(&self, ray: &Ray<R>, list: &[u16]) -> Option<(R, usize)> {
         let positions = list.iter().map(|object| usize::from(*object));
         self.closest_among(ray, Interval::AHEAD, positions)
     }
@@ -230,6 +234,21 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let (t, index) = closest?;
         let object = self.objects.get(index)?;
         Some((Hit { t, object: index, surface: object.shape.surface(ray, t) }, object.material))
+    }
+
+    /// As [`hit`](Self::hit), into `hit`; the material of the object.
+    #[inline(always)]
+    pub(crate) fn meet_at(
+        &self,
+        ray: &Ray<R>,
+        closest: Option<(R, usize)>,
+        hit: &mut Hit<R>,
+    ) -> Option<&'m PreparedMaterial<'m, R>> {
+        let (t, index) = closest?;
+        let object = self.objects.get(index)?;
+        (hit.t, hit.object) = (t, index);
+        hit.surface = object.shape.surface(ray, t);
+        Some(object.material)
     }
 
     /// Distance and position of the first object that a ray meets, of all or of some.

@@ -37,10 +37,13 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> u32 {
+        // Once, not for each group.
+        let mut lanes = Lanes::new();
+        while lanes.push(Lane::new()).is_ok() {}
         let mut spent: u32 = 0;
         while *traced < lines.len() {
             let group = Group::after(*traced, lines.len(), usize::from(self.renderer.width));
-            spent = spent.saturating_add(self.trace_group(&group, y, lines, probe));
+            spent = spent.saturating_add(self.trace_group(&group, &mut lanes, y, lines, probe));
             *traced = traced.saturating_add(group.width * group.height);
             if spent >= budget_rays {
                 break;
@@ -54,21 +57,20 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     fn trace_group<C: DisplayColor>(
         &mut self,
         group: &Group,
+        lanes: &mut Lanes<'m, R>,
         y: u16,
         lines: &mut [C],
         probe: &mut impl Probe<R>,
     ) -> u32 {
         let Renderer { settings, viewport, bounds, width, .. } = self.renderer;
         let Settings { seed, rays_per_pixel, .. } = *settings;
-        let mut lanes = Lanes::new();
-        for (x, down) in group.pixels() {
+        let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
+        for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
             let (x, y) = (x as u16, y.wrapping_add(down as u16));
             let (right, down) = sample_position(x, y, 0, 1, seed);
-            let pushed =
-                lanes.push(Lane::new(viewport.ray((x, right), (y, down)), RayBudget(rays_per_pixel)));
-            debug_assert!(pushed.is_ok(), "more pixels than in a group");
+            lane.begin(viewport.ray((x, right), (y, down)), RayBudget(rays_per_pixel));
         }
-        self.stream.trace(&mut lanes, bounds, probe);
+        self.stream.trace(lanes, bounds, probe);
         let mut spent: u32 = 0;
         for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
             spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.left().0));
