@@ -1,5 +1,5 @@
 //! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it. Nine times the
-//! objects, 820 balls for 91, then cost 1.65 times the instructions for each ray.
+//! objects, 820 balls for 91, then cost 1.58 times the instructions for each ray.
 //!
 //! Scenes of many objects have a hierarchy, and so has a mesh of its triangles. A node holds four boxes, coordinate by
 //! coordinate, so that a processor that computes four numbers at once tests them at once (Dammertz, Hanika and Keller,
