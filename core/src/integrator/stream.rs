@@ -61,7 +61,7 @@ pub(crate) struct Stream<'p, 'm, R: Real, S: Geometry + 'm> {
     scene: &'p PreparedScene<'m, R, S>,
     hierarchy: &'p Hierarchy<'m, R, WIDE>,
     /// What was last in the way to each light, for rays that go alone.
-    blockers: [u16; LIGHTS],
+    blockers: [u32; LIGHTS],
 }
 
 /// One pixel of a group.
@@ -135,7 +135,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         if !cfg!(feature = "groups") || R::REACH.is_some() {
             return None;
         }
-        Some(Self { scene, hierarchy: scene.hierarchy()?, blockers: [u16::MAX; LIGHTS] })
+        Some(Self { scene, hierarchy: scene.hierarchy()?, blockers: [NOTHING; LIGHTS] })
     }
 
     /// Traces the camera rays of a group, and all that follow.
@@ -364,13 +364,13 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
                     && let Some(first) = list.first().copied()
                     && let Some(last) = self.stream.blockers.get_mut(light)
                 {
-                    *last = first;
+                    *last = u32::from(first);
                 }
                 through
             }
             None => {
                 let Stream { scene, hierarchy, blockers } = &mut *self.stream;
-                let mut nothing = u16::MAX;
+                let mut nothing = NOTHING;
                 let last = blockers.get_mut(light).unwrap_or(&mut nothing);
                 scene.light_through_hierarchy(hierarchy, &vertex.spawn(toward, from), distance, last)
             }

@@ -367,18 +367,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let blocked = match (among, self.hierarchy()) {
             (Some(mut some), _) => some.any(&mut blocks),
             (None, Some(hierarchy)) => {
-                let mut nothing = u16::MAX;
-                return self.light_through_hierarchy(hierarchy, ray, distance, &mut nothing);
+                return self.light_through_hierarchy(hierarchy, ray, distance, &mut { NOTHING });
             }
             (None, None) => (0..self.objects.len()).any(&mut blocks),
         };
-        if blocked {
-            return Through::Nothing;
-        }
-        if clear {
-            return Through::All;
-        }
-        self.light_through_layers(ray, range, among)
+        self.light_left(blocked, clear, ray, range, among)
     }
 
     /// The same for a ray that can meet anything, where there is a hierarchy. The object that was `last` in the way to a light is asked
@@ -389,28 +382,20 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         hierarchy: &Hierarchy<'m, R, WIDE>,
         ray: &Ray<R>,
         distance: R,
-        last: &mut u16,
+        last: &mut u32,
     ) -> Through<Share<R>> {
         let range = Interval { min: R::ZERO, max: distance };
         let mut clear = true;
         let mut blocks = |index: usize| self.blocks(index, ray, range, &mut clear);
-        if blocks(usize::from(*last)) {
-            return Through::Nothing;
-        }
-        let blocked = hierarchy.any(ray, range.max, |index| {
-            let blocks = blocks(index);
-            if blocks {
-                *last = index as u16;
-            }
-            blocks
-        });
-        if blocked {
-            return Through::Nothing;
-        }
-        if clear {
-            return Through::All;
-        }
-        self.light_through_layers(ray, range, None)
+        let blocked = blocks(*last as usize)
+            || hierarchy.any(ray, range.max, |index| {
+                let blocks = blocks(index);
+                if blocks {
+                    *last = index as u32;
+                }
+                blocks
+            });
+        self.light_left(blocked, clear, ray, range, None)
     }
 
     /// Whether a ray meets an object that lets nothing through; where it meets any, the way is not `clear`.
@@ -421,6 +406,23 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
         *clear = false;
         !(self.transmittance(index) > R::ZERO)
+    }
+
+    /// How much comes through where something opaque blocks the way, or else the way is clear, or else transparent surfaces are in it.
+    #[inline(always)]
+    fn light_left(
+        &self,
+        blocked: bool,
+        clear: bool,
+        ray: &Ray<R>,
+        range: Interval<R>,
+        among: Option<ObjectSet>,
+    ) -> Through<Share<R>> {
+        match (blocked, clear) {
+            (true, _) => Through::Nothing,
+            (false, true) => Through::All,
+            (false, false) => self.light_through_layers(ray, range, among),
+        }
     }
 
     /// How much comes through transparent surfaces, which are multiplied in the order of the ray: one order, the same rounding. A shape
