@@ -5,6 +5,7 @@
 
 import { RP2040 } from 'rp2040js';
 
+import { Profile } from './profile.mjs';
 import { addSecondCore } from './second_core.mjs';
 
 const FLASH = 0x10000000;
@@ -31,6 +32,7 @@ export class Chip {
     core.reset();
     this.cores = [core];
     this.instructions = 0;
+    this.profile = new Profile();
     addSecondCore(this);
   }
 
@@ -83,8 +85,10 @@ export class Chip {
     if (core.waiting) {
       core.cycles += 1;
     } else {
+      const { PC: address, cycles } = core;
       core.executeInstruction();
       this.instructions += 1;
+      this.profile.add(address, core.cycles - cycles);
     }
   }
 }

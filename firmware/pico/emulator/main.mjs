@@ -2,8 +2,8 @@
 //
 //     node main.mjs PROGRAM FRAMES
 //
-// What the panel holds after each frame goes to the file `picture`, one after the other, as RGB565. Figures go to the
-// standard output, a line for each, in hexadecimal.
+// What the panel holds after each frame goes to the file `picture`, one after the other, as RGB565; where instructions and cycles went
+// goes to the file `profile`. Figures go to the standard output, a line for each, in hexadecimal.
 
 import { writeFileSync } from 'node:fs';
 
@@ -21,13 +21,17 @@ function run(program, frames) {
   const panel = new Panel(chip, PINS);
   // A frame begins when the one before has been sent.
   const beginnings = [];
-  panel.onFrame = () => beginnings.push({ ...chip.count, sending: panel.nanoseconds, picture: panel.picture() });
+  panel.onFrame = () => {
+    if (beginnings.length === 0) chip.profile.clear();
+    beginnings.push({ ...chip.count, sending: panel.nanoseconds, picture: panel.picture() });
+  };
   chip.runUntil(() => beginnings.length > frames || chip.isHigh(PINS.light));
   if (chip.isHigh(PINS.light)) throw new Error('it turned on the light, because it cannot go on');
 
   const [first, ...shown] = beginnings.slice(0, frames + 1);
   const last = shown.at(-1);
   writeFileSync('picture', Buffer.concat(shown.map(({ picture }) => picture)));
+  writeFileSync('profile', chip.profile.toString());
   report('frames', frames);
   report('instructions', (last.instructions - first.instructions) / frames);
   report('cycles', last.cycles - first.cycles);

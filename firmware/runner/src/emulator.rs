@@ -55,6 +55,15 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
     Ok((report, picture))
 }
 
+/// Runs a program in rp2040js, and gives the counts that it wrote: for each address how often what is there was executed, and the cycles
+/// that took.
+pub(crate) fn profile(board: &Board, program: &Path, timeout: Duration) -> Result<String> {
+    let mut emulator = Emulator::start(board, program, &[], timeout)?;
+    emulator.report()?;
+    emulator.finish()?;
+    fs::read_to_string(emulator.folder.path().join("profile")).context("the program's profile")
+}
+
 impl Emulator {
     /// Starts a program, which finds these files by their names.
     pub(crate) fn start(

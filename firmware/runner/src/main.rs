@@ -91,9 +91,9 @@ struct Arguments {
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     prove_no_panic: bool,
 
-    /// Shows which functions a board's instructions go to, and which lines, for this scene, number and mode; the
-    /// picture has 80x60 pixels if no --size is given.
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["boards", "picture", "json", "prove_no_panic"], value_parser = PossibleValuesParser::new(profile::boards()))]
+    /// Shows which functions a board's instructions go to, and which lines, for this scene, number and mode, and on the Pico their
+    /// cycles; the picture has 80x60 pixels if no --size is given.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["boards", "picture", "json", "prove_no_panic"], value_parser = PossibleValuesParser::new(BOARDS.iter().map(|board| board.name)))]
     profile: Option<String>,
 
     /// Draws instead all .ron scenes of a folder, docs/gallery if none is given, in one run of one program that reads their bytes;

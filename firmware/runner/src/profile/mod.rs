@@ -1,8 +1,9 @@
 //! `cargo boards --profile`: which functions the instructions of a board's program go to.
 //!
-//! The emulator writes down every instruction that it executes, one at a time. Those between the two marks that also
-//! start and stop the program's own count are attributed to functions by the program's line tables, inlined functions
-//! among them. Line tables change no instruction: the total is what `cargo boards` counts.
+//! QEMU writes down every instruction that it executes, one at a time; those between the two marks that also start and
+//! stop the program's own count are taken. rp2040js counts instructions and their cycles, from the beginning of a frame to that
+//! of another. They are attributed to functions by the program's line tables, inlined functions among them. Line tables change no
+//! instruction: the total is what `cargo boards` counts.
 
 mod memory_access;
 mod report;
@@ -12,13 +13,13 @@ mod trace;
 use std::fs;
 use std::time::Duration;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow};
 use object::{Object, ObjectSection};
 
-use crate::board::{BOARDS, Board, Emulator};
+use crate::board::{Board, Emulator};
 use crate::picture::{Picture, Size};
-use crate::qemu;
 use crate::session::Session;
+use crate::{emulator, qemu};
 use memory_access::touches_memory;
 use report::Report;
 use source::Source;
@@ -27,17 +28,8 @@ use trace::{Marks, Trace};
 /// Size of the picture, if none is asked for: every instruction is a line of text.
 pub(crate) const SIZE: Size = Size { width: 80, height: 60 };
 
-/// The boards whose instructions can be followed: QEMU writes them down.
-pub(crate) fn boards() -> impl Iterator<Item = &'static str> {
-    let is_qemu = |board: &&Board| matches!(board.emulator, Emulator::Qemu { .. });
-    BOARDS.iter().filter(is_qemu).map(|board| board.name)
-}
-
 /// Builds a board's program with line tables, traces it, and prints where its instructions go.
 pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) -> Result<()> {
-    let Emulator::Qemu { command, machine, .. } = board.emulator else {
-        bail!("{}: only programs that run in QEMU can be profiled", board.name);
-    };
     let session = Session { board, picture, picture_file: None, timeout };
     let toolchain = session.toolchain().map_err(|reason| anyhow!("{}: {reason}", board.name))?;
     eprintln!("{}: building {picture} with line tables (the first time takes a minute)", board.name);
@@ -46,20 +38,27 @@ pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) ->
     let elf = object::File::parse(&*bytes)?;
 
     eprintln!("{}: running, one instruction at a time", board.name);
-    let trace = Trace::record(qemu::command(command, machine, &file), &Marks::find(&elf)?, timeout)?;
+    let trace = match board.emulator {
+        Emulator::Qemu { command, machine, .. } => {
+            Trace::of_qemu(qemu::command(command, machine, &file), &Marks::find(&elf)?, timeout)?
+        }
+        Emulator::Rp2040js { frames } => {
+            Trace::of_frames(&emulator::profile(board, &file, timeout)?, frames)?
+        }
+    };
 
     let source = Source::read(&elf)?;
     let code: Vec<(u64, &[u8])> =
         elf.sections().filter_map(|section| Some((section.address(), section.data().ok()?))).collect();
     let mut report = Report::default();
-    for (address, count) in trace.counts() {
+    for (address, executed) in trace.counts() {
         let instruction = code.iter().find_map(|(start, data)| {
             let offset = usize::try_from(address.checked_sub(*start)?).ok()?;
             data.get(offset..offset + 4).or(data.get(offset..offset + 2))
         });
         let touches_memory =
             instruction.is_some_and(|instruction| touches_memory(elf.architecture(), instruction));
-        report.add(&source.places(address)?, count, touches_memory);
+        report.add(&source.places(address)?, executed, touches_memory);
     }
     print!("{}", report.tables(picture.size.pixels()));
     Ok(())

@@ -3,22 +3,30 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::source::Place;
+use super::trace::Executed;
 use crate::table::{Align, Table};
 
 /// The most rows of each table: the rest is small.
 const ROWS: usize = 40;
 
-/// Instructions, and how many of them load or store.
+/// Instructions, how many of them load or store, and the cycles that they take, where the emulator knows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Count {
     instructions: u64,
     memory: u64,
+    cycles: u64,
 }
 
 impl Count {
-    fn add(&mut self, instructions: u64, touches_memory: bool) {
-        self.instructions += instructions;
-        self.memory += if touches_memory { instructions } else { 0 };
+    fn add(&mut self, executed: Executed, touches_memory: bool) {
+        self.instructions += executed.times;
+        self.memory += if touches_memory { executed.times } else { 0 };
+        self.cycles += executed.cycles;
+    }
+
+    /// What the rows of a table are sorted by, and shares are of.
+    fn cost(&self) -> u64 {
+        if self.cycles > 0 { self.cycles } else { self.instructions }
     }
 }
 
@@ -41,33 +49,37 @@ pub(super) struct Report {
 }
 
 impl Report {
-    /// Counts an instruction that was executed so often. The innermost function comes first.
-    pub(super) fn add(&mut self, places: &[Place], count: u64, touches_memory: bool) {
-        self.total.add(count, touches_memory);
+    /// Counts an instruction. The innermost function comes first.
+    pub(super) fn add(&mut self, places: &[Place], executed: Executed, touches_memory: bool) {
+        self.total.add(executed, touches_memory);
         let function = |place: Option<&Place>| {
             place.map_or(("?".into(), "?".into()), |place| (place.function.clone(), place.file.clone()))
         };
         let innermost = places.iter().find(|place| place.is_own()).or(places.first());
-        self.itself.entry(function(innermost)).or_default().add(count, touches_memory);
-        self.called.entry(function(places.last())).or_default().add(count, touches_memory);
+        self.itself.entry(function(innermost)).or_default().add(executed, touches_memory);
+        self.called.entry(function(places.last())).or_default().add(executed, touches_memory);
         if let Some(place) = innermost {
-            self.lines.entry((place.file.clone(), place.line)).or_default().add(count, touches_memory);
+            self.lines.entry((place.file.clone(), place.line)).or_default().add(executed, touches_memory);
         }
         // A function that is inlined into itself counts once.
         let own = places.iter().filter(|place| place.is_own());
         for function in own.map(|place| function(Some(place))).collect::<BTreeSet<_>>() {
-            self.whole.entry(function).or_default().add(count, touches_memory);
+            self.whole.entry(function).or_default().add(executed, touches_memory);
         }
     }
 
-    /// Everything, in instructions per pixel.
+    /// Everything, per pixel.
     pub(super) fn tables(&self, pixels: usize) -> String {
         let total = self.total;
         let named = |(function, file): &Function| [function.clone(), file.clone()];
-        let table = |counts, headings| table(counts, headings, pixels, total.instructions, named);
+        let table = |counts, headings| table(counts, headings, pixels, total, named);
+        let cycles = match total.cycles {
+            0 => String::new(),
+            cycles => format!(" They take {:.1} cycles.", cycles as f64 / pixels as f64),
+        };
         format!(
-            "{:.1} instructions per pixel, {} of them loads and stores.\n\
-             \nInstructions per pixel by function, without what is inlined into it from the project:\n\n{}\
+            "{:.1} instructions per pixel, {} of them loads and stores.{cycles}\n\
+             \nBy function, without what is inlined into it from the project:\n\n{}\
              \nBy function, with all that is inlined into it:\n\n{}\
              \nBy function that is called, with all that is inlined into it:\n\n{}\
              \nBy line:\n\n{}",
@@ -76,29 +88,32 @@ impl Report {
             table(&self.itself, ["function", "file"]),
             table(&self.whole, ["function", "file"]),
             table(&self.called, ["function", "file"]),
-            self::table(&self.lines, ["line"], pixels, total.instructions, |(file, line)| [format!(
-                "{file}:{line}"
-            )]),
+            self::table(&self.lines, ["line"], pixels, total, |(file, line)| [format!("{file}:{line}")]),
         )
     }
 }
 
-/// The rows with the most instructions, in instructions per pixel.
+/// The rows that cost most, per pixel.
 fn table<K: Ord, const NAMES: usize>(
     counts: &HashMap<K, Count>,
     headings: [&str; NAMES],
     pixels: usize,
-    total: u64,
+    total: Count,
     name: impl Fn(&K) -> [String; NAMES],
 ) -> Table {
-    let numbers = ["instr/pixel", "share", "load/store"].map(|heading| (heading, Align::Right));
-    let mut table = Table::new(numbers.into_iter().chain(headings.map(|heading| (heading, Align::Left))));
+    let has_cycles = total.cycles > 0;
+    let cycles = has_cycles.then_some("cycles/pixel");
+    let numbers = cycles.into_iter().chain(["instr/pixel", "share", "load/store"]);
+    let numbers = numbers.map(|heading| (heading, Align::Right));
+    let mut table = Table::new(numbers.chain(headings.map(|heading| (heading, Align::Left))));
     let mut rows: Vec<(&K, &Count)> = counts.iter().collect();
-    rows.sort_by(|(a, few), (b, many)| many.instructions.cmp(&few.instructions).then(a.cmp(b)));
+    rows.sort_by(|(a, few), (b, many)| many.cost().cmp(&few.cost()).then(a.cmp(b)));
     for (key, count) in rows.into_iter().take(ROWS) {
-        let each = format!("{:.1}", count.instructions as f64 / pixels as f64);
-        let numbers = [each, percent(count.instructions, total), percent(count.memory, count.instructions)];
-        table.push(numbers.into_iter().chain(name(key)));
+        let each = |number: u64| format!("{:.1}", number as f64 / pixels as f64);
+        let cycles = has_cycles.then(|| each(count.cycles));
+        let share = percent(count.cost(), total.cost());
+        let numbers = [each(count.instructions), share, percent(count.memory, count.instructions)];
+        table.push(cycles.into_iter().chain(numbers).chain(name(key)));
     }
     table
 }
@@ -115,15 +130,19 @@ mod tests {
         Place { function: function.into(), file: file.into(), line }
     }
 
+    fn times(times: u64) -> Executed {
+        Executed { times, cycles: 0 }
+    }
+
     #[test]
     fn an_instruction_counts_for_all_functions_that_it_stands_in() {
         let (add, run) = (place("add", "(core/src/ops.rs)", 1), place("run", "core/src/run.rs", 9));
         let dot = place("dot", "core/src/vec3.rs", 5);
         let mut report = Report::default();
-        report.add(&[add.clone(), dot.clone(), run.clone()], 30, false);
-        report.add(&[dot, run.clone()], 10, true);
-        report.add(&[run], 60, false);
-        report.add(&[add], 100, false);
+        report.add(&[add.clone(), dot.clone(), run.clone()], times(30), false);
+        report.add(&[dot, run.clone()], times(10), true);
+        report.add(&[run], times(60), false);
+        report.add(&[add], times(100), false);
         let text = report.tables(10);
         let tables: Vec<Vec<&str>> = text
             .split("\n\n")
@@ -154,5 +173,19 @@ mod tests {
             ]
         );
         assert_eq!(tables[3][1], "|         6.0 | 30.0 % |      0.0 % | core/src/run.rs:9   |");
+    }
+    #[test]
+    fn where_cycles_are_known_they_rank() {
+        let mut report = Report::default();
+        report.add(&[place("sums", "core/src/sums.rs", 1)], Executed { times: 30, cycles: 30 }, false);
+        report.add(&[place("calls", "core/src/calls.rs", 1)], Executed { times: 20, cycles: 60 }, true);
+        let text = report.tables(10);
+        let of_calls =
+            "|          6.0 |         2.0 | 66.7 % |    100.0 % | calls    | core/src/calls.rs |\n";
+        let of_sums = "|          3.0 |         3.0 | 33.3 % |      0.0 % | sums     | core/src/sums.rs  |\n";
+        assert!(text.starts_with(
+            "5.0 instructions per pixel, 40.0 % of them loads and stores. They take 9.0 cycles.\n"
+        ));
+        assert!(text.contains(&format!("{of_calls}{of_sums}")), "{text}");
     }
 }

@@ -35,15 +35,36 @@ impl Marks {
     }
 }
 
+/// What an instruction has come to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Executed {
+    pub(super) times: u64,
+    /// 0 where the emulator counts none.
+    pub(super) cycles: u64,
+}
+
 /// How often each instruction was executed while the program counted.
 #[derive(Debug)]
 pub(super) struct Trace {
-    counts: HashMap<u64, u64>,
+    counts: HashMap<u64, Executed>,
 }
 
 impl Trace {
-    /// Runs the emulator until the program has told everything.
-    pub(super) fn record(mut emulator: Command, marks: &Marks, timeout: Duration) -> Result<Self> {
+    /// What rp2040js has counted during some frames, for one of them.
+    pub(super) fn of_frames(counts: &str, frames: u32) -> Result<Self> {
+        let each = |line: &str| -> Option<(u64, Executed)> {
+            let mut numbers = line.split(' ').map(|digits| u64::from_str_radix(digits, 16).ok());
+            let mut next = || numbers.next().flatten();
+            let (address, times, cycles) = (next()?, next()?, next()?);
+            let each = |count: u64| count / u64::from(frames);
+            Some((address, Executed { times: each(times), cycles: each(cycles) }))
+        };
+        let counts = counts.lines().map(|line| each(line).with_context(|| format!("{line:?} is no count")));
+        Ok(Self { counts: counts.collect::<Result<_>>()? })
+    }
+
+    /// Runs QEMU until the program has told everything.
+    pub(super) fn of_qemu(mut emulator: Command, marks: &Marks, timeout: Duration) -> Result<Self> {
         let folder = tempfile::tempdir()?;
         let mut process = emulator
             // Blocks of one instruction, each of which is written down.
@@ -84,22 +105,23 @@ impl Trace {
     }
 
     /// Addresses, and how often they were executed.
-    pub(super) fn counts(&self) -> impl Iterator<Item = (u64, u64)> {
+    pub(super) fn counts(&self) -> impl Iterator<Item = (u64, Executed)> {
         self.counts.iter().map(|(address, count)| (*address, *count))
     }
 }
 
 /// Counts the instructions of a log, and gives what else it says.
-fn read(log: ChildStderr, marks: &Marks) -> Result<(HashMap<u64, u64>, String)> {
+fn read(log: ChildStderr, marks: &Marks) -> Result<(HashMap<u64, Executed>, String)> {
     let mut log = BufReader::with_capacity(1 << 20, log);
-    let (mut counts, mut messages, mut line) = (HashMap::new(), Vec::new(), Vec::new());
+    let mut counts = HashMap::<u64, Executed>::new();
+    let (mut messages, mut line) = (Vec::new(), Vec::new());
     let mut counts_now = false;
     // A line that never ends would be no log.
     while log.by_ref().take(1 << 16).read_until(b'\n', &mut line)? > 0 {
         match executed(&line) {
             Some(address) if marks.resume.contains(&address) => counts_now = true,
             Some(address) if marks.pause.contains(&address) => counts_now = false,
-            Some(address) if counts_now => *counts.entry(address).or_default() += 1,
+            Some(address) if counts_now => counts.entry(address).or_default().times += 1,
             Some(_) => {}
             None if messages.len() < 1 << 12 => messages.extend_from_slice(&line),
             None => {}
@@ -119,6 +141,18 @@ fn executed(line: &[u8]) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn counts_of_frames_are_for_one() {
+        let trace = Trace::of_frames("20000100 a 14\n10000200 4 6\n", 2).unwrap();
+        let mut counts: Vec<_> = trace.counts().collect();
+        counts.sort_by_key(|(address, _)| *address);
+        let executed = |times, cycles| Executed { times, cycles };
+        assert_eq!(counts, [(0x1000_0200, executed(2, 3)), (0x2000_0100, executed(5, 10))]);
+        for broken in ["20000100 a", "x 1 1", "1  1"] {
+            assert!(Trace::of_frames(broken, 1).is_err(), "{broken}");
+        }
+    }
 
     #[test]
     fn a_line_names_an_address() {
