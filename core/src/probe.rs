@@ -52,6 +52,8 @@ pub enum Event<R> {
         hit: Hit<R>,
         /// The color of its texture there.
         color: LinearRgb<R>,
+        /// The direction of the mirrored ray, whether it is followed or not.
+        mirrored: Vec3<R>,
     },
     /// That ray met nothing and sees the background.
     Miss {

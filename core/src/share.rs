@@ -56,6 +56,15 @@ impl<R: Real> Share<R> {
     pub(crate) fn of(self, light: LinearRgb<R>) -> LinearRgb<R> {
         light * self.0
     }
+
+    /// The same of light that may well be gray.
+    #[inline(always)]
+    pub(crate) fn of_gray(self, light: LinearRgb<R>) -> LinearRgb<R> {
+        if R::SEEKS_FACTORS && !cfg!(feature = "optics") && light.g == light.r && light.b == light.r {
+            return LinearRgb::even((light * self.0).r);
+        }
+        self.of(light)
+    }
 }
 
 impl<R: Real> Mul<R> for Share<R> {

@@ -354,7 +354,7 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        let from = vertex.departure(toward);
+        let from = vertex.departure(toward, false);
         let meets_itself = self.is_met_inside && !from.outward;
         match self.to(light).filter(|_| !meets_itself) {
             Some(list) if list.is_empty() => Through::All,

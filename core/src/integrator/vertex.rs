@@ -21,6 +21,9 @@ pub(super) struct Vertex<'s, R: Real> {
     incoming: Vec3<R>,
     /// The shading normal on the side that the ray came from.
     normal: Vec3<R>,
+    /// Whether that is the side that the geometric normal is on, where both are known to be the same but for that, and to compute it
+    /// takes longer than to remember it.
+    is_outside: Option<bool>,
     /// Cosine of the angle between that normal and the way back: 0 or more.
     cosine: R,
     /// Direction of the mirrored ray.
@@ -40,12 +43,14 @@ impl<'s, R: Real> Vertex<'s, R> {
         probe: &mut impl Probe<R>,
     ) -> Self {
         let incoming = ray.direction;
-        let (normal, cosine) = shading_normal.facing(incoming);
+        let (normal, cosine, is_turned) = shading_normal.facing(incoming);
+        let is_geometric = R::SEEKS_FACTORS && shading_normal == hit.surface.normal;
+        let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
-        probe.record(Event::Hit { kind, hit: shown, color });
         let mirrored = incoming + normal * (cosine + cosine);
-        Self { hit, material, color, incoming, normal, cosine, mirrored }
+        probe.record(Event::Hit { kind, hit: shown, color, mirrored });
+        Self { hit, material, color, incoming, normal, is_outside, cosine, mirrored }
     }
 
     /// A ray that is to be followed from here, after so many bounces.
@@ -56,7 +61,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         bounces: u8,
         kind: RayKind,
     ) -> PendingRay<R> {
-        let from = self.departure(direction);
+        let from = self.departure(direction, kind == RayKind::Refracted);
         let ray = self.spawn(direction, from);
         PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
     }
@@ -67,9 +72,12 @@ impl<'s, R: Real> Vertex<'s, R> {
         Ray::spawn_to(from.outward, point, normal, direction, magnitude)
     }
 
-    /// To which side of the surface a ray of this direction leaves it.
-    pub(super) fn departure(&self, direction: Vec3<R>) -> Departure {
-        let outward = Ray::is_outward(self.hit.surface.normal, direction);
+    /// To which side of the surface a ray of this direction leaves it, which goes `through` the surface or not.
+    pub(super) fn departure(&self, direction: Vec3<R>, through: bool) -> Departure {
+        let outward = match self.is_outside {
+            Some(is_outside) => is_outside != through,
+            None => Ray::is_outward(self.hit.surface.normal, direction),
+        };
         Departure { object: self.hit.object, outward }
     }
 
@@ -129,12 +137,12 @@ impl<'s, R: Real> Vertex<'s, R> {
             }
             let mut highlight = R::ZERO;
             if through.is_any() {
-                diffuse = diffuse + through.times(cosine).of(color);
+                diffuse = diffuse + through.times(cosine).of_gray(color);
                 is_lit = true;
                 // The power takes long: it is for what is seen.
                 highlight = if glints { material.shininess.power_of(along) } else { R::ZERO };
                 if highlight > R::ZERO {
-                    specular = specular + through.times(highlight).of(color);
+                    specular = specular + through.times(highlight).of_gray(color);
                     is_glinting = true;
                 }
             }
@@ -244,7 +252,7 @@ impl<R: Real> Shading<R> for Option<&Shades> {
         distance: R,
     ) -> Through<Share<R>> {
         let shades = self.and_then(|shades| shades.among.get(light)).copied();
-        let from = vertex.departure(toward);
+        let from = vertex.departure(toward, false);
         let in_the_way = scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, shades);
         if in_the_way.is_none_or(|objects| !objects.is_empty()) {
             scene.light_through_among(&vertex.spawn(toward, from), distance, in_the_way)

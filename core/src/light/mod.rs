@@ -127,7 +127,7 @@ impl<'m, R: Real> PreparedLight<'m, R> {
 
     /// The unit direction from a point toward the light, how far the light is along it, and the cosine of its
     /// angle with a unit normal; `None` where the light is behind the surface, or the point is the light's own.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn seen_from(&self, point: Vec3<R>, normal: Vec3<R>) -> Option<(Vec3<R>, R, R)> {
         match self.source {
             Source::At(position) => {

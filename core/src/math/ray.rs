@@ -58,7 +58,8 @@ impl<R: Real> Ray<R> {
         direction: Vec3<R>,
         magnitude: R,
     ) -> Self {
-        let offset = normal * R::offset(magnitude);
+        let [x, y, z] = R::offset_along([normal.x, normal.y, normal.z], magnitude);
+        let offset = Vec3::new(x, y, z);
         let origin = if outward { point + offset } else { point - offset };
         Self { origin, direction }
     }

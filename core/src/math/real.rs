@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Cell, Vec3, float, power};
+use super::{Cell, Ray, Vec3, float, power};
 
 /// A number system for the kernel: `f32`, `f64`, [`Fixed`](super::Fixed), or a type of your own.
 ///
@@ -51,6 +51,10 @@ pub trait Real:
     const REACH: Option<f32> = None;
     /// Whether a product takes longer than to look for a factor of 0 or 1.
     const SEEKS_FACTORS: bool = false;
+    /// How far [`dot3_coarse`](Self::dot3_coarse) is off at most.
+    const COARSE: f32 = 0.0;
+    /// Whether [`misses_ball`](Self::misses_ball) ever tells.
+    const TELLS_MISSES: bool = false;
 
     /// The nearest representable value.
     fn from_f32(value: f32) -> Self;
@@ -99,6 +103,18 @@ pub trait Real:
         ax * bx + ay * by + az * bz
     }
 
+    /// The sum of three products of coordinates between -1 and 1, for what must be fast and is asked again where it is close.
+    #[inline(always)]
+    fn dot3_coarse(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self::dot3(a, b)
+    }
+
+    /// Whether a ray surely misses a ball, where [that](Self::TELLS_MISSES) can be told faster than by meeting it.
+    #[inline(always)]
+    fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
+        false
+    }
+
     /// The product, not yet rounded.
     fn times(self, other: Self) -> Self::Product;
 
@@ -129,6 +145,13 @@ pub trait Real:
     /// `magnitude`: above every rounding error.
     fn offset(magnitude: Self) -> Self {
         Self::RAY_OFFSET * magnitude
+    }
+
+    /// A unit vector times [`offset`](Self::offset).
+    #[inline(always)]
+    fn offset_along(unit: [Self; 3], magnitude: Self) -> [Self; 3] {
+        let offset = Self::offset(magnitude);
+        unit.map(|coordinate| coordinate * offset)
     }
 
     /// The sum of two amounts of light, or the largest number there is.

@@ -43,6 +43,26 @@ impl<R: Real> Vec3<R> {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
+    /// The scalar product, of a vector that may well lie along an axis, as floors and walls have their normals.
+    pub(crate) fn dot_of_few(self, other: Self) -> R {
+        if R::SEEKS_FACTORS {
+            let is_zero = |number: R| number == R::ZERO;
+            match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
+                (false, true, true) => return self.x * other.x,
+                (true, false, true) => return self.y * other.y,
+                (true, true, false) => return self.z * other.z,
+                _ => {}
+            }
+        }
+        self.dot(other)
+    }
+
+    /// The scalar product of two unit vectors, off by less than [`Real::COARSE`].
+    #[inline(always)]
+    pub(crate) fn dot_coarse(self, other: Self) -> R {
+        R::dot3_coarse([self.x, self.y, self.z], [other.x, other.y, other.z])
+    }
+
     /// The vector product: perpendicular to both, by the right-hand rule.
     pub fn cross(self, other: Self) -> Self {
         Self::new(
@@ -105,11 +125,11 @@ impl<R: Real> Vec3<R> {
         self.x.abs().larger(self.y.abs()).larger(self.z.abs())
     }
 
-    /// This vector or its opposite, whichever points against `direction`, and its product with the way back: 0 or
-    /// more.
-    pub fn facing(self, direction: Self) -> (Self, R) {
+    /// This vector or its opposite, whichever points against `direction`, its product with the way back, which is 0 or more, and whether
+    /// it is the opposite.
+    pub fn facing(self, direction: Self) -> (Self, R, bool) {
         let along = self.dot(direction);
-        if along > R::ZERO { (-self, along) } else { (self, -along) }
+        if along > R::ZERO { (-self, along, true) } else { (self, -along, false) }
     }
 
     /// The vector that was computed before the first ray, rounded.

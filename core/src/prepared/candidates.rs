@@ -14,7 +14,7 @@ use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
 use crate::limits::FEW_OBJECTS;
-use crate::math::{Product, Real, Vec3};
+use crate::math::{Real, Vec3};
 use crate::shape::{Form, Intersect};
 
 /// A set of up to [`ObjectSet::CAPACITY`] objects, by position.
@@ -99,17 +99,18 @@ pub(crate) struct Candidates<'m, R: Real> {
     reach: R,
 }
 
-/// A ball as a point light sees it. The way from the light into the unit direction d passes it by if
-/// `b = d · toward_center` is negative or b² is less than the squared length of the tangent to the ball.
+/// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where it goes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Occluder<R: Real> {
+    /// Unit vector toward the middle; nothing, where nothing can be told.
     toward_center: Vec3<R>,
-    /// Squared length of the tangent, less some for rounding; negative where nothing can be told.
-    tangent_squared: R::Product,
+    /// The cosine of the circle's radius, less some for rounding, negative: a ray that is less opposite passes the ball by.
+    least_opposite: R,
 }
 
 impl<R: Real> Occluder<R> {
-    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, tangent_squared: R::Product::ZERO };
+    /// Nothing is opposite to no direction.
+    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE };
 
     #[inline(never)]
     fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
@@ -128,16 +129,15 @@ impl<R: Real> Occluder<R> {
         if !(tangent_squared > R::Setup::ZERO) {
             return Self::UNKNOWN;
         }
-        let tangent = R::from_setup(tangent_squared.sqrt());
-        Self { toward_center: Vec3::from_setup(toward_center), tangent_squared: tangent.times(tangent) }
+        let (toward_center, distance) = toward_center.polar();
+        let cosine = tangent_squared.sqrt() / distance - R::Setup::from_f32(R::COARSE);
+        Self { toward_center: Vec3::from_setup(toward_center), least_opposite: R::from_setup(-cosine) }
     }
 
     /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
     #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
-        let along = self.toward_center.dot(toward_light);
-        // The ray points to the light, so what lies along it from the light has a negative product.
-        along > R::ZERO || along.times(along) < self.tangent_squared
+        self.toward_center.dot_coarse(toward_light) > self.least_opposite
     }
 }
 

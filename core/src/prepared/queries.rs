@@ -158,7 +158,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (None, _) => among,
         };
         let mut closest = match among {
-            Some(among) => self.closest_among(ray, Interval::AHEAD, among),
+            Some(among) => {
+                // A ray that leaves a surface misses most of what is about it.
+                let misses_most = R::TELLS_MISSES && from.is_some_and(|from| from.outward);
+                let is_missed = |shape: &_| misses_most && is_missed(ray, shape);
+                self.closest_among(ray, Interval::AHEAD, among, is_missed)
+            }
             None => self.closest_object(ray, Interval::AHEAD, None),
         };
         if closest.is_none() && from.is_some_and(|from| self.comes_out_again(from)) {
@@ -202,7 +207,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(always)]
     pub(crate) fn closest_in(&self, ray: &Ray<R>, list: &[u16]) -> Option<(R, usize)> {
         let positions = list.iter().map(|object| usize::from(*object));
-        self.closest_among(ray, Interval::AHEAD, positions)
+        self.closest_among(ray, Interval::AHEAD, positions, |_| false)
     }
 
     /// The same of four rays, for processors that compute four numbers at once; [`hit`](Self::hit) tells the rest.
@@ -260,23 +265,25 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         among: Option<ObjectSet>,
     ) -> Option<(R, usize)> {
         match (among, self.hierarchy()) {
-            (Some(among), _) => self.closest_among(ray, range, among),
+            (Some(among), _) => self.closest_among(ray, range, among, |_| false),
             (None, Some(hierarchy)) => self.closest_in_hierarchy(hierarchy, ray, range),
-            (None, None) => self.closest_among(ray, range, 0..self.objects.len()),
+            (None, None) => self.closest_among(ray, range, 0..self.objects.len(), |_| false),
         }
     }
 
-    /// The same among the objects of these positions.
+    /// The same among the objects of these positions but those that are missed.
     #[inline(always)]
     fn closest_among(
         &self,
         ray: &Ray<R>,
         mut range: Interval<R>,
         among: impl IntoIterator<Item = usize>,
+        is_missed: impl Fn(&S::Prepared<'m, R>) -> bool,
     ) -> Option<(R, usize)> {
         let mut closest = None;
         for index in among {
             if let Some(object) = self.objects.get(index)
+                && !is_missed(&object.shape)
                 && let Some(t) = object.shape.intersect(ray, range)
             {
                 range.max = t;
@@ -505,4 +512,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     fn transmittance(&self, object: usize) -> R {
         self.material(object).map_or(R::ZERO, |material| material.transmittance)
     }
+}
+
+/// Whether a ray surely misses a shape, where that can be told faster than by meeting it.
+#[inline(always)]
+fn is_missed<R: Real>(ray: &Ray<R>, shape: &impl Intersect<R>) -> bool {
+    matches!(shape.form(), Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
 }

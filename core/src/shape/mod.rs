@@ -360,7 +360,7 @@ fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> 
 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.
 fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
-    point - normal * (normal.dot(point) - distance)
+    point - normal * (normal.dot_of_few(point) - distance)
 }
 
 /// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.

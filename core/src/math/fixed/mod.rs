@@ -37,6 +37,7 @@
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 mod armv6m;
+mod coarse;
 mod linear;
 mod newton;
 mod power;
@@ -50,9 +51,9 @@ pub use wide::FixedProduct;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Cell, Real};
+use super::{Cell, Ray, Real, Vec3};
 use newton::{recip, rsqrt};
-use product::{product, scaled};
+use product::{IS_ARMV6M, product, scaled};
 use zeros::{even_zeros, zeros};
 
 /// Bits after the point.
@@ -153,6 +154,8 @@ impl Real for Fixed {
     const RAY_OFFSET: Self = Self(1 << (FRACTION - 17));
     const REACH: Option<f32> = Some(59.0);
     const SEEKS_FACTORS: bool = true;
+    const COARSE: f32 = 1.0 / 8192.0;
+    const TELLS_MISSES: bool = IS_ARMV6M;
 
     fn from_f32(value: f32) -> Self {
         // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
@@ -213,8 +216,15 @@ impl Real for Fixed {
     }
 
     fn cell(self, per_unit: Factor) -> i32 {
-        let shift = per_unit.shift.wrapping_add(FRACTION);
-        (product(self.0, per_unit.mantissa) >> shift.min(63)) as i32
+        if per_unit.mantissa == 0 {
+            return 0;
+        }
+        let product = product(self.0, per_unit.mantissa);
+        // Of most factors the upper half alone counts. A shift of 64 bits is a call on some processors.
+        match (per_unit.shift + FRACTION).checked_sub(32) {
+            Some(shift) => ((product >> 32) as i32) >> shift.min(31),
+            None => (product >> (per_unit.shift + FRACTION)) as i32,
+        }
     }
 
     fn turn(y: Self, x: Self) -> Self {
@@ -242,11 +252,25 @@ impl Real for Fixed {
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
         #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
         {
-            let ([ax, ay, az], [bx, by, bz]) = (a, b);
-            Self(armv6m::dot3(ax.0, ay.0, az.0, bx.0, by.0, bz.0))
+            Self(armv6m::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
         }
         #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
         Self((FixedProduct::dot3(a, b).bits() >> FRACTION) as i32)
+    }
+
+    #[inline(always)]
+    fn dot3_coarse(a: [Self; 3], b: [Self; 3]) -> Self {
+        if IS_ARMV6M {
+            Self(coarse::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
+        } else {
+            Self::dot3(a, b)
+        }
+    }
+
+    #[inline(always)]
+    fn misses_ball(ray: &Ray<Self>, center: Vec3<Self>, radius: Self) -> bool {
+        let bits = |vector: Vec3<Self>| [vector.x.0, vector.y.0, vector.z.0];
+        Self::TELLS_MISSES && coarse::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
     }
 
     fn times(self, other: Self) -> FixedProduct {
@@ -282,6 +306,13 @@ impl Real for Fixed {
     fn offset(magnitude: Self) -> Self {
         // A point that was computed is off by a few units; 16 of them are 4e-6 of the scene.
         Self((magnitude.0 >> 17).wrapping_add(16))
+    }
+
+    #[inline(always)]
+    fn offset_along(unit: [Self; 3], magnitude: Self) -> [Self; 3] {
+        // Below 2¹⁴: with 16 digits of the vector, products have 31.
+        let Self(offset) = Self::offset(magnitude);
+        unit.map(|Self(coordinate)| Self((coordinate >> 8).wrapping_mul(offset) >> 16))
     }
 }
 

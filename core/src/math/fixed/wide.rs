@@ -30,11 +30,13 @@ impl FixedProduct {
 
     #[inline(always)]
     pub(super) fn dot3(a: [Fixed; 3], b: [Fixed; 3]) -> Self {
-        let ([ax, ay, az], [bx, by, bz]) = (a, b);
         #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        return Self(armv6m::dot3_wide(ax.0, ay.0, az.0, bx.0, by.0, bz.0));
+        return Self(armv6m::dot3_wide(a.map(Fixed::to_bits), b.map(Fixed::to_bits)));
         #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-        Self(product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0)))
+        {
+            let ([ax, ay, az], [bx, by, bz]) = (a, b);
+            Self(product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0)))
+        }
     }
 
     /// The square root.

@@ -124,7 +124,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                 self.counts = throughput > self.marks.faint;
                 self.direction = ray.direction;
             }
-            Event::Hit { kind, hit, color } if self.counts => {
+            Event::Hit { kind, hit, color, mirrored } if self.counts => {
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
                 self.path = fold(self.path, hit.object as u32 | refracted);
                 self.hit = None;
@@ -139,9 +139,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     }
                     self.hit = Some(material);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {
-                        let normal = hit.surface.shading_normal;
-                        let along = normal.dot(self.direction);
-                        self.direction = self.direction - normal * (along + along);
+                        self.direction = mirrored;
                         if self.searches {
                             self.near_glint |= self.is_near_glint(hit.surface.point, material);
                         }
@@ -152,10 +150,11 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
             Event::Light { light, toward, through, .. } if self.counts => {
                 if let Some(material) = self.hit {
                     let sharp = material.shininess.is_sharp();
-                    let cosine = self.direction.dot(toward);
-                    let glint = |share| material.shininess.shows(cosine, share);
+                    // Asked where it tells something alone: it is a product for each light.
+                    let cosine = || self.direction.dot(toward);
+                    let glint = |share| material.shininess.shows(cosine(), share);
                     if through >= R::ONE {
-                        self.near_glint |= sharp && cosine > self.marks.beside && glint(R::ONE);
+                        self.near_glint |= sharp && cosine() > self.marks.beside && glint(R::ONE);
                     } else if material.diffuse > R::ZERO || !sharp || glint(self.marks.shows) {
                         let what = 1 << 24 | (light as u32) << 17 | through.to_q16();
                         self.shade = fold(self.shade, what);
