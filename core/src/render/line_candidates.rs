@@ -87,7 +87,7 @@ impl Outlines {
         others: [ObjectSet::ALL; LIGHTS],
     };
 
-    /// Finds the outlines of a scene that has not too many objects. They are large: they are found where they stay.
+    /// Finds the outlines of the objects of a scene that has not too many. They are large: they are found where they stay.
     #[inline(never)]
     pub(super) fn find<R: Real, S: Geometry>(
         &mut self,
@@ -111,25 +111,11 @@ impl Outlines {
             count = index + 1;
         }
         self.count = Some(count);
-        self.find_shadows(scene, viewport);
     }
 
-    /// Of how many objects outlines are known: without the feature, the compiler sees that it is none.
-    #[inline(always)]
-    fn count(&self) -> Option<usize> {
-        if cfg!(feature = "candidates") { self.count } else { None }
-    }
-
-    /// Where each object can be seen on the lines from `top` to `bottom`, both included; `None` where it is not known.
-    pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
-        let objects = self.objects.iter().take(self.count()?);
-        Some(
-            objects
-                .map(move |outline| (top..=bottom).map(|y| outline.span(y)).fold(Span::NOWHERE, Span::hull)),
-        )
-    }
-
-    fn find_shadows<R: Real, S: Geometry>(
+    /// Finds the outlines of shadows, once those of objects are known.
+    #[inline(never)]
+    pub(super) fn find_shadows<R: Real, S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
         viewport: &Viewport<R>,
@@ -146,6 +132,21 @@ impl Outlines {
                 *others = others.without(object);
             }
         }
+    }
+
+    /// Of how many objects outlines are known: without the feature, the compiler sees that it is none.
+    #[inline(always)]
+    fn count(&self) -> Option<usize> {
+        if cfg!(feature = "candidates") { self.count } else { None }
+    }
+
+    /// Where each object can be seen on the lines from `top` to `bottom`, both included; `None` where it is not known.
+    pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
+        let objects = self.objects.iter().take(self.count()?);
+        Some(
+            objects
+                .map(move |outline| (top..=bottom).map(|y| outline.span(y)).fold(Span::NOWHERE, Span::hull)),
+        )
     }
 }
 

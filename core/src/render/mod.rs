@@ -67,22 +67,51 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// # Errors
     /// The setting that is out of range.
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
-        let (width, height) = settings.check()?;
-        let viewport = Viewport::new(scene.camera(), width, height);
-        let mut renderer = Self {
+        let mut renderer = Self::without_outlines(scene, settings, settings.check()?);
+        if renderer.can_have_outlines() {
+            renderer.outlines.find(scene, &renderer.viewport);
+            renderer.outlines.find_shadows(scene, &renderer.viewport);
+        }
+        Ok(renderer)
+    }
+
+    /// As [`new`](Self::new), in less time: what only [exact](Self::draw) lines gain by is not prepared. It draws the same.
+    ///
+    /// # Errors
+    /// The setting that is out of range.
+    pub fn for_realtime(
+        scene: &'p PreparedScene<'m, R, S>,
+        settings: Settings,
+    ) -> Result<Self, SettingsError> {
+        let mut renderer = Self::without_outlines(scene, settings, settings.check()?);
+        if renderer.can_have_outlines() {
+            renderer.outlines.find(scene, &renderer.viewport);
+        }
+        Ok(renderer)
+    }
+
+    // It is large: not inlined, it would be copied.
+    #[inline(always)]
+    fn without_outlines(
+        scene: &'p PreparedScene<'m, R, S>,
+        settings: Settings,
+        (width, height): (u16, u16),
+    ) -> Self {
+        Self {
             scene,
-            viewport,
+            viewport: Viewport::new(scene.camera(), width, height),
             width,
             height,
             bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
             sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
             settings,
             outlines: Outlines::UNKNOWN,
-        };
-        if settings.samples_per_pixel == 1 {
-            renderer.outlines.find(scene, &renderer.viewport);
         }
-        Ok(renderer)
+    }
+
+    /// Outlines hold for rays through the centers of pixels.
+    fn can_have_outlines(&self) -> bool {
+        self.settings.samples_per_pixel == 1
     }
 
     /// Width of the picture in pixels.

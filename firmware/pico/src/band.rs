@@ -51,10 +51,13 @@ impl DrawTarget for Band {
     where
         I: IntoIterator<Item = PanelColor>,
     {
-        for (pixel, color) in self.pixels.iter_mut().skip(self.drawn).zip(colors) {
+        // Counted at the end: a count in memory would be written for each pixel.
+        let mut drawn = self.drawn;
+        for (pixel, color) in self.pixels.iter_mut().skip(drawn).zip(colors) {
             *pixel = color;
-            self.drawn += 1;
+            drawn += 1;
         }
+        self.drawn = drawn;
         Ok(())
     }
 }

@@ -14,7 +14,7 @@ use crate::picture::{HEIGHT, LINES};
 
 /// Bands that there is memory for. Some parts of a picture take twenty times as long as others: with so many, the core
 /// that has an easy part is not soon held up by the other.
-pub(crate) const BANDS: usize = 8;
+pub(crate) const BANDS: usize = 5;
 
 /// Some lines of a frame, and the memory for them.
 #[derive(Debug)]

@@ -18,4 +18,4 @@ pub(crate) const SETTINGS: Settings =
 
 /// Lines that are traced and sent at once: whole cells of the realtime quality's grid. In bands of 8, tracing would take 3 %
 /// longer, because some samples are traced twice where bands meet.
-pub(crate) const LINES: usize = 16;
+pub(crate) const LINES: usize = 24;
