@@ -13,7 +13,7 @@ use crate::quality::{self, Memory, Tracing};
 
 /// Rays between two looks at whether the panel waits for a band: about a millisecond. With ten times as many, bands would come
 /// back to the cores late, and frames take 3 % longer.
-const RAYS: u32 = 64;
+const RAYS: u32 = 128;
 
 /// Traces bands. Each core has its own, and what they trace is the same.
 #[derive(Debug)]

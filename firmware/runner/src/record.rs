@@ -56,7 +56,7 @@ pub(crate) struct Record {
     pub(crate) static_ram_bytes: Option<u64>,
     pub(crate) stack_bytes: Option<u64>,
     #[serde(flatten)]
-    rates: Option<Rates>,
+    pub(crate) rates: Option<Rates>,
     status: String,
     #[serde(skip)]
     verdict: Verdict,

@@ -22,9 +22,9 @@ pub(crate) struct Timing {
 pub(crate) struct Rates {
     frames: u64,
     cycles: u64,
-    cycles_per_frame: u64,
+    pub(crate) cycles_per_frame: u64,
     clock_hz: u64,
-    frames_per_second: f64,
+    pub(crate) frames_per_second: f64,
     spi_hz: u64,
     spi_milliseconds_per_frame: f64,
 }

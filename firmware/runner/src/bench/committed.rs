@@ -72,7 +72,8 @@ impl Committed {
                 ("instructions", before.instructions, now.instructions),
                 ("bytes of flash", before.text_bytes, now.text_bytes),
             ];
-            for (what, before, now) in counts {
+            let cycles = before.cycles.zip(now.cycles).map(|(before, now)| ("cycles a frame", before, now));
+            for (what, before, now) in counts.into_iter().chain(cycles) {
                 let list = match now * 100 {
                     risen if risen > before * (100 + TOLERANCE) => &mut comparison.risen,
                     fallen if fallen < before * (100 - TOLERANCE) => &mut comparison.fallen,
@@ -114,6 +115,10 @@ mod tests {
             assert!(!committed().check("rustc 1.96.0", &now));
             assert!(committed().compare(&now).risen.contains("microbit classic 10x10 fixed exact: "));
         }
+        let with = |cycles| Measured { cycles: Some(cycles), ..now(10_000, 40_000).remove(0) };
+        let committed_cycles = Committed { measured: vec![with(1_000)], ..committed() };
+        assert!(committed_cycles.check("rustc 1.96.0", &[with(1_020)]));
+        assert!(!committed_cycles.check("rustc 1.96.0", &[with(1_021)]));
         let unknown = [measured("microbit", "classic", "fixed", "realtime", 1)];
         assert!(!committed().check("rustc 1.96.0", &unknown));
     }

@@ -33,15 +33,22 @@ struct Entry {
     number: Number,
     mode: Mode,
     small: bool,
+    /// `None`: the board's own.
+    size: Option<Size>,
 }
 
 const fn entry(board: &'static str, scene: &'static str, number: Number, mode: Mode) -> Entry {
-    Entry { board, scene, number, mode, small: false }
+    Entry { board, scene, number, mode, small: false, size: Some(SIZE) }
 }
 
 /// The same exact picture, by a program without what only makes it faster.
 const fn small(board: &'static str, scene: &'static str, number: Number) -> Entry {
-    Entry { board, scene, number, mode: Mode::Exact, small: true }
+    Entry { small: true, ..entry(board, scene, number, Mode::Exact) }
+}
+
+/// Frames on a board with a panel.
+const fn frames(board: &'static str, mode: Mode) -> Entry {
+    Entry { size: None, ..entry(board, "classic", Number::Fixed, mode) }
 }
 
 const M4F: &str = "mps2-an386";
@@ -49,9 +56,11 @@ const M3: &str = "mps2-an385";
 /// It has the instructions of an M0+.
 const M0: &str = "microbit";
 
+const PICO: &str = "pico-dual";
+
 const SIZE: Size = Size { width: 320, height: 240 };
 
-const ENTRIES: [Entry; 16] = [
+const ENTRIES: [Entry; 18] = [
     entry(M4F, "classic", Number::F32, Mode::Exact),
     entry(M3, "classic", Number::Fixed, Mode::Exact),
     entry(M0, "classic", Number::Fixed, Mode::Exact),
@@ -65,6 +74,8 @@ const ENTRIES: [Entry; 16] = [
     entry(M4F, "torus", Number::F32, Mode::Exact),
     entry(M4F, "csg", Number::F32, Mode::Exact),
     entry(M4F, "mesh", Number::F32, Mode::Exact),
+    frames(PICO, Mode::Exact),
+    frames(PICO, Mode::Realtime),
     small(M4F, "spheres", Number::F32),
     small(M4F, "classic", Number::F32),
     small(M0, "classic", Number::Fixed),
@@ -98,8 +109,8 @@ pub(crate) fn run(action: Action, timeout: Duration, all_required: bool) -> Resu
 
 impl Entry {
     fn session(&self, timeout: Duration) -> Result<Session<'static>> {
-        let Self { board, scene, number, mode, small } = *self;
-        let request = Request { size: Some(SIZE), number, mode, small, ..Request::new(scene)? };
+        let Self { board, scene, number, mode, small, size } = *self;
+        let request = Request { size, number, mode, small, ..Request::new(scene)? };
         let Some(board) = BOARDS.iter().find(|known| known.name == board) else {
             bail!("there is no board {board}");
         };

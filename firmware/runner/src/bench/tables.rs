@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::measured::Measured;
-use super::{M0, M3, M4F};
+use super::{M0, M3, M4F, PICO};
 use crate::table::{Align, Table, with_commas};
 
 /// Processors of the first table: name, board and number system.
@@ -15,6 +15,9 @@ const TARGETS: [(&str, [u64; 3]); 2] = [("exact", [250, 450, 1_800]), ("realtime
 
 /// How much of the picture realtime quality must keep.
 const LEAST_DB: u64 = 38;
+
+/// The fewest frames a second of `classic` in realtime quality on a Pico.
+const LEAST_FRAMES: u32 = 10;
 
 /// The scenes of the second table, with their numbers of balls.
 const GROWTH: [(&str, u64); 3] = [("flake-10", 10), ("flake-91", 91), ("flake-820", 820)];
@@ -66,6 +69,7 @@ pub(super) struct Tables<'m>(pub(super) &'m [Measured]);
 impl fmt::Display for Tables<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Instructions per pixel of `classic`, four levels, 320x240:\n\n{}", self.pixels())?;
+        writeln!(f, "Frames of `classic` on both cores of a Pico, 160x120:\n\n{}", self.frames())?;
         writeln!(f, "Growth: `flake` on M4F, f32, exact:\n\n{}", self.growth())?;
         writeln!(
             f,
@@ -110,6 +114,28 @@ impl Tables<'_> {
                 row.push(format!("≤ {}", with_commas(target)));
             }
             table.push(row);
+        }
+        table
+    }
+
+    fn frames(&self) -> Table {
+        let mut table = Table::new([
+            ("mode", Align::Left),
+            ("million cycles", Align::Right),
+            ("frames/s", Align::Right),
+            ("target", Align::Right),
+        ]);
+        for (mode, _) in TARGETS {
+            let measured = self.find(PICO, "classic", "fixed", mode, Build::Fast);
+            let is_realtime = mode == "realtime";
+            let psnr = measured.and_then(|measured| measured.psnr_db).filter(|_| is_realtime);
+            let number = |number: Option<f64>| number.map_or("-".into(), |number| format!("{number:.2}"));
+            table.push([
+                psnr.map_or(mode.into(), |psnr| format!("{mode}, {psnr:.1} dB")),
+                number(measured.and_then(|measured| Some(measured.cycles? as f64 / 1e6))),
+                number(measured.and_then(|measured| measured.frames_per_second)),
+                if is_realtime { format!("≥ {LEAST_FRAMES}") } else { "-".into() },
+            ]);
         }
         table
     }
@@ -208,6 +234,11 @@ mod tests {
             measured(M4F, "classic", "f32", "exact", 90_500),
             Measured { small: true, ..measured(M4F, "classic", "f32", "exact", 120_000) },
             measured(M4F, "classic", "f32", "realtime", 9_000),
+            Measured {
+                cycles: Some(19_500_000),
+                frames_per_second: Some(10.26),
+                ..measured(PICO, "classic", "fixed", "realtime", 3_000)
+            },
             measured(M4F, "flake-10", "f32", "exact", 100_000),
             measured(M4F, "flake-91", "f32", "exact", 150_000),
         ];
@@ -219,6 +250,14 @@ mod tests {
             | ----------------- | ------------: | -----: | --------: | -----: | --------: | ------: |\n\
             | exact             |           905 |  ≤ 250 |         - |  ≤ 450 |         - | ≤ 1,800 |\n\
             | realtime, ≥ 38 dB | 90 at 41.3 dB |   ≤ 90 |         - |  ≤ 160 |         - |   ≤ 650 |\n"
+        );
+        assert_eq!(
+            tables.frames().to_string(),
+            "\
+            | mode              | million cycles | frames/s | target |\n\
+            | ----------------- | -------------: | -------: | -----: |\n\
+            | exact             |              - |        - |      - |\n\
+            | realtime, 41.3 dB |          19.50 |    10.26 |   ≥ 10 |\n"
         );
         assert_eq!(
             tables.growth().to_string(),
