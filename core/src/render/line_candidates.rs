@@ -120,7 +120,7 @@ impl Outlines {
         scene: &PreparedScene<'_, R, S>,
         viewport: &Viewport<R>,
     ) {
-        let Some(plane) = scene.plane_of(self.receiver) else { return };
+        let (Some(_), Some(plane)) = (self.count(), scene.plane_of(self.receiver)) else { return };
         let mut places = self.shadows.iter_mut();
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
             *others = scene.may_shade(self.receiver, index);

@@ -67,12 +67,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// # Errors
     /// The setting that is out of range.
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
-        let mut renderer = Self::without_outlines(scene, settings, settings.check()?);
-        if renderer.can_have_outlines() {
-            renderer.outlines.find(scene, &renderer.viewport);
-            renderer.outlines.find_shadows(scene, &renderer.viewport);
-        }
-        Ok(renderer)
+        Self::with(scene, settings, true)
     }
 
     /// As [`new`](Self::new), in less time: what only [exact](Self::draw) lines gain by is not prepared. It draws the same.
@@ -83,35 +78,35 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         scene: &'p PreparedScene<'m, R, S>,
         settings: Settings,
     ) -> Result<Self, SettingsError> {
-        let mut renderer = Self::without_outlines(scene, settings, settings.check()?);
-        if renderer.can_have_outlines() {
-            renderer.outlines.find(scene, &renderer.viewport);
-        }
-        Ok(renderer)
+        Self::with(scene, settings, false)
     }
 
-    // It is large: not inlined, it would be copied.
+    // Renderers are large: from another function it would be copied.
     #[inline(always)]
-    fn without_outlines(
+    fn with(
         scene: &'p PreparedScene<'m, R, S>,
         settings: Settings,
-        (width, height): (u16, u16),
-    ) -> Self {
-        Self {
+        finds_shadows: bool,
+    ) -> Result<Self, SettingsError> {
+        let (width, height) = settings.check()?;
+        let viewport = Viewport::new(scene.camera(), width, height);
+        let mut renderer = Self {
             scene,
-            viewport: Viewport::new(scene.camera(), width, height),
+            viewport,
             width,
             height,
             bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
             sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
             settings,
             outlines: Outlines::UNKNOWN,
+        };
+        if settings.samples_per_pixel == 1 {
+            renderer.outlines.find(scene, &renderer.viewport);
+            if finds_shadows {
+                renderer.outlines.find_shadows(scene, &renderer.viewport);
+            }
         }
-    }
-
-    /// Outlines hold for rays through the centers of pixels.
-    fn can_have_outlines(&self) -> bool {
-        self.settings.samples_per_pixel == 1
+        Ok(renderer)
     }
 
     /// Width of the picture in pixels.

@@ -12,7 +12,7 @@ use rayline_show::Orbit;
 use crate::band::Band;
 use crate::picture::{HEIGHT, LINES};
 
-/// Bands that there is memory for. Some parts of a picture take twenty times as long as others: with so many, the core
+/// Bands that there is memory for: a frame. Some parts of a picture take twenty times as long as others: with so many, the core
 /// that has an easy part is not soon held up by the other.
 pub(crate) const BANDS: usize = 5;
 

@@ -2,7 +2,7 @@
 //!
 //! A number is split into halves, a = a₁ 2¹⁶ + a₀, so that a · b = a₁ b₁ 2³² + (a₁ b₀ + a₀ b₁) 2¹⁶ + a₀ b₀. The six products
 //! in the middle are added up before they are shifted; where that sum leaves 32 bits, which it does for coordinates far from the
-//! origin, the lost 2³² is made up for in the upper word. So a scalar product takes 70 cycles of a Cortex-M0+, calling included, and a
+//! origin, the lost 2³² is made up for in the upper word. So a scalar product takes 65 cycles of a Cortex-M0+, calling included, and a
 //! register file of eight is not spilled by the code around it. What the compiler makes of the same took 110.
 //!
 //! All six coordinates go in registers, two of which the procedure call standard would have saved: through the stack, as it wants

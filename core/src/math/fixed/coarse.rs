@@ -1,15 +1,15 @@
 //! Fast answers for ARMv6-M, from the upper halves of numbers: a product of two of those is one instruction there, in place of
 //! seventeen.
 //!
-//! They serve to leave out what would come to nothing. Where an answer is not sure, it is sought with all digits, so that they change
+//! They serve to leave out what would come to nothing. Where an answer is not sure, all digits are asked, so that they change
 //! no byte of a picture.
 
-/// Digits of a coordinate below 1, and of the product of two.
+/// Digits of a coordinate below 1; the product of two has twice as many.
 const DIGITS: u32 = 14;
 
 /// How far squares are off below, in units of 2⁻²⁸, and a little more. Truncation takes less than one of 2⁻¹⁴ from each number, so that
-/// products of the distance (below √3) and the direction are off by 4.8 of 2⁻¹⁴, half of their rounding one more, and their square by
-/// 5.8 · 2 · √3; the squared distance by 6.
+/// the product of the distance (below √3) and the direction is off by 4.8 of 2⁻¹⁴, and by one more where it is rounded; its square by
+/// 5.8 · 2 · √3 of them, the squared distance by 6.
 const OFF: i32 = 27 << DIGITS;
 
 /// The sum of three products of coordinates of unit vectors, in units of 2⁻²⁴; off by less than 2⁻¹³.
