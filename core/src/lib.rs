@@ -43,9 +43,9 @@
 //! | radiance | how much light comes along a ray | `integrator` |
 //! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
 //!
-//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`, `color`,
-//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `background`, `scene`, `prepared`, `probe`, `sampler`, `integrator`,
-//! `render`, `builtin`, `bake`.
+//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `fresh`, `read`, `hierarchy`, `color`,
+//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `background`, `scene`, `prepared`, `probe`,
+//! `sampler`, `integrator`, `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
@@ -108,6 +108,7 @@ mod camera;
 mod color;
 mod falloff;
 mod fault;
+mod fresh;
 mod hierarchy;
 mod integrator;
 mod light;

@@ -14,6 +14,7 @@ use core::borrow::Borrow;
 use heapless::Vec;
 
 use crate::color::LinearRgb;
+use crate::fresh::afresh;
 use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
@@ -40,12 +41,12 @@ pub(crate) struct Sight<'k> {
     /// The objects that it can meet; `None`: any.
     pub(crate) among: Option<ObjectSet>,
     /// What can shade what it meets.
-    pub(crate) shades: Option<&'k Shades>,
+    pub(crate) shades: &'k Shades,
 }
 
 impl Sight<'_> {
     /// Nothing is known.
-    pub(crate) const UNKNOWN: Self = Self { among: None, shades: None };
+    pub(crate) const UNKNOWN: Self = Self { among: None, shades: &Shades::UNKNOWN };
 }
 
 /// What can stand between a place of one object and the first lights.
@@ -54,6 +55,11 @@ pub(crate) struct Shades {
     /// Position of the object.
     pub(crate) receiver: usize,
     pub(crate) among: [ObjectSet; LIGHTS],
+}
+
+impl Shades {
+    /// Those of no object.
+    pub(crate) const UNKNOWN: Self = Self { receiver: usize::MAX, among: [ObjectSet::ALL; LIGHTS] };
 }
 
 /// How many lights [`Shades`] are known of.
@@ -169,7 +175,8 @@ impl<R: Real> Path<R> {
         // Counted here, and told at the end.
         let mut left = *rays;
         while self.goes_on(&mut left, probe) {
-            let mut shades = if self.next.kind == RayKind::Camera { sight.shades } else { None };
+            let scene = afresh(scene);
+            let mut shades = if self.next.kind == RayKind::Camera { sight.shades } else { &Shades::UNKNOWN };
             let find = |ray: &Ray<R>, from| scene.closest_hit_from(ray, from, sight.among);
             if !self.follow(scene, find, &mut shades, waiting, bounds, &mut left, probe) {
                 break;

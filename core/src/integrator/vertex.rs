@@ -2,9 +2,10 @@
 
 use super::{PendingRay, RayBudget, Shades};
 use crate::color::LinearRgb;
+use crate::fresh::afresh;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::Departure;
+use crate::prepared::candidates::{Departure, ObjectSet};
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -108,6 +109,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         let (mut diffuse, mut specular) = (LinearRgb::BLACK, LinearRgb::BLACK);
         let (mut is_lit, mut is_glinting) = (false, false);
         for (index, light) in scene.lights.iter().enumerate() {
+            let scene = afresh(scene);
             let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
             let along = match optics {
@@ -119,13 +121,9 @@ impl<'s, R: Real> Vertex<'s, R> {
             if !(diffuses || glints) {
                 continue;
             }
-            let mut color = light.color;
-            if let Some(lamp) = light.lamp() {
-                let share = lamp.share(toward, distance);
-                if !(share > R::ZERO) {
-                    continue;
-                }
-                color = color * share;
+            let share = light.lamp().map(|lamp| lamp.share(toward, distance));
+            if share.is_some_and(|share| !(share > R::ZERO)) {
+                continue;
             }
             if !rays.spend() {
                 probe.record(Event::Cut(Cut::Rays));
@@ -135,6 +133,8 @@ impl<'s, R: Real> Vertex<'s, R> {
             if let Through::TooManyLayers = through {
                 probe.record(Event::Cut(Cut::ShadowLayers));
             }
+            // Not before the way is known: it would have to be kept meanwhile.
+            let color = share.map_or(light.color, |share| light.color * share);
             let mut highlight = R::ZERO;
             if through.is_any() {
                 diffuse = diffuse + through.times(cosine).of_gray(color);
@@ -236,10 +236,12 @@ pub(super) trait Shading<R: Real> {
     ) -> Through<Share<R>>;
 }
 
-impl<R: Real> Shading<R> for Option<&Shades> {
+impl<R: Real> Shading<R> for &Shades {
     #[inline(always)]
     fn begin_at(&mut self, object: usize) {
-        *self = self.filter(|shades| shades.receiver == object);
+        if self.receiver != object {
+            *self = &Shades::UNKNOWN;
+        }
     }
 
     #[inline(always)]
@@ -251,7 +253,7 @@ impl<R: Real> Shading<R> for Option<&Shades> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        let shades = self.and_then(|shades| shades.among.get(light)).copied();
+        let shades = self.among.get(light).copied().unwrap_or(ObjectSet::ALL);
         let from = vertex.departure(toward, false);
         let in_the_way = scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, shades);
         if in_the_way.is_none_or(|objects| !objects.is_empty()) {

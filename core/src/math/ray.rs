@@ -58,9 +58,7 @@ impl<R: Real> Ray<R> {
         direction: Vec3<R>,
         magnitude: R,
     ) -> Self {
-        let [x, y, z] = R::offset_along([normal.x, normal.y, normal.z], magnitude);
-        let offset = Vec3::new(x, y, z);
-        let origin = if outward { point + offset } else { point - offset };
-        Self { origin, direction }
+        let [x, y, z] = R::offset_along([normal.x, normal.y, normal.z], magnitude, outward);
+        Self { origin: point + Vec3::new(x, y, z), direction }
     }
 }

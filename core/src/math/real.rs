@@ -147,10 +147,10 @@ pub trait Real:
         Self::RAY_OFFSET * magnitude
     }
 
-    /// A unit vector times [`offset`](Self::offset).
+    /// A unit vector times [`offset`](Self::offset), or the opposite.
     #[inline(always)]
-    fn offset_along(unit: [Self; 3], magnitude: Self) -> [Self; 3] {
-        let offset = Self::offset(magnitude);
+    fn offset_along(unit: [Self; 3], magnitude: Self, outward: bool) -> [Self; 3] {
+        let offset = Self::offset(if outward { magnitude } else { -magnitude });
         unit.map(|coordinate| coordinate * offset)
     }
 
@@ -280,6 +280,11 @@ macro_rules! impl_real_for_float {
             const ONE: Self = 1.0;
             const FARTHEST: Self = 1e30;
             const RAY_OFFSET: Self = $offset;
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.abs()
+            }
 
             fn from_f32(value: f32) -> Self {
                 value as $Float

@@ -164,11 +164,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 let is_missed = |shape: &_| misses_most && is_missed(ray, shape);
                 self.closest_among(ray, Interval::AHEAD, among, is_missed)
             }
-            None => self.closest_object(ray, Interval::AHEAD, None),
+            None => self.closest_object(&apart(ray), Interval::AHEAD, None),
         };
         if closest.is_none() && from.is_some_and(|from| self.comes_out_again(from)) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
-            closest = self.closest_of_all(ray);
+            closest = self.closest_of_all(&apart(ray));
         }
         closest
     }
@@ -338,8 +338,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.light_through_among(ray, distance, None).map(Share::color)
     }
 
-    /// What can be in the way from a surface into the unit direction `toward` a light of the scene, `among` which
-    /// nothing is left out that might be; `None`: anything.
+    /// What can be in the way from a surface into the unit direction `toward` a light of the scene, if it is `among` these objects;
+    /// `None`: anything.
     #[inline(always)]
     pub(crate) fn in_the_way(
         &self,
@@ -347,11 +347,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         magnitude: R,
         light: usize,
         toward: Vec3<R>,
-        among: Option<ObjectSet>,
+        among: ObjectSet,
     ) -> Option<ObjectSet> {
         let candidates = self.candidates()?;
-        let between = candidates.between(from, light);
-        let between = among.map_or(between, |among| between.common(among));
+        let between = candidates.between(from, light).common(among);
         Some(if candidates.know_occluders(magnitude) {
             candidates.not_passed_by(between, light, toward)
         } else {
@@ -370,13 +369,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let range = Interval { min: R::ZERO, max: distance };
         let mut clear = true;
-        let mut blocks = |index: usize| self.blocks(index, ray, range, &mut clear);
         let blocked = match (among, self.hierarchy()) {
-            (Some(mut some), _) => some.any(&mut blocks),
+            (Some(mut some), _) => some.any(|index| self.blocks(index, ray, range, &mut clear)),
             (None, Some(hierarchy)) => {
                 return self.light_through_hierarchy(hierarchy, ray, distance, &mut { NOTHING });
             }
-            (None, None) => (0..self.objects.len()).any(&mut blocks),
+            (None, None) => (0..self.objects.len()).any(|index| self.blocks(index, ray, range, &mut clear)),
         };
         self.light_left(blocked, clear, ray, range, among)
     }
@@ -518,4 +516,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 #[inline(always)]
 fn is_missed<R: Real>(ray: &Ray<R>, shape: &impl Intersect<R>) -> bool {
     matches!(shape.form(), Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
+}
+
+/// The same ray, coordinate by coordinate, which a call may have by reference while the other stays in registers.
+#[inline(always)]
+fn apart<R: Real>(ray: &Ray<R>) -> Ray<R> {
+    let Ray { origin: Vec3 { x, y, z }, direction: Vec3 { x: dx, y: dy, z: dz } } = *ray;
+    Ray { origin: Vec3 { x, y, z }, direction: Vec3 { x: dx, y: dy, z: dz } }
 }

@@ -199,7 +199,7 @@ impl<'o> LineCandidates<'o> {
         if x >= self.shades_until {
             self.look_up_shadows(x);
         }
-        Sight { among: Some(self.current), shades: Some(&self.shades) }
+        Sight { among: Some(self.current), shades: &self.shades }
     }
 
     #[inline(never)]
@@ -249,7 +249,7 @@ mod tests {
                 let sight = line.at(x);
                 let objects: Vec<usize> = if here(3, 7) { vec![0, 1] } else { vec![1] };
                 assert_eq!(sight.among.unwrap().collect::<Vec<_>>(), objects);
-                let shades = sight.shades.unwrap();
+                let shades = sight.shades;
                 let first: Vec<usize> = if here(2, 9) { vec![2, 3] } else { vec![2] };
                 let second: Vec<usize> = if here(8, 12) { vec![0, 2] } else { vec![2] };
                 assert_eq!(shades.among[0].collect::<Vec<_>>(), first);

@@ -309,10 +309,13 @@ impl Real for Fixed {
     }
 
     #[inline(always)]
-    fn offset_along(unit: [Self; 3], magnitude: Self) -> [Self; 3] {
+    fn offset_along(unit: [Self; 3], magnitude: Self, outward: bool) -> [Self; 3] {
         // Below 2¹⁴: with 16 digits of the vector, products have 31.
         let Self(offset) = Self::offset(magnitude);
-        unit.map(|Self(coordinate)| Self((coordinate >> 8).wrapping_mul(offset) >> 16))
+        unit.map(|Self(coordinate)| {
+            let along = (coordinate >> 8).wrapping_mul(offset) >> 16;
+            Self(if outward { along } else { along.wrapping_neg() })
+        })
     }
 }
 

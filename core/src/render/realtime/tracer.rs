@@ -55,7 +55,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         let scene = if is_lit { self.renderer.scene } else { self.unlit };
         let mut seen = Seen::new(scene, self.marks, searches, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
-        let sight = Sight { among: self.among, shades: None };
+        let sight = Sight { among: self.among, ..Sight::UNKNOWN };
         let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
