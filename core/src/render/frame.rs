@@ -106,23 +106,19 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
         let width = usize::from(self.renderer.width);
         let first = self.traced.checked_div(width).unwrap_or(0);
         let mut y = self.lines.start.saturating_add(first as u32) as u16;
-        let mut x = self.traced.checked_rem(width).unwrap_or(0) as u16;
-        let mut painter = LinePainter::new(&self.renderer, y);
+        let mut x = self.traced.checked_rem(width).unwrap_or(0);
         let mut spent: u32 = 0;
-        for pixel in self.buffer.iter_mut().take(band).skip(self.traced) {
-            if x == self.renderer.width {
-                x = 0;
-                y = y.wrapping_add(1);
-                painter = LinePainter::new(&self.renderer, y);
-            }
-            let (color, rays) = painter.pixel(x, &mut ());
-            *pixel = color;
-            self.traced = self.traced.saturating_add(1);
-            x = x.wrapping_add(1);
+        while self.traced < band {
+            let line = self.traced..band.min(self.traced.saturating_add(width.saturating_sub(x)));
+            let pixels = self.buffer.get_mut(line).unwrap_or_default();
+            let mut painter = LinePainter::new(&self.renderer, y);
+            let (painted, rays) = painter.paint(x as u16, pixels, budget_rays.saturating_sub(spent), &mut ());
+            self.traced = self.traced.saturating_add(painted);
             spent = spent.saturating_add(rays);
-            if spent >= budget_rays {
+            if painted == 0 || spent >= budget_rays {
                 break;
             }
+            (x, y) = (0, y.wrapping_add(1));
         }
         spent
     }

@@ -190,6 +190,15 @@ impl<'o> LineCandidates<'o> {
         })
     }
 
+    /// The column after pixel `x` up to which nothing can be seen, if that is so; `x` never decreases.
+    #[inline(always)]
+    pub(super) fn nothing_until(&mut self, x: u16) -> Option<u16> {
+        if x >= self.until {
+            self.look_up(x);
+        }
+        self.current.is_empty().then_some(self.until)
+    }
+
     /// What is known of the ray through pixel `x`, where `x` never decreases.
     #[inline(always)]
     pub(super) fn at(&mut self, x: u16) -> Sight<'_> {

@@ -197,10 +197,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             return Ok(());
         }
         for (down, line) in lines.chunks_mut(usize::from(self.width).max(1)).enumerate() {
-            let mut painter = LinePainter::new(self, y.wrapping_add(down as u16));
-            for (x, pixel) in (0..self.width).zip(line) {
-                *pixel = painter.pixel(x, probe).0;
-            }
+            LinePainter::new(self, y.wrapping_add(down as u16)).paint(0, line, u32::MAX, probe);
         }
         Ok(())
     }

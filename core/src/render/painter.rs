@@ -29,17 +29,59 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
         Self { renderer, y, candidates, background }
     }
 
-    /// Pixel `x` in the display's color, and the rays that it took. `x` must not decrease.
+    /// Pixels from column `x` on in the display's colors, until `budget_rays` are spent, and at least one; how many those are, and
+    /// the rays that they took. `x` must not decrease.
     #[inline(always)]
-    pub(super) fn pixel(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let unknown = Sight::UNKNOWN;
-        let sight = self.candidates.as_mut().map_or(unknown, |candidates| candidates.at(x));
-        if let (Some(among), Some(background)) = (sight.among, self.background)
-            && among.is_empty()
-            && !probe.is_watching()
+    pub(super) fn paint(
+        &mut self,
+        mut x: u16,
+        pixels: &mut [C],
+        budget_rays: u32,
+        probe: &mut impl Probe<R>,
+    ) -> (usize, u32) {
+        let (mut painted, mut spent) = (0, 0u32);
+        while let Some(rest) = pixels.get_mut(painted..)
+            && let Some(first) = rest.first_mut()
         {
-            return (background, 1);
+            let mut run = 1;
+            match self.color_until(x, probe) {
+                Some((color, until)) => {
+                    let left = budget_rays.saturating_sub(spent).max(1) as usize;
+                    run = rest.len().min(usize::from(until.saturating_sub(x)).max(1)).min(left);
+                    rest.iter_mut().take(run).for_each(|pixel| *pixel = color);
+                    spent = spent.saturating_add(run as u32);
+                }
+                None => {
+                    let (color, rays) = self.trace(x, probe);
+                    *first = color;
+                    spent = spent.saturating_add(rays);
+                }
+            }
+            painted += run;
+            x = x.wrapping_add(run as u16);
+            if spent >= budget_rays {
+                break;
+            }
         }
+        (painted, spent)
+    }
+
+    /// The color of the pixels from `x` to another column, where nothing can be seen; each takes a ray.
+    #[inline(always)]
+    fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
+        let until = self.candidates.as_mut()?.nothing_until(x)?;
+        self.background.filter(|_| !probe.is_watching()).map(|color| (color, until))
+    }
+
+    /// Pixel `x` in the display's color. `x` must not decrease.
+    pub(super) fn pixel(&mut self, x: u16) -> C {
+        self.color_until(x, &()).map_or_else(|| self.trace(x, &mut ()).0, |(color, _)| color)
+    }
+
+    /// The color of pixel `x`, and the rays that it took.
+    #[inline(always)]
+    fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
+        let sight = self.candidates.as_mut().map_or(Sight::UNKNOWN, |candidates| candidates.at(x));
         let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
         (C::from_light(Light16::new(light), &Quantizer::new(&self.renderer.settings, x, self.y)), rays)
     }

@@ -79,10 +79,9 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
                 continue;
             }
             let mut painter = LinePainter::new(self, y);
-            let pixels = (first..self.width).step_by(usize::from(step)).map(|x| {
-                let (color, _) = painter.pixel(x, &mut ());
-                Pixel(Point::new(i32::from(x), i32::from(y)), color)
-            });
+            let pixels = (first..self.width)
+                .step_by(usize::from(step))
+                .map(|x| Pixel(Point::new(i32::from(x), i32::from(y)), painter.pixel(x)));
             display.draw_iter(pixels).map_err(|error| DrawError::Display { line: u32::from(y), error })?;
         }
         Ok(())
