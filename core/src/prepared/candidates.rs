@@ -252,7 +252,7 @@ impl<'m, R: Real> Candidates<'m, R> {
     }
 
     /// Those objects, from the first on that a shadow ray of this direction, toward this light, does not surely miss. What comes after it
-    /// is looked at where that is faster than to test it.
+    /// is looked at in fixed point alone: in floating point it takes as long to test it.
     #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
         let is_passed = |object: usize| {
@@ -264,7 +264,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         {
             set = set.without_lowest();
         }
-        if R::TELLS_MISSES {
+        if R::REACH.is_some() {
             for object in set.without_lowest() {
                 if is_passed(object) {
                     set = set.without(object);

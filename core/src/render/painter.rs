@@ -46,8 +46,8 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
             let mut run = 1;
             match self.color_until(x, probe) {
                 Some((color, until)) => {
-                    let left = budget_rays.saturating_sub(spent).max(1) as usize;
-                    run = rest.len().min(usize::from(until.saturating_sub(x)).max(1)).min(left);
+                    let left = budget_rays.saturating_sub(spent).min(u32::from(until.saturating_sub(x)));
+                    run = rest.len().min(left.max(1) as usize);
                     rest.iter_mut().take(run).for_each(|pixel| *pixel = color);
                     spent = spent.saturating_add(run as u32);
                 }
