@@ -362,6 +362,28 @@ fn traced_pixels_are_those_of_the_exact_picture() {
     }
 }
 
+/// Checks that renderers with and without what only exact lines gain by draw the same.
+fn check_for_realtime<R: Real>(scene: &Scene) {
+    let settings = Settings::new(96, 72);
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
+    let full = Renderer::new(&prepared, settings).expect("legal settings");
+    let lean = Renderer::for_realtime(&prepared, settings).expect("legal settings");
+    assert!(exact(&lean, &mut ()).pixels == exact(&full, &mut ()).pixels);
+    let quality = Realtime::fine();
+    assert!(realtime(&lean, quality, &mut ()).pixels == realtime(&full, quality, &mut ()).pixels);
+    let empty = Settings { samples_per_pixel: 0, ..settings };
+    assert!(Renderer::for_realtime(&prepared, empty).is_err() && Renderer::new(&prepared, empty).is_err());
+}
+
+#[test]
+fn renderers_for_realtime_draw_the_same() {
+    for scene in [&CLASSIC, &PRISM] {
+        check_for_realtime::<f32>(scene);
+        check_for_realtime::<Fixed>(scene);
+    }
+}
+
 #[test]
 fn every_size_is_drawn() {
     let quality = Realtime::new();

@@ -174,6 +174,7 @@ mod tests {
         );
         assert_eq!(tables[3][1], "|         6.0 | 30.0 % |      0.0 % | core/src/run.rs:9   |");
     }
+
     #[test]
     fn where_cycles_are_known_they_rank() {
         let mut report = Report::default();
