@@ -14,7 +14,6 @@ use core::borrow::Borrow;
 use heapless::Vec;
 
 use crate::color::LinearRgb;
-use crate::fresh::afresh;
 use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
@@ -38,18 +37,20 @@ pub(crate) struct Bounds<R> {
 /// What is known of a camera ray before it is traced.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight<'k> {
-    /// The objects that it can meet; `None`: any.
-    pub(crate) among: Option<ObjectSet>,
+    /// The objects that it can meet, where the scene has sets of them.
+    pub(crate) among: ObjectSet,
     /// What can shade what it meets.
     pub(crate) shades: &'k Shades,
 }
 
 impl Sight<'_> {
-    /// Nothing is known.
-    pub(crate) const UNKNOWN: Self = Self { among: None, shades: &Shades::UNKNOWN };
+    /// It can meet these objects, and no more is known.
+    pub(crate) const fn among(among: ObjectSet) -> Self {
+        Self { among, shades: &Shades::UNKNOWN }
+    }
 }
 
-/// What can stand between a place of one object and the first lights.
+/// What can stand between a place of one object and the lights, in a scene that has no more than [`LIGHTS`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shades {
     /// Position of the object.
@@ -60,9 +61,16 @@ pub(crate) struct Shades {
 impl Shades {
     /// Those of no object.
     pub(crate) const UNKNOWN: Self = Self { receiver: usize::MAX, among: [ObjectSet::ALL; LIGHTS] };
+
+    /// What can stand before a light.
+    #[inline(always)]
+    fn before(&self, light: usize) -> ObjectSet {
+        // Where there are more lights, all sets are the same.
+        self.among.get(light % LIGHTS).copied().unwrap_or(ObjectSet::ALL)
+    }
 }
 
-/// How many lights [`Shades`] are known of.
+/// Of how many lights [`Shades`] are known.
 pub(crate) const LIGHTS: usize = 4;
 
 /// The rays that one pixel may still spend.
@@ -94,6 +102,8 @@ struct PendingRay<R> {
     kind: RayKind,
     /// The surface that it leaves; of a camera ray, none.
     from: Departure,
+    /// The objects that it can meet, where the scene has sets of them.
+    among: ObjectSet,
 }
 
 /// The light that comes to the origin of a camera ray from where it points.
@@ -106,8 +116,8 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut path = Path::new(ray);
-    path.end(scene, sight, &mut Waiting::new(), bounds, rays, probe);
+    let mut path = Path::new(ray, sight.among);
+    path.end(scene, sight.shades, &mut Waiting::new(), bounds, rays, probe);
     path.light
 }
 
@@ -124,21 +134,16 @@ struct Path<R> {
 
 impl<R: Real> Path<R> {
     #[inline(always)]
-    fn new(ray: Ray<R>) -> Self {
+    fn new(ray: Ray<R>, among: ObjectSet) -> Self {
         let next = PendingRay {
             ray,
             throughput: Share::even(R::ONE),
             bounces: 0,
             kind: RayKind::Camera,
             from: Departure::NONE,
+            among,
         };
         Self { light: LinearRgb::BLACK, next }
-    }
-
-    /// The surface that the ray at hand leaves, if it leaves one.
-    #[inline(always)]
-    fn from(&self) -> Option<Departure> {
-        if self.next.kind == RayKind::Camera { None } else { Some(self.next.from) }
     }
 
     /// Whether there is a ray left to be spent; spends it.
@@ -166,7 +171,7 @@ impl<R: Real> Path<R> {
     fn end<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        sight: Sight<'_>,
+        mut shades: &Shades,
         waiting: &mut Waiting<R>,
         bounds: &Bounds<R>,
         rays: &mut RayBudget,
@@ -175,9 +180,9 @@ impl<R: Real> Path<R> {
         // Counted here, and told at the end.
         let mut left = *rays;
         while self.goes_on(&mut left, probe) {
-            let scene = afresh(scene);
-            let mut shades = if self.next.kind == RayKind::Camera { sight.shades } else { &Shades::UNKNOWN };
-            let find = |ray: &Ray<R>, from| scene.closest_hit_from(ray, from, sight.among);
+            // Those are of a camera ray: of what it leads to, nothing is known.
+            let mut shades = core::mem::replace(&mut shades, &Shades::UNKNOWN);
+            let find = |next: &PendingRay<R>| scene.closest_hit_from(&next.ray, next.from, next.among);
             if !self.follow(scene, find, &mut shades, waiting, bounds, &mut left, probe) {
                 break;
             }
@@ -192,16 +197,15 @@ impl<R: Real> Path<R> {
     fn follow<'s, S: Geometry, H: Borrow<Hit<R>>>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        find: impl FnOnce(&Ray<R>, Option<Departure>) -> Option<(H, &'s PreparedMaterial<'s, R>)>,
+        find: impl FnOnce(&PendingRay<R>) -> Option<(H, &'s PreparedMaterial<'s, R>)>,
         shading: &mut impl Shading<R>,
         waiting: &mut Waiting<R>,
         bounds: &Bounds<R>,
         rays: &mut RayBudget,
         probe: &mut impl Probe<R>,
     ) -> bool {
-        let from = self.from();
-        let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
-        let Some((hit, mut material)) = find(&ray, from) else {
+        let PendingRay { ray, throughput, bounces, kind, from, .. } = self.next;
+        let Some((hit, mut material)) = find(&self.next) else {
             let color = scene.background.color(ray.direction);
             probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
@@ -223,6 +227,9 @@ impl<R: Real> Path<R> {
         let light = vertex.local_light(scene, shading, rays, probe);
         self.receive(throughput, light);
 
+        if !vertex.goes_on() {
+            return take(waiting, &mut self.next);
+        }
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
         let mut followed = |share: Share<R>| {
             if R::SEEKS_FACTORS && !(share.largest() > R::ZERO) {
@@ -248,12 +255,12 @@ impl<R: Real> Path<R> {
         if let Some(direction) = direction
             && let Some(throughput) = followed(refracted)
             // There is always room, as shown above.
-            && waiting.push(vertex.leave(direction, throughput, bounces, RayKind::Refracted)).is_err()
+            && waiting.push(vertex.leave(scene, direction, throughput, bounces, RayKind::Refracted)).is_err()
         {
             probe.record(Event::Cut(Cut::Bounces));
         }
         if let Some(mirrors) = mirrors {
-            self.next = vertex.leave(vertex.mirrored, mirrors, bounces, RayKind::Reflected);
+            self.next = vertex.leave(scene, vertex.mirrored, mirrors, bounces, RayKind::Reflected);
             return true;
         }
         take(waiting, &mut self.next)

@@ -31,13 +31,13 @@
 use heapless::Vec;
 
 use super::vertex::{Shading, Vertex};
-use super::{Bounds, Path, RayBudget, Sight, Waiting};
+use super::{Bounds, Path, PendingRay, RayBudget, Shades, Waiting};
 use crate::color::LinearRgb;
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::light::Source;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, FOUR_AT_ONCE, FourRays, Ray, Real, Vec3};
-use crate::prepared::candidates::Departure;
+use crate::prepared::candidates::{Departure, ObjectSet};
 use crate::prepared::queries::{Closest, NOTHING};
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::Probe;
@@ -83,13 +83,19 @@ impl<'m, R: Real> Lane<'m, R> {
     /// One without a ray.
     pub(crate) fn new() -> Self {
         let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
-        Self { path: Path::new(nowhere), rays: RayBudget(0), goes_on: false, hit: Hit::BLANK, material: None }
+        Self {
+            path: Path::new(nowhere, ObjectSet::ALL),
+            rays: RayBudget(0),
+            goes_on: false,
+            hit: Hit::BLANK,
+            material: None,
+        }
     }
 
     /// Begins with a camera ray, and the rays that it may spend. In place: a copy would wait for what was just written to reach memory.
     #[inline(always)]
     pub(crate) fn begin(&mut self, ray: Ray<R>, rays: RayBudget) {
-        self.path = Path::new(ray);
+        self.path = Path::new(ray, ObjectSet::ALL);
         self.rays = rays;
         self.goes_on = true;
     }
@@ -151,7 +157,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
                 break;
             }
             let mut rest = &mut *lanes;
-            while let Some(run) = take_run(&mut rest, |lane| (lane.goes_on, lane.path.from())) {
+            while let Some(run) = take_run(&mut rest, |lane| (lane.goes_on, lane.path.next.from)) {
                 self.meet(run);
             }
             let mut rest = &mut *lanes;
@@ -169,8 +175,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         if run.len() > 1
             && let Some(beam) = Beam::around(run.iter().map(|lane| &lane.path.next.ray))
         {
-            let left = first.path.from().filter(|from| !self.scene.is_met_again(*from));
-            list = self.list(&beam, left.map(|from| from.object));
+            let left = first.path.next.from;
+            list = self.list(&beam, (!self.scene.is_met_again(left)).then_some(left.object));
             // Of several objects at the same distance the first counts.
             if let Some(list) = &mut list {
                 sort(list);
@@ -183,7 +189,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
                     let ray = &lane.path.next.ray;
                     let closest = match &list {
                         Some(list) => self.scene.closest_in(ray, list),
-                        None => self.scene.closest_from(ray, lane.path.from(), None),
+                        None => self.scene.closest_from(ray, lane.path.next.from, ObjectSet::ALL),
                     };
                     lane.meet(self.scene, closest);
                 }
@@ -233,10 +239,10 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
         let mut ways = Ways::new(self, run);
         for lane in run {
             let Lane { path, rays, hit, material, .. } = lane;
-            let find = |_: &Ray<R>, _| material.map(|material| (&*hit, material));
+            let find = |_: &PendingRay<R>| material.map(|material| (&*hit, material));
             lane.goes_on = path.follow(scene, find, &mut ways, waiting, bounds, rays, probe);
             if !waiting.is_empty() {
-                lane.path.end(scene, Sight::UNKNOWN, waiting, bounds, &mut lane.rays, probe);
+                lane.path.end(scene, &Shades::UNKNOWN, waiting, bounds, &mut lane.rays, probe);
                 lane.goes_on = false;
             }
         }

@@ -5,7 +5,7 @@ use crate::color::LinearRgb;
 use crate::fresh::afresh;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::{Departure, ObjectSet};
+use crate::prepared::candidates::Departure;
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -55,8 +55,9 @@ impl<'s, R: Real> Vertex<'s, R> {
     }
 
     /// A ray that is to be followed from here, after so many bounces.
-    pub(super) fn leave(
+    pub(super) fn leave<S: Geometry>(
         &self,
+        scene: &PreparedScene<'_, R, S>,
         direction: Vec3<R>,
         throughput: Share<R>,
         bounces: u8,
@@ -64,7 +65,14 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> PendingRay<R> {
         let from = self.departure(direction, kind == RayKind::Refracted);
         let ray = self.spawn(direction, from);
-        PendingRay { ray, throughput, bounces: bounces.wrapping_add(1), kind, from }
+        PendingRay {
+            ray,
+            throughput,
+            bounces: bounces.wrapping_add(1),
+            kind,
+            from,
+            among: scene.leaving(from),
+        }
     }
 
     /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
@@ -136,13 +144,14 @@ impl<'s, R: Real> Vertex<'s, R> {
             // Not before the way is known: it would have to be kept meanwhile.
             let color = share.map_or(light.color, |share| light.color * share);
             let mut highlight = R::ZERO;
-            if through.is_any() {
-                diffuse = diffuse + through.times(cosine).of_gray(color);
+            let way = through.times(R::ONE);
+            if way.largest() > R::ZERO {
+                diffuse = diffuse + (way * cosine).of_gray(color);
                 is_lit = true;
                 // The power takes long: it is for what is seen.
                 highlight = if glints { material.shininess.power_of(along) } else { R::ZERO };
                 if highlight > R::ZERO {
-                    specular = specular + through.times(highlight).of_gray(color);
+                    specular = specular + (way * highlight).of_gray(color);
                     is_glinting = true;
                 }
             }
@@ -169,12 +178,19 @@ impl<'s, R: Real> Vertex<'s, R> {
         scattered + specular * material.specular
     }
 
+    /// Whether any ray may have to be followed from here.
+    #[inline(always)]
+    pub(super) fn goes_on(&self) -> bool {
+        let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
+        reflectance.is_positive() || transmittance.is_positive() || self.material.optics().is_some()
+    }
+
     /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.
     #[inline(always)]
     pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
         let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
         let optics = self.material.optics();
-        let is_glass = transmittance > R::ZERO;
+        let is_glass = transmittance.is_positive();
         let refraction = if is_glass { self.refracted() } else { None };
         let Some(optics) = optics else {
             // Total internal reflection: what cannot leave is mirrored.
@@ -253,9 +269,9 @@ impl<R: Real> Shading<R> for &Shades {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        let shades = self.among.get(light).copied().unwrap_or(ObjectSet::ALL);
         let from = vertex.departure(toward, false);
-        let in_the_way = scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, shades);
+        let in_the_way =
+            scene.in_the_way(from, vertex.hit.surface.magnitude, light, toward, self.before(light));
         if in_the_way.is_none_or(|objects| !objects.is_empty()) {
             scene.light_through_among(&vertex.spawn(toward, from), distance, in_the_way)
         } else {

@@ -134,12 +134,12 @@ impl<'m, R: Real> PreparedLight<'m, R> {
                 let toward = position - point;
                 // Lights behind the surface are the most frequent: find them before the root and the division.
                 let height = toward.dot(normal);
-                if !(height > R::ZERO) {
+                if !height.has_square() {
                     return None;
                 }
                 let (direction, distance, cosine) = R::polar_with([toward.x, toward.y, toward.z], height);
                 let [x, y, z] = direction;
-                (distance > R::ZERO).then_some((Vec3::new(x, y, z), distance, cosine))
+                Some((Vec3::new(x, y, z), distance, cosine))
             }
             Source::Far(position, shrink) => {
                 // The direction is the same in every scale.

@@ -96,6 +96,18 @@ pub trait Real:
         Self::ONE / self
     }
 
+    /// Whether a number that is one is more than 0: processors with 32 bits take less time for it than to compare floats.
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self > Self::ZERO
+    }
+
+    /// Whether a number that is one is more than 0, and its square as well.
+    #[inline(always)]
+    fn has_square(self) -> bool {
+        self.is_positive()
+    }
+
     /// The sum of three products: one accumulator where a number system has a wide one.
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
         let [ax, ay, az] = a;
@@ -284,6 +296,21 @@ macro_rules! impl_real_for_float {
             #[inline(always)]
             fn abs(self) -> Self {
                 self.abs()
+            }
+
+            #[inline(always)]
+            fn is_positive(self) -> bool {
+                if cfg!(target_pointer_width = "32") { self.to_bits().cast_signed() > 0 } else { self > 0.0 }
+            }
+
+            #[inline(always)]
+            fn has_square(self) -> bool {
+                const LEAST: $Float = 1.0 / (1u64 << 61) as $Float;
+                if cfg!(target_pointer_width = "32") {
+                    self.to_bits().cast_signed() >= LEAST.to_bits().cast_signed()
+                } else {
+                    self >= LEAST
+                }
             }
 
             fn from_f32(value: f32) -> Self {

@@ -89,7 +89,7 @@ pub(crate) struct Departure {
 
 impl Departure {
     /// No surface.
-    pub(crate) const NONE: Self = Self { object: usize::MAX, outward: true };
+    pub(crate) const NONE: Self = Self { object: usize::MAX, outward: false };
 }
 
 /// The sets of a scene.

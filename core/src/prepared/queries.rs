@@ -44,16 +44,6 @@ impl<S> Through<S> {
 }
 
 impl<R: Real> Through<Share<R>> {
-    /// Whether any light comes through.
-    #[inline(always)]
-    pub(crate) fn is_any(&self) -> bool {
-        match self {
-            Self::All => true,
-            Self::Nothing | Self::TooManyLayers => false,
-            Self::Some(share) => share.largest() > R::ZERO,
-        }
-    }
-
     /// The share that comes through of this one.
     #[inline(always)]
     pub(crate) fn times(&self, share: R) -> Share<R> {
@@ -138,37 +128,29 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub(crate) fn closest_hit_from(
         &self,
         ray: &Ray<R>,
-        from: Option<Departure>,
-        among: Option<ObjectSet>,
+        from: Departure,
+        among: ObjectSet,
     ) -> Option<HitOn<'m, R>> {
         self.hit(ray, self.closest_from(ray, from, among))
     }
 
     /// Distance and position of that.
     #[inline(always)]
-    pub(crate) fn closest_from(
-        &self,
-        ray: &Ray<R>,
-        from: Option<Departure>,
-        among: Option<ObjectSet>,
-    ) -> Option<(R, usize)> {
-        let among = match (from, self.candidates()) {
-            (Some(from), Some(candidates)) => Some(candidates.leaving(from)),
-            (Some(_), None) => None,
-            (None, _) => among,
-        };
-        let mut closest = match among {
-            Some(among) => {
+    pub(crate) fn closest_from(&self, ray: &Ray<R>, from: Departure, among: ObjectSet) -> Option<(R, usize)> {
+        let mut closest = match self.candidates() {
+            Some(_) => {
                 // A ray that leaves a surface misses most of what is about it.
-                let misses_most = R::TELLS_MISSES && from.is_some_and(|from| from.outward);
+                let misses_most = R::TELLS_MISSES && from.outward;
                 let is_missed = |shape: &_| misses_most && is_missed(ray, shape);
                 self.closest_among(ray, Interval::AHEAD, among, is_missed)
             }
             None => self.closest_object(&apart(ray), Interval::AHEAD, None),
         };
-        if closest.is_none() && from.is_some_and(|from| self.comes_out_again(from)) {
+        if closest.is_none() && self.comes_out_again(from) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
-            closest = self.closest_of_all(&apart(ray));
+            if let Some((t, object)) = self.closest_of_all(&apart(ray)) {
+                closest = Some((t, object));
+            }
         }
         closest
     }
@@ -179,18 +161,27 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub(crate) fn dimmed(
         &self,
         throughput: Share<R>,
-        from: Option<Departure>,
+        from: Departure,
         is_mirrored: bool,
         length: Option<R>,
     ) -> Share<R> {
         if !cfg!(feature = "optics") {
             return throughput;
         }
-        let material = from.and_then(|from| self.material(from.object));
-        match (material.and_then(PreparedMaterial::optics), from) {
-            (Some(optics), Some(from)) => optics.dimmed(throughput, from.outward, is_mirrored, length),
-            _ => throughput,
+        match self.material(from.object).and_then(PreparedMaterial::optics) {
+            Some(optics) => optics.dimmed(throughput, from.outward, is_mirrored, length),
+            None => throughput,
         }
+    }
+
+    /// All objects.
+    pub(crate) fn all(&self) -> ObjectSet {
+        self.candidates().map_or(ObjectSet::ALL, Candidates::all)
+    }
+
+    /// The objects that a ray can meet that leaves a surface.
+    pub(crate) fn leaving(&self, from: Departure) -> ObjectSet {
+        self.candidates().map_or(ObjectSet::ALL, |candidates| candidates.leaving(from))
     }
 
     fn comes_out_again(&self, from: Departure) -> bool {
@@ -282,8 +273,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ) -> Option<(R, usize)> {
         let mut closest = None;
         for index in among {
-            if let Some(object) = self.objects.get(index)
-                && !is_missed(&object.shape)
+            let Some(object) = self.objects.get(index) else { continue };
+            if !is_missed(&object.shape)
                 && let Some(t) = object.shape.intersect(ray, range)
             {
                 range.max = t;
@@ -370,13 +361,68 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let range = Interval { min: R::ZERO, max: distance };
         let mut clear = true;
         let blocked = match (among, self.hierarchy()) {
-            (Some(mut some), _) => some.any(|index| self.blocks(index, ray, range, &mut clear)),
+            (Some(some), _) => return self.light_through_few(ray, range, some),
             (None, Some(hierarchy)) => {
                 return self.light_through_hierarchy(hierarchy, ray, distance, &mut { NOTHING });
             }
             (None, None) => (0..self.objects.len()).any(|index| self.blocks(index, ray, range, &mut clear)),
         };
         self.light_left(blocked, clear, ray, range, among)
+    }
+
+    /// The same for a ray that can meet none but a few objects. Those are not asked again that no part of it meets.
+    #[inline(always)]
+    fn light_through_few(&self, ray: &Ray<R>, range: Interval<R>, among: ObjectSet) -> Through<Share<R>> {
+        let (mut again, mut met) = (ObjectSet::NONE, None);
+        for index in among {
+            let Some(PreparedObject { shape, material }) = self.objects.get(index) else { continue };
+            match shape.intersect(ray, range) {
+                Some(t) => {
+                    if !(material.transmittance > R::ZERO) {
+                        return Through::Nothing;
+                    }
+                    met = Some((t, index));
+                }
+                None if shape.form().is_missed_by_parts() => continue,
+                None => {}
+            }
+            again = again.with(index);
+        }
+        match met {
+            None => Through::All,
+            Some((t, index)) if again == ObjectSet::NONE.with(index) => {
+                self.light_through_one(ray, range, t, index)
+            }
+            Some(_) => self.light_through_layers(ray, range, Some(again)),
+        }
+    }
+
+    /// The same for a ray that meets one object alone, first there: as [`light_through_layers`](Self::light_through_layers).
+    fn light_through_one(
+        &self,
+        ray: &Ray<R>,
+        mut range: Interval<R>,
+        mut t: R,
+        index: usize,
+    ) -> Through<Share<R>> {
+        let mut through = Share::even(R::ONE);
+        let Some(PreparedObject { shape, .. }) = self.objects.get(index) else { return Through::All };
+        let most = shape.form().most_hits().unwrap_or(MAX_SHADOW_LAYERS + 1);
+        for layer in 1..=most {
+            if layer > MAX_SHADOW_LAYERS {
+                return Through::TooManyLayers;
+            }
+            through = self.let_through(through, index, ray, Interval { max: t, ..range });
+            if layer == most {
+                break;
+            }
+            range.min = t;
+            match shape.intersect(ray, range) {
+                Some(next) => t = next,
+                None => break,
+            }
+        }
+        Through::Some(through)
     }
 
     /// The same for a ray that can meet anything, where there is a hierarchy. The object that was `last` in the way to a light is asked

@@ -63,6 +63,7 @@ impl DisplayColor for Rgb888 {
 }
 
 impl DisplayColor for Rgb565 {
+    #[inline(always)]
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.r, 31), quantizer.level(light.g, 63), quantizer.level(light.b, 31))
     }

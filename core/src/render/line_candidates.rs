@@ -121,6 +121,10 @@ impl Outlines {
         viewport: &Viewport<R>,
     ) {
         let (Some(_), Some(plane)) = (self.count(), scene.plane_of(self.receiver)) else { return };
+        if scene.lights.len() > LIGHTS {
+            // Of those no more is said than of none.
+            return;
+        }
         let mut places = self.shadows.iter_mut();
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
             *others = scene.may_shade(self.receiver, index);
@@ -199,16 +203,13 @@ impl<'o> LineCandidates<'o> {
         self.current.is_empty().then_some(self.until)
     }
 
-    /// What is known of the ray through pixel `x`, where `x` never decreases.
+    /// What is known of the ray through pixel `x`, of which [`nothing_until`](Self::nothing_until) was asked last.
     #[inline(always)]
-    pub(super) fn at(&mut self, x: u16) -> Sight<'_> {
-        if x >= self.until {
-            self.look_up(x);
-        }
+    pub(super) fn sight(&mut self, x: u16) -> Sight<'_> {
         if x >= self.shades_until {
             self.look_up_shadows(x);
         }
-        Sight { among: Some(self.current), shades: &self.shades }
+        Sight { among: self.current, shades: &self.shades }
     }
 
     #[inline(never)]
@@ -255,9 +256,10 @@ mod tests {
             let mut line = LineCandidates::new(&outlines, y).unwrap();
             for x in 0..20 {
                 let here = |start, end| (2..4).contains(&y) && (start..end).contains(&x);
-                let sight = line.at(x);
+                assert_eq!(line.nothing_until(x), None);
+                let sight = line.sight(x);
                 let objects: Vec<usize> = if here(3, 7) { vec![0, 1] } else { vec![1] };
-                assert_eq!(sight.among.unwrap().collect::<Vec<_>>(), objects);
+                assert_eq!(sight.among.collect::<Vec<_>>(), objects);
                 let shades = sight.shades;
                 let first: Vec<usize> = if here(2, 9) { vec![2, 3] } else { vec![2] };
                 let second: Vec<usize> = if here(8, 12) { vec![0, 2] } else { vec![2] };

@@ -122,7 +122,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// The light that pixel (x, y) receives, and the rays that it took: at most
     /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_at(x, y, Sight::UNKNOWN, probe)
+        self.light_at(x, y, Sight::among(self.scene.all()), probe)
     }
 
     /// As [`pixel`](Self::pixel), with what is known of it.

@@ -81,7 +81,10 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p,
     /// The color of pixel `x`, and the rays that it took.
     #[inline(always)]
     fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let sight = self.candidates.as_mut().map_or(Sight::UNKNOWN, |candidates| candidates.at(x));
+        let sight = match &mut self.candidates {
+            Some(candidates) => candidates.sight(x),
+            None => Sight::among(self.renderer.scene.all()),
+        };
         let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
         (C::from_light(Light16::new(light), &Quantizer::new(&self.renderer.settings, x, self.y)), rays)
     }

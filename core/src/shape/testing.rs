@@ -285,6 +285,13 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
             continue;
         }
         let spawned = Ray::spawn(surface.point, surface.normal, away, surface.magnitude);
+        for ray in [&ray, &spawned] {
+            assert_parts_meet_no_more(
+                &prepared,
+                ray,
+                R::from_f32(length(extent * (2.0 + 2.0 * random.next()))),
+            );
+        }
         if let Some(again) = prepared.intersect(&spawned, Interval::AHEAD) {
             // Close to an edge the other face is close too.
             let other_face = prepared.surface(&spawned, again).normal.dot(surface.normal) < R::from_f32(0.9);
@@ -295,6 +302,23 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
         }
     }
     assert!(hits > rays / 20, "only {hits} of {rays} rays met {shape:?}");
+}
+
+/// What the [form](super::Form) of a shape says of how often a ray up to `max` meets it holds, to the bit.
+fn assert_parts_meet_no_more<R: Real>(prepared: &impl Intersect<R>, ray: &Ray<R>, max: R) {
+    let Some(most) = prepared.form().most_hits() else { return };
+    let mut range = Interval { min: R::ZERO, max };
+    let mut hits = 0;
+    while let Some(t) = prepared.intersect(ray, range) {
+        range.min = t;
+        hits += 1;
+        assert!(hits <= most, "{ray:?} meets it again at {t:?}");
+    }
+    for sixteenths in 0..16 {
+        let part = Interval { min: max * R::from_f32(sixteenths as f32 / 16.0), max };
+        let t = prepared.intersect(ray, part);
+        assert!(hits > 0 || t.is_none(), "{ray:?} is met at {t:?} from {:?} on alone", part.min);
+    }
 }
 
 /// Sizes over nine orders of magnitude.

@@ -184,7 +184,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let shown = band.strip.as_ref().map(|strip| strip.between(band.left as u16, (left + side) as u16));
         // Candidates are not known beyond the picture's right end.
         let is_inside = band.left + (side as u32) < self.renderer.width();
-        let among = if is_inside { shown } else { None };
+        let among = shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all());
         let detail = self.budget.detail();
         let mut tracer = Tracer {
             renderer: self.renderer,
@@ -207,7 +207,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             side,
         };
         if let Some(nothing) = self.nothing
-            && among.is_some_and(ObjectSet::is_empty)
+            && among.is_empty()
         {
             paint.blank(self.buffer.colors, nothing);
             let corners = Corners::all(nothing);

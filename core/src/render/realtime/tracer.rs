@@ -22,7 +22,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) renderer: &'r Renderer<'p, 'm, R, S>,
     pub(super) bounds: &'r Bounds<R>,
     pub(super) unlit: &'r PreparedScene<'m, R, S>,
-    pub(super) among: Option<ObjectSet>,
+    pub(super) among: ObjectSet,
     /// The cell's upper left pixel.
     pub(super) left: u32,
     pub(super) top: u32,
@@ -55,7 +55,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         let scene = if is_lit { self.renderer.scene } else { self.unlit };
         let mut seen = Seen::new(scene, self.marks, searches, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
-        let sight = Sight { among: self.among, ..Sight::UNKNOWN };
+        let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
