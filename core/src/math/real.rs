@@ -133,16 +133,22 @@ pub trait Real:
     /// The sum of three products, not yet rounded.
     fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> Self::Product;
 
+    /// The squared length of a vector, not yet rounded.
+    #[inline(always)]
+    fn squared_length(vector: [Self; 3]) -> Self::Product {
+        Self::dot3_wide(vector, vector)
+    }
+
     /// The unit vector along a vector, and the vector's length. Where that is 0 the unit vector is anything.
     fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
-        let length = Self::dot3_wide(vector, vector).sqrt();
+        let length = Self::squared_length(vector).sqrt();
         let scale = length.recip();
         (vector.map(|coordinate| coordinate * scale), length)
     }
 
     /// As [`polar`](Self::polar), and a product with the vector divided by its length.
     fn polar_with(vector: [Self; 3], product: Self) -> ([Self; 3], Self, Self) {
-        let length = Self::dot3_wide(vector, vector).sqrt();
+        let length = Self::squared_length(vector).sqrt();
         let scale = length.recip();
         (vector.map(|coordinate| coordinate * scale), length, product * scale)
     }

@@ -77,6 +77,11 @@ impl<R: Real> Vec3<R> {
         R::dot3_wide([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
+    /// The squared length, not yet rounded.
+    pub fn squared_wide(self) -> R::Product {
+        R::squared_length([self.x, self.y, self.z])
+    }
+
     /// The squared length.
     pub fn length_squared(self) -> R {
         self.dot(self)
@@ -84,7 +89,7 @@ impl<R: Real> Vec3<R> {
 
     /// The length.
     pub fn length(self) -> R {
-        self.dot_wide(self).sqrt()
+        self.squared_wide().sqrt()
     }
 
     /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.

@@ -52,9 +52,9 @@ pub use wide::FixedProduct;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Cell, Ray, Real, Vec3};
-use newton::{recip, rsqrt};
+use newton::{Root, recip, root};
 use product::{IS_ARMV6M, product, scaled};
-use zeros::{even_zeros, zeros};
+use zeros::zeros;
 
 /// Bits after the point.
 const FRACTION: u32 = 24;
@@ -138,7 +138,7 @@ impl Div for Fixed {
 fn inverse(divisor: Fixed) -> (u32, i32) {
     let digits = divisor.0.unsigned_abs();
     let zeros = zeros(digits) & 31;
-    (zeros, recip(digits << zeros).min(i32::MAX as u32) as i32)
+    (zeros, newton::signed(recip(digits << zeros)))
 }
 
 impl Real for Fixed {
@@ -281,6 +281,10 @@ impl Real for Fixed {
         FixedProduct::dot3(a, b)
     }
 
+    fn squared_length(vector: [Self; 3]) -> FixedProduct {
+        FixedProduct::squared_length(vector)
+    }
+
     #[inline]
     fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
         let (unit, length, _) = Self::polar_with(vector, Self(0));
@@ -289,18 +293,14 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn polar_with(vector: [Self; 3], other: Self) -> ([Self; 3], Self, Self) {
-        let squared = FixedProduct::dot3(vector, vector).bits() as u64;
-        let (zeros, digits) = even_zeros(squared);
-        let inverse = rsqrt(digits).min(i32::MAX as u32);
-        let half = zeros >> 1;
-        let length = (product::upper(digits, inverse) << 1) >> (half.saturating_sub(1) & 31);
+        let Root { length, inverse, up } = root(FixedProduct::squared_length(vector).bits() as u64);
+        let inverse = newton::signed(inverse);
         // Each coordinate is shifted up as far as fits before it is scaled, and rounded afterwards.
-        let up = half.saturating_sub(1) & 31;
         let unit = |Self(x): Self| {
-            let upper = (product(x << up, inverse as i32) >> 32) as i32;
+            let upper = (product(x << up, inverse) >> 32) as i32;
             Self(upper.wrapping_add(1 << 4) >> 5)
         };
-        (vector.map(unit), Self(length.min(i32::MAX as u32) as i32), unit(other))
+        (vector.map(unit), Self(length as i32), unit(other))
     }
 
     fn offset(magnitude: Self) -> Self {

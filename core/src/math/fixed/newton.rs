@@ -8,21 +8,19 @@
 //! | [`recip`] | 2⁻¹³ | 2⁻²⁶ of the value |
 //! | [`rsqrt`] | 2⁻¹³ | 2⁻²⁵ of the value |
 //!
-//! A step costs one long product and one or two short ones. Two steps from a table without lines would cost two more
-//! long ones, which weigh 20 instructions each on ARMv6-M.
+//! A piece is one word, because of that value and fall are taken apart in two instructions. A step costs one long product and one or
+//! two short ones. Two steps from a table without lines would cost two more long ones, which weigh 20 instructions each on ARMv6-M.
 
 use super::product::upper;
+use super::zeros::even_zeros;
 
-/// A straight piece of a curve: its value at the left end in units of 2⁻¹⁵, and how much it falls to the right end.
-#[derive(Clone, Copy)]
-struct Line {
-    value: u16,
-    fall: u16,
-}
+/// A straight piece of a curve in one word: its value at the left end in units of 2⁻¹⁵ above, and below how much it falls to
+/// the right end.
+type Line = u32;
 
 /// The curve 1/x over [1/2, 1) in 64 pieces.
 static RECIP: [Line; 64] = {
-    let mut lines = [Line { value: 0, fall: 0 }; 64];
+    let mut lines = [0; 64];
     let mut i = 0;
     while i < 64 {
         let (left, right) = ((64 + i) as f64 / 128.0, (65 + i) as f64 / 128.0);
@@ -35,12 +33,12 @@ static RECIP: [Line; 64] = {
     lines
 };
 
-/// The curve 1/√x over [1/4, 1) in 96 pieces.
-static RSQRT: [Line; 96] = {
-    let mut lines = [Line { value: 0, fall: 0 }; 96];
-    let mut i = 0;
-    while i < 96 {
-        let (left, right) = ((32 + i) as f64 / 128.0, (33 + i) as f64 / 128.0);
+/// The curve 1/√x over [1/4, 1) in pieces of 1/128. The 32 below 1/4 are there so that every index has one, and none is tested.
+pub(super) static RSQRT: [Line; 128] = {
+    let mut lines = [0; 128];
+    let mut i = 32;
+    while i < 128 {
+        let (left, right) = (i as f64 / 128.0, (i + 1) as f64 / 128.0);
         let middle = (left + right) / 2.0;
         #[allow(clippy::indexing_slicing)] // evaluated by the compiler
         {
@@ -55,7 +53,8 @@ static RSQRT: [Line; 96] = {
 const fn line(left: f64, middle: f64, right: f64) -> Line {
     let lower = ((left + right) / 2.0 - middle) / 2.0;
     let value = ((left - lower) * 32768.0 + 0.5) as u16;
-    Line { value, fall: ((left - right) * 32768.0 + 0.5) as u16 }
+    let fall = ((left - right) * 32768.0 + 0.5) as u16;
+    (value as u32) << 16 | fall as u32
 }
 
 /// By Heron's method, for tables.
@@ -69,20 +68,19 @@ const fn sqrt(x: f64) -> f64 {
     root
 }
 
-/// 1/x in units of 2⁻¹⁵, by the table whose first piece is number `first` of 128.
+/// The value of a curve's piece at `x`, whose upper seven bits are the number of the piece.
 #[inline(always)]
-fn start<const PIECES: usize>(table: &[Line; PIECES], first: usize, x: u32) -> u32 {
-    let piece = ((x >> 25) as usize).wrapping_sub(first);
-    // There is a piece for every normalized x.
-    let Line { value, fall } = table.get(piece).copied().unwrap_or(Line { value: u16::MAX, fall: 0 });
-    let along = x >> 9 & 0xFFFF;
-    ((u32::from(value) << 16).wrapping_sub(u32::from(fall).wrapping_mul(along))) >> 16
+fn at(line: Line, x: u32) -> u32 {
+    // One more makes up for the fall in the word's lower half.
+    let along = (x >> 9 & 0xFFFF).wrapping_add(1);
+    line.wrapping_sub((line & 0xFFFF).wrapping_mul(along)) >> 16
 }
 
 /// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³².
 #[inline]
+#[allow(clippy::indexing_slicing)] // There are 64 pieces.
 pub(super) fn recip(x: u32) -> u32 {
-    let y = start(&RECIP, 64, x);
+    let y = at(RECIP[(x >> 25 & 63) as usize], x);
     // The error, small enough to be multiplied in 32 bits.
     let error = (1i32 << 30).wrapping_sub(upper(x, y << 15) as i32);
     let correction = (y as i32).wrapping_mul(error >> 3) >> 12;
@@ -91,11 +89,43 @@ pub(super) fn recip(x: u32) -> u32 {
 
 /// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³².
 #[inline]
+#[allow(clippy::indexing_slicing)] // There are 128 pieces.
 pub(super) fn rsqrt(x: u32) -> u32 {
-    let y = start(&RSQRT, 32, x);
+    let y = at(RSQRT[(x >> 25) as usize], x);
     let error = (1i32 << 30).wrapping_sub(upper(x, y.wrapping_mul(y)) as i32);
     let correction = (y as i32).wrapping_mul(error >> 3) >> 13;
     (y << 15).wrapping_add(correction as u32)
+}
+
+/// A reciprocal in 31 bits: that of a power of two has one too many.
+#[inline(always)]
+pub(super) fn signed(reciprocal: u32) -> i32 {
+    // By its sign rather than by a large constant.
+    if (reciprocal as i32) < 0 { i32::MAX } else { reciprocal as i32 }
+}
+
+/// What [`root`] finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Root {
+    /// The root, which a number below 2⁶² has in 31 bits.
+    pub(super) length: u32,
+    /// Its reciprocal: 2³⁰ · 2³⁰⁻ᵘᵖ / length, at least 2³⁰, and of a power of four 2³¹.
+    pub(super) inverse: u32,
+    /// How far the root was shifted down from 31 digits.
+    pub(super) up: u32,
+}
+
+/// The square root of a number below 2⁶², and its reciprocal.
+#[inline(always)]
+pub(super) fn root(squared: u64) -> Root {
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    if super::product::IS_ARMV6M {
+        return super::armv6m::root(squared);
+    }
+    let (zeros, digits) = even_zeros(squared);
+    let inverse = rsqrt(digits);
+    let up = zeros.saturating_sub(1) >> 1 & 31;
+    Root { length: (upper(digits, inverse) << 1) >> up, inverse, up }
 }
 
 #[cfg(test)]

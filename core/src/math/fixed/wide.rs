@@ -4,9 +4,8 @@ use core::ops::{Add, Sub};
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 use super::armv6m;
-use super::newton::rsqrt;
-use super::product::{product, upper};
-use super::zeros::even_zeros;
+use super::newton::root;
+use super::product::product;
 use super::{FRACTION, Fixed, inverse};
 use crate::math::real::Product;
 
@@ -39,19 +38,25 @@ impl FixedProduct {
         }
     }
 
+    /// The sum of three squares.
+    #[inline(always)]
+    pub(super) fn squared_length(vector: [Fixed; 3]) -> Self {
+        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+        return Self(armv6m::squared_length(vector.map(Fixed::to_bits)) as i64);
+        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+        Self::dot3(vector, vector)
+    }
+
     /// The square root.
     #[inline]
     pub(super) fn root(self) -> Fixed {
         if self.0 <= 0 {
             return Fixed(0);
         }
-        let (zeros, digits) = even_zeros(self.0 as u64);
-        let root = upper(digits, rsqrt(digits)) << 1;
-        // A positive number has at least one zero in front; with one alone the root is above what there is.
-        match (zeros >> 1).checked_sub(1) {
-            Some(down) => Fixed((root >> (down & 31)) as i32),
-            None => Fixed(i32::MAX),
+        if self.0 >> 62 != 0 {
+            return Fixed(i32::MAX);
         }
+        Fixed(root(self.0 as u64).length as i32)
     }
 }
 

@@ -9,39 +9,8 @@ pub(super) fn zeros(bits: u32) -> u32 {
     if IS_ARMV6M { zeros_by_search(bits) } else { bits.leading_zeros() }
 }
 
-/// Leading zeros, as far as they are an even number up to 62, and the 32 digits after them.
-///
-/// With digits in units of 2⁻³², all but 0 is digits · 2⁶⁴⁻ᶻᵉʳᵒˢ with digits in [1/4, 1).
-#[inline(always)]
-pub(super) fn even_zeros(bits: u64) -> (u32, u32) {
-    if IS_ARMV6M {
-        return even_zeros_by_search(bits);
-    }
-    // The lowest bit makes no difference, except that 0 has as many zeros as a search finds.
-    let zeros = (bits | 1).leading_zeros() & 62;
-    (zeros, ((bits << zeros) >> 32) as u32)
-}
-
 #[inline(always)]
 fn zeros_by_search(bits: u32) -> u32 {
-    let (zeros, rest) = search(bits);
-    let odd = if rest >> 31 == 0 { 1 } else { 0 };
-    let none = if bits == 0 { 1 } else { 0 };
-    zeros + odd + none
-}
-
-#[inline(always)]
-fn even_zeros_by_search(bits: u64) -> (u32, u32) {
-    let (high, low) = ((bits >> 32) as u32, bits as u32);
-    let (before, high, low) = if high == 0 { (32, low, 0) } else { (0, high, low) };
-    let (zeros, digits) = search(high);
-    // 32 places at once are more than can be shifted by.
-    (before + zeros, digits | low >> 1 >> (31 - zeros))
-}
-
-/// Leading zeros, as far as they are an even number up to 30, and what follows them.
-#[inline(always)]
-fn search(bits: u32) -> (u32, u32) {
     let (mut zeros, mut rest) = (0, bits);
     for step in [16, 8, 4, 2] {
         if rest >> (32 - step) == 0 {
@@ -49,7 +18,27 @@ fn search(bits: u32) -> (u32, u32) {
             zeros += step;
         }
     }
-    (zeros, rest)
+    let odd = if rest >> 31 == 0 { 1 } else { 0 };
+    let none = if bits == 0 { 1 } else { 0 };
+    zeros + odd + none
+}
+
+/// Leading zeros, as far as they are an even number up to 62, and the 32 digits after them.
+///
+/// With digits in units of 2⁻³², all but 0 is digits · 2⁶⁴⁻ᶻᵉʳᵒˢ with digits in [1/4, 1). Where processors have 32 bits, a word at
+/// a time is 4 instructions of 14 less.
+#[inline(always)]
+pub(super) fn even_zeros(bits: u64) -> (u32, u32) {
+    // The lowest bit makes no difference, except that 0 has as many zeros as anything may have.
+    let even = |word: u32| (word | 1).leading_zeros() & 30;
+    let (high, low) = ((bits >> 32) as u32, bits as u32);
+    if high == 0 {
+        let zeros = even(low);
+        return (32 + zeros, low << zeros);
+    }
+    let zeros = even(high);
+    // 32 places at once are more than can be shifted by.
+    (zeros, high << zeros | low >> 1 >> (31 - zeros))
 }
 
 #[cfg(test)]
@@ -57,13 +46,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_search_finds_the_same() {
+    fn zeros_and_the_digits_after_them_make_the_number() {
         let around = |bit: u32| {
             let one = 1u64 << bit;
             [one, one - 1, one + 1, u64::MAX >> bit, 0x9E37_79B9_7F4A_7C15 >> bit]
         };
         for bits in (0..64).flat_map(around) {
-            assert_eq!(even_zeros(bits), even_zeros_by_search(bits), "{bits:#x}");
+            let expected = (bits | 1).leading_zeros() & 62;
+            assert_eq!(even_zeros(bits), (expected, ((bits << expected) >> 32) as u32), "{bits:#x}");
             assert!(bits == 0 || even_zeros(bits).1 >= 1 << 30, "{bits:#x}");
             let bits = bits as u32;
             assert_eq!(zeros(bits), zeros_by_search(bits), "{bits:#x}");
