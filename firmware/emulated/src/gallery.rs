@@ -5,7 +5,8 @@
 //! read into RAM. Rejected: scenes within the program, which would be built anew for each change of them, and
 //! would need more flash than most boards have.
 //!
-//! It tells how much memory each scene takes, and its digest if there is so much.
+//! Before the first scene it tells the digest of many numbers, so that arithmetic is checked where no picture asks for it; then
+//! how much memory each scene takes, and its digest if there is so much.
 
 use core::mem::MaybeUninit;
 
@@ -40,6 +41,8 @@ fn draw_all(memory: &mut [MaybeUninit<u8>]) -> Result<(), Fault> {
     if fpu::flushes_to_zero() {
         return Err(Fault::FlushToZero);
     }
+    report::number(b"digest ", rayline_numbers::digest::<Number>())?;
+    report::say(b"done\n")?;
     let file = File::open(c"scenes").map_err(|_| Fault::Input)?;
     // Borrowed once: borrowing asserts that the file is open, and here the compiler sees that it is.
     let file = file.as_fd();

@@ -50,6 +50,14 @@ where
     Ok(canvas.colors.iter().flat_map(|color| color.to_le_bytes().as_ref().to_vec()).collect())
 }
 
+/// The digest of many numbers, as a board tells it before it draws a gallery.
+pub(crate) fn digest_of_numbers(number: Number) -> u64 {
+    match number {
+        Number::F32 => rayline_numbers::digest::<f32>(),
+        Number::Fixed => rayline_numbers::digest::<Fixed>(),
+    }
+}
+
 /// A frame in the picture's mode, and in any number system.
 pub(crate) fn render_frame<R: Real, C: DisplayColor>(
     picture: &Picture,

@@ -134,6 +134,11 @@ impl Tour<'_> {
         let mut exhibits = Vec::new();
         let files = [("scenes", &*self.scenes.file)];
         let mut emulator = Emulator::start(self.board, &file, &files, self.timeout)?;
+        let numbers = emulator.next_report().context("numbers")?.digest;
+        ensure!(
+            numbers == Some(host::digest_of_numbers(self.picture.number)),
+            "it computes other numbers than this computer"
+        );
         for (scene, expected) in self.scenes.sources.iter().zip(self.expected) {
             if said.elapsed() >= PACE {
                 self.say(&format_args!("{} of {count} scenes are drawn", exhibits.len()));
