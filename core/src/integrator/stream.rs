@@ -308,6 +308,8 @@ struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     /// Whether one that leaves it inward does.
     is_met_inside: bool,
     lights: [Way; LIGHTS],
+    /// The lights to which nothing is in the way, a bit for each.
+    clear: u32,
 }
 
 impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
@@ -322,6 +324,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             is_met_inside: false,
             // Written one by one: a constant would be copied, with all that is not there yet.
             lights: core::array::from_fn(|_| Way::New),
+            clear: 0,
         };
         if let Some(object) = run.first().filter(|_| run.len() >= BEAM).and_then(Lane::object) {
             let surfaces = run.iter().map(|lane| &lane.hit.surface);
@@ -332,6 +335,12 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             ways.is_met_inside = ways.receiver.is_some() && is_met_again(false);
         }
         ways
+    }
+
+    /// Whether it is known that nothing is in the way to a light.
+    #[inline(always)]
+    fn is_clear(&self, light: usize) -> bool {
+        light < LIGHTS && self.clear >> (light & 31) & 1 != 0
     }
 
     /// What can be in the way to a light, if it is known.
@@ -348,6 +357,11 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     fn look_up(&mut self, light: usize) {
         if let (Some(points), Some(way)) = (self.points, self.lights.get_mut(light)) {
             *way = self.stream.way(points, light, self.receiver).map_or(Way::Unknown, Way::Among);
+            if let Way::Among(list) = way
+                && list.is_empty()
+            {
+                self.clear |= 1 << light;
+            }
         }
     }
 }
@@ -362,6 +376,10 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
+        // Most often nothing is: that is asked before anything is computed.
+        if self.is_clear(light) && !self.is_met_inside {
+            return Through::All;
+        }
         let from = vertex.departure(toward, false);
         let meets_itself = self.is_met_inside && !from.outward;
         match self.to(light).filter(|_| !meets_itself) {
