@@ -292,6 +292,8 @@ fn sort(objects: &mut [u16]) {
 enum Way {
     /// Not looked up.
     New,
+    /// Nothing is in it.
+    Clear,
     /// No more than these can be in it.
     Among(List),
     /// Much can be in it.
@@ -308,8 +310,6 @@ struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     /// Whether one that leaves it inward does.
     is_met_inside: bool,
     lights: [Way; LIGHTS],
-    /// The lights to which nothing is in the way, a bit for each.
-    clear: u32,
 }
 
 impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
@@ -324,7 +324,6 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
             is_met_inside: false,
             // Written one by one: a constant would be copied, with all that is not there yet.
             lights: core::array::from_fn(|_| Way::New),
-            clear: 0,
         };
         if let Some(object) = run.first().filter(|_| run.len() >= BEAM).and_then(Lane::object) {
             let surfaces = run.iter().map(|lane| &lane.hit.surface);
@@ -337,31 +336,24 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         ways
     }
 
-    /// Whether it is known that nothing is in the way to a light.
+    /// The way to a light; `None` where beams are not worth while.
     #[inline(always)]
-    fn is_clear(&self, light: usize) -> bool {
-        light < LIGHTS && self.clear >> (light & 31) & 1 != 0
-    }
-
-    /// What can be in the way to a light, if it is known.
-    #[inline(always)]
-    fn to(&mut self, light: usize) -> Option<&mut List> {
+    fn to(&mut self, light: usize) -> Option<&mut Way> {
         self.points?;
         if let Way::New = self.lights.get(light)? {
             self.look_up(light);
         }
-        if let Way::Among(list) = self.lights.get_mut(light)? { Some(list) } else { None }
+        self.lights.get_mut(light)
     }
 
     #[inline(never)]
     fn look_up(&mut self, light: usize) {
         if let (Some(points), Some(way)) = (self.points, self.lights.get_mut(light)) {
-            *way = self.stream.way(points, light, self.receiver).map_or(Way::Unknown, Way::Among);
-            if let Way::Among(list) = way
-                && list.is_empty()
-            {
-                self.clear |= 1 << light;
-            }
+            *way = match self.stream.way(points, light, self.receiver) {
+                Some(list) if list.is_empty() => Way::Clear,
+                Some(list) => Way::Among(list),
+                None => Way::Unknown,
+            };
         }
     }
 }
@@ -376,16 +368,14 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Share<R>> {
-        // Most often nothing is: that is asked before anything is computed.
-        if self.is_clear(light) && !self.is_met_inside {
-            return Through::All;
-        }
-        let from = vertex.departure(toward, false);
-        let meets_itself = self.is_met_inside && !from.outward;
+        // Most often nothing is in the way: neither is then computed.
+        let from = || vertex.departure(toward, false);
+        let ray = || vertex.spawn(toward, from());
+        let meets_itself = self.is_met_inside && !from().outward;
         match self.to(light).filter(|_| !meets_itself) {
-            Some(list) if list.is_empty() => Through::All,
-            Some(list) => {
-                let through = scene.light_through_list(&vertex.spawn(toward, from), distance, list);
+            Some(Way::Clear) => Through::All,
+            Some(Way::Among(list)) => {
+                let through = scene.light_through_list(&ray(), distance, list);
                 if let Through::Nothing = through
                     && let Some(first) = list.first().copied()
                     && let Some(last) = self.stream.blockers.get_mut(light)
@@ -394,11 +384,11 @@ impl<R: Real, S: Geometry> Shading<R> for Ways<'_, '_, '_, R, S> {
                 }
                 through
             }
-            None => {
+            _ => {
                 let Stream { scene, hierarchy, blockers } = &mut *self.stream;
                 let mut nothing = NOTHING;
                 let last = blockers.get_mut(light).unwrap_or(&mut nothing);
-                scene.light_through_hierarchy(hierarchy, &vertex.spawn(toward, from), distance, last)
+                scene.light_through_hierarchy(hierarchy, &ray(), distance, last)
             }
         }
     }

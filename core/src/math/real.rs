@@ -135,20 +135,20 @@ pub trait Real:
 
     /// The squared length of a vector, not yet rounded.
     #[inline(always)]
-    fn squared_length(vector: [Self; 3]) -> Self::Product {
+    fn length_squared_wide(vector: [Self; 3]) -> Self::Product {
         Self::dot3_wide(vector, vector)
     }
 
     /// The unit vector along a vector, and the vector's length. Where that is 0 the unit vector is anything.
     fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
-        let length = Self::squared_length(vector).sqrt();
+        let length = Self::length_squared_wide(vector).sqrt();
         let scale = length.recip();
         (vector.map(|coordinate| coordinate * scale), length)
     }
 
     /// As [`polar`](Self::polar), and a product with the vector divided by its length.
     fn polar_with(vector: [Self; 3], product: Self) -> ([Self; 3], Self, Self) {
-        let length = Self::squared_length(vector).sqrt();
+        let length = Self::length_squared_wide(vector).sqrt();
         let scale = length.recip();
         (vector.map(|coordinate| coordinate * scale), length, product * scale)
     }

@@ -78,8 +78,8 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The squared length, not yet rounded.
-    pub fn squared_wide(self) -> R::Product {
-        R::squared_length([self.x, self.y, self.z])
+    pub fn length_squared_wide(self) -> R::Product {
+        R::length_squared_wide([self.x, self.y, self.z])
     }
 
     /// The squared length.
@@ -89,7 +89,7 @@ impl<R: Real> Vec3<R> {
 
     /// The length.
     pub fn length(self) -> R {
-        self.squared_wide().sqrt()
+        self.length_squared_wide().sqrt()
     }
 
     /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.

@@ -148,9 +148,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         };
         if closest.is_none() && self.comes_out_again(from) {
             // A ray inside a ball always comes out of it. Should rounding ever lose it, look everywhere.
-            if let Some((t, object)) = self.closest_of_all(&apart(ray)) {
-                closest = Some((t, object));
-            }
+            closest = self.closest_of_all(&apart(ray));
         }
         closest
     }
@@ -359,15 +357,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ) -> Through<Share<R>> {
         // Most often nothing, or something opaque, is in the way: any order of the objects tells.
         let range = Interval { min: R::ZERO, max: distance };
-        let mut clear = true;
-        let blocked = match (among, self.hierarchy()) {
-            (Some(some), _) => return self.light_through_few(ray, range, some),
+        match (among, self.hierarchy()) {
+            (Some(some), _) => self.light_through_few(ray, range, some),
             (None, Some(hierarchy)) => {
-                return self.light_through_hierarchy(hierarchy, ray, distance, &mut { NOTHING });
+                self.light_through_hierarchy(hierarchy, ray, distance, &mut { NOTHING })
             }
-            (None, None) => (0..self.objects.len()).any(|index| self.blocks(index, ray, range, &mut clear)),
-        };
-        self.light_left(blocked, clear, ray, range, among)
+            (None, None) => {
+                let mut clear = true;
+                let blocked = (0..self.objects.len()).any(|index| self.blocks(index, ray, range, &mut clear));
+                self.light_left(blocked, clear, ray, range)
+            }
+        }
     }
 
     /// The same for a ray that can meet none but a few objects. Those are not asked again that no part of it meets.
@@ -446,7 +446,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 }
                 blocks
             });
-        self.light_left(blocked, clear, ray, range, None)
+        self.light_left(blocked, clear, ray, range)
     }
 
     /// Whether a ray meets an object that lets nothing through; where it meets any, the way is not `clear`.
@@ -461,18 +461,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// How much comes through where something opaque blocks the way, or else the way is clear, or else transparent surfaces are in it.
     #[inline(always)]
-    fn light_left(
-        &self,
-        blocked: bool,
-        clear: bool,
-        ray: &Ray<R>,
-        range: Interval<R>,
-        among: Option<ObjectSet>,
-    ) -> Through<Share<R>> {
+    fn light_left(&self, blocked: bool, clear: bool, ray: &Ray<R>, range: Interval<R>) -> Through<Share<R>> {
         match (blocked, clear) {
             (true, _) => Through::Nothing,
             (false, true) => Through::All,
-            (false, false) => self.light_through_layers(ray, range, among),
+            (false, false) => self.light_through_layers(ray, range, None),
         }
     }
 

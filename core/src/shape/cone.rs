@@ -147,7 +147,7 @@ impl<R: Real> PreparedCone<R> {
     #[inline(always)]
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         let (from_base, advance) = ray.nearest_to(self.base);
-        if R::REACH.is_some() && from_base.squared_wide() > self.size.times(self.size) {
+        if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
         let direction = ray.direction;
@@ -157,7 +157,7 @@ impl<R: Real> PreparedCone<R> {
         let a = R::ONE - self.steepness * climb * climb;
         let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
         let across = from_base - self.axis * height;
-        let c = across.squared_wide() - radius.times(radius);
+        let c = across.length_squared_wide() - radius.times(radius);
         let discriminant = b.times(b) - c.times(a);
         Some(Passage { from_base, advance, direction, height, climb, a, b, c, discriminant })
     }
@@ -204,7 +204,7 @@ impl<R: Real> PreparedCone<R> {
             if range.contains(hit) {
                 let across = from_base + direction * t - self.axis * end;
                 let radius = self.base_radius + self.slope * end;
-                if across.squared_wide() < radius.times(radius) {
+                if across.length_squared_wide() < radius.times(radius) {
                     range.max = hit;
                     nearest = Some(hit);
                 }
@@ -242,7 +242,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             from_base[i].dot(directions[i]) - height[i] * climb[i] - self.slope * climb[i] * radius[i]
         });
         let across = each(|i| from_base[i] - self.axis * height[i]);
-        let c = each(|i| across[i].squared_wide() - radius[i].times(radius[i]));
+        let c = each(|i| across[i].length_squared_wide() - radius[i].times(radius[i]));
         let root = each(|i| (b[i].times(b[i]) - c[i].times(a[i])).sqrt());
         let zeros = [R::ZERO; 4];
         let crossed = R::less(&zeros, &root);

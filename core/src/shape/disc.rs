@@ -80,7 +80,7 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.plane.meet(ray, range)?;
         let from_center = ray.at(t) - self.center;
-        let distance_squared = from_center.squared_wide();
+        let distance_squared = from_center.length_squared_wide();
         (distance_squared < self.radius_squared && distance_squared >= self.hole_squared).then_some(t)
     }
 

@@ -151,14 +151,14 @@ impl<R: Real> Body<R> {
     /// Where the whole line of a ray enters and leaves.
     fn crossings(&self, ray: &Ray<R>) -> Option<(R, R)> {
         let (from_center, advance) = ray.nearest_to(self.center);
-        if from_center.squared_wide() > self.size.times(self.size) {
+        if from_center.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
         let start = self.mapped(from_center);
         let (direction, stretch) = self.mapped(ray.direction).polar();
         let middle = -start.dot(direction);
         let nearest = start + direction * middle;
-        let discriminant = self.radius.times(self.radius) - nearest.squared_wide();
+        let discriminant = self.radius.times(self.radius) - nearest.length_squared_wide();
         if discriminant > R::Product::ZERO {
             let half_chord = discriminant.sqrt();
             Some((advance + (middle - half_chord) / stretch, advance + (middle + half_chord) / stretch))

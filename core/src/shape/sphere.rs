@@ -68,7 +68,7 @@ impl<R: Real> PreparedSphere<R> {
         // The discriminant from the point of the ray nearest to the center, not from b² − c: that would lose
         // a sphere that is 100 radii away.
         let nearest = from_center + ray.direction * middle;
-        let discriminant = self.radius_squared - nearest.squared_wide();
+        let discriminant = self.radius_squared - nearest.length_squared_wide();
         if discriminant > R::Product::ZERO {
             let half_chord = discriminant.sqrt();
             Some((middle - half_chord, middle + half_chord))
@@ -92,7 +92,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         let from_center = each(|i| rays.ray(i).origin - self.center);
         let middle = each(|i| -from_center[i].dot(rays.ray(i).direction));
         let nearest = each(|i| from_center[i] + rays.ray(i).direction * middle[i]);
-        let half_chord = each(|i| (self.radius_squared - nearest[i].squared_wide()).sqrt());
+        let half_chord = each(|i| (self.radius_squared - nearest[i].length_squared_wide()).sqrt());
         let zeros = [R::ZERO; 4];
         let met = R::less(&zeros, &half_chord);
         if met == 0 {

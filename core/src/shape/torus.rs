@@ -128,13 +128,13 @@ impl<R: Real> PreparedTorus<R> {
     /// left out.
     fn each_crossing(&self, ray: &Ray<R>, range: Interval<R>, mut found: impl FnMut(R) -> bool) {
         let (from_center, advance) = ray.nearest_to_twice(self.center);
-        if from_center.squared_wide() > self.size.times(self.size) {
+        if from_center.length_squared_wide() > self.size.times(self.size) {
             return;
         }
         let Self { width, thickness, size, .. } = *self;
         let start = Vec3::new(from_center.x / size, from_center.y / size, from_center.z / size);
         let (height, climb) = (start.dot(self.axis), ray.direction.dot(self.axis));
-        let line = Line { distance: start.squared_wide(), height, climb };
+        let line = Line { distance: start.length_squared_wide(), height, climb };
         let Some(part) = line.part(thickness) else { return };
 
         // The quartic is (t² + k)² - 4 W² (t² + s² - (height + climb t)²), with k = s² + W² - T². A quarter of its derivative:

@@ -92,7 +92,7 @@ impl<R: Real> Results<R> {
         self.take_product(a.dot_wide(b));
         // Of these the lowest digits alone are left.
         self.take_product(a.dot_wide(b) - a.x.times(b.x) - a.y.times(b.y) - a.z.times(b.z));
-        self.take_product(a.squared_wide() - a.x.times(a.x) - a.y.times(a.y) - a.z.times(a.z));
+        self.take_product(a.length_squared_wide() - a.x.times(a.x) - a.y.times(a.y) - a.z.times(a.z));
         // What is divided by nothing may be anything.
         let (unit, length) = a.polar();
         self.take(length);

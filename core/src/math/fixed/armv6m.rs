@@ -70,6 +70,28 @@ macro_rules! mend_middle {
     };
 }
 
+/// Adds the product of `r0` and `r1` to the sum in `r3:r4`, and its middle products to the sum in `r6`. What it leaves in `r0` to `r2`,
+/// `r5` and `r7` is not saved.
+macro_rules! add_product {
+    ($overflow:literal, $other:literal) => {
+        concat!(
+            "uxth r7, r1\n",
+            "asrs r1, r1, #16\n",
+            "uxth r2, r0\n",
+            "asrs r0, r0, #16\n",
+            "movs r5, r7\n",
+            "muls r5, r2, r5\n",
+            "muls r7, r0, r7\n",
+            "muls r2, r1, r2\n",
+            "muls r0, r1, r0\n",
+            "adds r4, r4, r5\n",
+            "adcs r3, r0\n",
+            add_middle!("r6", "r7", $overflow),
+            add_middle!("r6", "r2", $other),
+        )
+    };
+}
+
 /// A function of six coordinates in `r0` to `r5`, those of a first, whose scalar product is in `r3:r4` before `$end`. What it leaves
 /// in `r0` to `r5`, `r12` and `lr` is not saved.
 macro_rules! scalar_product {
@@ -91,39 +113,13 @@ macro_rules! scalar_product {
                 "muls r7, r0, r7",
                 "muls r3, r0, r3",
                 add_middle!("r6", "r7", "20"),
-
                 "mov r0, r12",
                 "mov r12, r2",
                 "mov lr, r5",
-                "uxth r7, r1",
-                "asrs r1, r1, #16",
-                "uxth r2, r0",
-                "asrs r0, r0, #16",
-                "movs r5, r7",
-                "muls r5, r2, r5",
-                "muls r7, r0, r7",
-                "muls r2, r1, r2",
-                "muls r0, r1, r0",
-                "adds r4, r4, r5",
-                "adcs r3, r0",
-                add_middle!("r6", "r7", "21"),
-                add_middle!("r6", "r2", "22"),
-
+                add_product!("21", "22"),
                 "mov r0, lr",
                 "mov r1, r12",
-                "uxth r2, r1",
-                "asrs r1, r1, #16",
-                "uxth r7, r0",
-                "asrs r0, r0, #16",
-                "movs r5, r2",
-                "muls r5, r7, r5",
-                "muls r2, r0, r2",
-                "muls r7, r1, r7",
-                "muls r0, r1, r0",
-                "adds r4, r4, r5",
-                "adcs r3, r0",
-                add_middle!("r6", "r2", "23"),
-                add_middle!("r6", "r7", "24"),
+                add_product!("23", "24"),
 
                 "asrs r5, r6, #16",
                 "lsls r6, r6, #16",
@@ -135,8 +131,8 @@ macro_rules! scalar_product {
                 mend_middle!("r3", "16", "r7", "20"),
                 mend_middle!("r3", "16", "r7", "21"),
                 mend_middle!("r3", "16", "r2", "22"),
-                mend_middle!("r3", "16", "r2", "23"),
-                mend_middle!("r3", "16", "r7", "24"),
+                mend_middle!("r3", "16", "r7", "23"),
+                mend_middle!("r3", "16", "r2", "24"),
             )
         }
     };
@@ -212,6 +208,33 @@ macro_rules! search {
     };
 }
 
+/// The upper half of `$number` times `r0`, in `r3`; `r6` is `r0`'s own upper half. What it leaves in `r4`, `r5` and `r7` is not saved.
+macro_rules! upper {
+    ($number:literal) => {
+        concat!(
+            "uxth r4, ",
+            $number,
+            "\n lsrs r3, ",
+            $number,
+            ", #16\n",
+            "uxth r5, r0\n",
+            "movs r7, r5\n",
+            "muls r7, r4, r7\n",
+            "lsrs r7, r7, #16\n",
+            "muls r4, r6, r4\n",
+            "adds r4, r4, r7\n",
+            "uxth r7, r4\n",
+            "lsrs r4, r4, #16\n",
+            "muls r5, r3, r5\n",
+            "adds r5, r5, r7\n",
+            "lsrs r5, r5, #16\n",
+            "muls r3, r6, r3\n",
+            "adds r3, r3, r4\n",
+            "adds r3, r3, r5\n",
+        )
+    };
+}
+
 /// Of the number in `r0:r3` and the table in `r1`, as [`root`](super::newton::root): the root in `r0`, its reciprocal in `r1`, and how
 /// far the root was shifted in `r2`. What it leaves in `r3` to `r5` and `r12` is not saved.
 #[allow(unsafe_code)]
@@ -252,23 +275,8 @@ extern "C" fn roots() {
         // The upper half of y² times the digits.
         "movs r3, r1",
         "muls r3, r1, r3",
-        "uxth r4, r3",
-        "lsrs r3, r3, #16",
-        "uxth r5, r0",
         "lsrs r6, r0, #16",
-        "movs r7, r5",
-        "muls r7, r4, r7",
-        "lsrs r7, r7, #16",
-        "muls r4, r6, r4",
-        "adds r4, r4, r7",
-        "uxth r7, r4",
-        "lsrs r4, r4, #16",
-        "muls r5, r3, r5",
-        "adds r5, r5, r7",
-        "lsrs r5, r5, #16",
-        "muls r3, r6, r3",
-        "adds r3, r3, r4",
-        "adds r3, r3, r5",
+        upper!("r3"),
         // Newton's step.
         "movs r4, #1",
         "lsls r4, r4, #30",
@@ -279,23 +287,8 @@ extern "C" fn roots() {
         "lsls r1, r1, #15",
         "adds r1, r1, r3",
         // The upper half of the digits times the reciprocal root.
-        "uxth r0, r0",
-        "uxth r3, r1",
-        "lsrs r4, r1, #16",
-        "movs r5, r0",
-        "muls r5, r3, r5",
-        "lsrs r5, r5, #16",
-        "muls r3, r6, r3",
-        "adds r3, r3, r5",
-        "uxth r5, r3",
-        "lsrs r3, r3, #16",
-        "muls r0, r4, r0",
-        "adds r0, r0, r5",
-        "lsrs r0, r0, #16",
-        "muls r4, r6, r4",
-        "adds r3, r3, r4",
-        "adds r0, r0, r3",
-        "lsls r0, r0, #1",
+        upper!("r1"),
+        "lsls r0, r3, #1",
         "subs r2, r2, #1",
         "bcs 25f",
         "movs r2, #0",
@@ -347,7 +340,7 @@ pub(super) fn dot3(a: [i32; 3], b: [i32; 3]) -> i32 {
 
 /// The sum of three squares.
 #[inline(always)]
-pub(super) fn squared_length([x, y, z]: [i32; 3]) -> u64 {
+pub(super) fn length_squared([x, y, z]: [i32; 3]) -> u64 {
     let (high, low): (u32, u32);
     // SAFETY: the function takes three registers, and leaves nothing changed but what is named here.
     #[allow(unsafe_code)]

@@ -281,8 +281,8 @@ impl Real for Fixed {
         FixedProduct::dot3(a, b)
     }
 
-    fn squared_length(vector: [Self; 3]) -> FixedProduct {
-        FixedProduct::squared_length(vector)
+    fn length_squared_wide(vector: [Self; 3]) -> FixedProduct {
+        FixedProduct::length_squared(vector)
     }
 
     #[inline]
@@ -293,7 +293,7 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn polar_with(vector: [Self; 3], other: Self) -> ([Self; 3], Self, Self) {
-        let Root { length, inverse, up } = root(FixedProduct::squared_length(vector).bits() as u64);
+        let Root { length, inverse, up } = root(FixedProduct::length_squared(vector).bits() as u64);
         let inverse = newton::signed(inverse);
         // Each coordinate is shifted up as far as fits before it is scaled, and rounded afterwards.
         let unit = |Self(x): Self| {

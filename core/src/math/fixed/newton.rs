@@ -8,7 +8,7 @@
 //! | [`recip`] | 2⁻¹³ | 2⁻²⁶ of the value |
 //! | [`rsqrt`] | 2⁻¹³ | 2⁻²⁵ of the value |
 //!
-//! A piece is one word, because of that value and fall are taken apart in two instructions. A step costs one long product and one or
+//! A piece is one word, to be loaded at once. A step costs one long product and one or
 //! two short ones. Two steps from a table without lines would cost two more long ones, which weigh 20 instructions each on ARMv6-M.
 
 use super::product::upper;
@@ -118,6 +118,7 @@ pub(super) struct Root {
 /// The square root of a number below 2⁶², and its reciprocal.
 #[inline(always)]
 pub(super) fn root(squared: u64) -> Root {
+    // Both, so that what follows is compiled there, and not dead.
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     if super::product::IS_ARMV6M {
         return super::armv6m::root(squared);

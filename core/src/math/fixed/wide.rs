@@ -40,9 +40,9 @@ impl FixedProduct {
 
     /// The sum of three squares.
     #[inline(always)]
-    pub(super) fn squared_length(vector: [Fixed; 3]) -> Self {
+    pub(super) fn length_squared(vector: [Fixed; 3]) -> Self {
         #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        return Self(armv6m::squared_length(vector.map(Fixed::to_bits)) as i64);
+        return Self(armv6m::length_squared(vector.map(Fixed::to_bits)) as i64);
         #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
         Self::dot3(vector, vector)
     }

@@ -230,7 +230,7 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         let advance = (center - ray.origin).dot(ray.direction);
         let origin = ray.at(advance);
         let from_center = origin - center;
-        let is_near = from_center.squared_wide() <= radius.times(radius);
+        let is_near = from_center.length_squared_wide() <= radius.times(radius);
         let is_in_range = advance + radius > range.min && advance - radius < range.max;
         (is_near && is_in_range).then_some(Moved { ray: Ray { origin, direction: ray.direction }, advance })
     }

@@ -28,7 +28,7 @@ impl<R: Real> Line<R> {
     /// The line, unless it passes by the ball of this radius around the middle.
     pub(super) fn new(ray: &Ray<R>, middle: Vec3<R>, radius: R) -> Option<Self> {
         let (start, advance) = ray.nearest_to_twice(middle);
-        let is_near = start.squared_wide() <= radius.times(radius);
+        let is_near = start.length_squared_wide() <= radius.times(radius);
         is_near.then_some(Self { start, direction: ray.direction, advance })
     }
 

@@ -282,7 +282,7 @@ fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
 fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
     let (ab, bc, ca) = (b - a, c - b, a - c);
     // The two shorter edges are the farthest from being parallel.
-    let squared = |edge: Vec3<R>| edge.squared_wide();
+    let squared = |edge: Vec3<R>| edge.length_squared_wide();
     let (first, second) = if squared(ca) >= squared(ab) && squared(ca) >= squared(bc) {
         (ab, bc)
     } else if squared(ab) >= squared(bc) {

@@ -124,7 +124,7 @@ struct Passage<R> {
 impl<R: Real> Body<R> {
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         let (from_middle, advance) = ray.nearest_to(self.middle);
-        if from_middle.squared_wide() > self.length.times(self.length) {
+        if from_middle.length_squared_wide() > self.length.times(self.length) {
             return None;
         }
         let start = self.in_units(from_middle);

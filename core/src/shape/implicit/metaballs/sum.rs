@@ -36,7 +36,7 @@ impl<R: Real> PreparedBlob<R> {
     pub(super) fn part(&self, line: &Line<R>) -> Option<Part<'_, R>> {
         let middle = line.along(self.center);
         let nearest = line.at(middle) - self.center;
-        let distance = nearest.squared_wide();
+        let distance = nearest.length_squared_wide();
         let rest = self.radius_squared - distance;
         (rest > R::Product::ZERO).then(|| {
             let half = rest.sqrt();
@@ -84,7 +84,7 @@ impl<R: Real> Body<'_, R> {
         let (mut value, mut gradient) = (R::from_f32(LEVEL), Vec3::ZERO);
         for blob in self.blobs {
             let from_center = at - blob.center;
-            if let Some(q) = blob.share(from_center.squared_wide()) {
+            if let Some(q) = blob.share(from_center.length_squared_wide()) {
                 value = value - blob.strength * kernel(q);
                 let Vec3 { x, y, z } = from_center;
                 let out = Vec3::new(x / blob.radius, y / blob.radius, z / blob.radius);
