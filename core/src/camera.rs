@@ -61,6 +61,10 @@ impl Camera {
 }
 
 /// A camera and the size of a picture: knows the ray through each place of the picture, and back.
+///
+/// Rejected: what the rays of a line have in common, worked out once for each line. It takes three products less a pixel, but the line
+/// has to be carried along: `classic` takes 1.00 times the instructions on an M4F, and 1.02 on M3 and M0 in fixed point. From pixel
+/// to pixel by sums alone, rounding would depend on where a line begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Viewport<R: Real> {
     camera: PreparedCamera<R>,

@@ -34,6 +34,19 @@
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
 //! | power | see [`power`](self::power) |
 //! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
+//!
+//! # Pictures
+//! Beside those in `f64`, at 320×240 in 8 bits of linear light (tests/tests/all/fixed.rs prints this table):
+//!
+//! | scene | fixed point | `f32` |
+//! |---|---|---|
+//! | classic | 43.0 dB | 42.4 dB |
+//! | whitted | 54.1 dB | 54.1 dB |
+//! | flake | 56.2 dB | 56.1 dB |
+//! | prism | 58.2 dB | 59.7 dB |
+//! | table | 60.6 dB | 60.6 dB |
+//!
+//! All but 7 to 52 pixels, at edges of which one side or the other is met, are within 1 of 255.
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 mod armv6m;

@@ -1,6 +1,7 @@
 //! Where instructions go, as tables.
 
 use std::collections::{BTreeSet, HashMap};
+use std::path::Path;
 
 use super::source::Place;
 use super::trace::Executed;
@@ -46,6 +47,8 @@ pub(super) struct Report {
     called: HashMap<Function, Count>,
     /// As `itself`, by line.
     lines: HashMap<(String, u32), Count>,
+    /// As `itself`, by the folder that the function's file stands in.
+    folders: HashMap<String, Count>,
 }
 
 impl Report {
@@ -53,11 +56,12 @@ impl Report {
     pub(super) fn add(&mut self, places: &[Place], executed: Executed, touches_memory: bool) {
         self.total.add(executed, touches_memory);
         let function = |place: Option<&Place>| {
-            place.map_or(("?".into(), "?".into()), |place| (place.function.clone(), place.file.clone()))
+            place.map_or(("?".into(), "(?)".into()), |place| (place.function.clone(), place.file.clone()))
         };
         let innermost = places.iter().find(|place| place.is_own()).or(places.first());
         self.itself.entry(function(innermost)).or_default().add(executed, touches_memory);
         self.called.entry(function(places.last())).or_default().add(executed, touches_memory);
+        self.folders.entry(folder(innermost)).or_default().add(executed, touches_memory);
         if let Some(place) = innermost {
             self.lines.entry((place.file.clone(), place.line)).or_default().add(executed, touches_memory);
         }
@@ -79,18 +83,27 @@ impl Report {
         };
         format!(
             "{:.1} instructions per pixel, {} of them loads and stores.{cycles}\n\
+             \nBy folder of the function's file:\n\n{}\
              \nBy function, without what is inlined into it from the project:\n\n{}\
              \nBy function, with all that is inlined into it:\n\n{}\
              \nBy function that is called, with all that is inlined into it:\n\n{}\
              \nBy line:\n\n{}",
             total.instructions as f64 / pixels as f64,
             percent(total.memory, total.instructions),
+            self::table(&self.folders, ["folder"], pixels, total, |folder| [folder.clone()]),
             table(&self.itself, ["function", "file"]),
             table(&self.whole, ["function", "file"]),
             table(&self.called, ["function", "file"]),
             self::table(&self.lines, ["line"], pixels, total, |(file, line)| [format!("{file}:{line}")]),
         )
     }
+}
+
+/// The folder of a place in the project; all other crates are one.
+fn folder(place: Option<&Place>) -> String {
+    let own = place.filter(|place| place.is_own());
+    let folder = own.and_then(|place| Path::new(&place.file).parent());
+    folder.map_or("(other crates)".into(), |folder| folder.display().to_string())
 }
 
 /// The rows that cost most, per pixel.
@@ -153,26 +166,33 @@ mod tests {
         assert_eq!(
             tables[0],
             [
+                "|        10.0 | 50.0 % |      0.0 % | (other crates) |",
+                "|        10.0 | 50.0 % |     10.0 % | core/src       |",
+            ]
+        );
+        assert_eq!(
+            tables[1],
+            [
                 "|        10.0 | 50.0 % |      0.0 % | add      | (core/src/ops.rs) |",
                 "|         6.0 | 30.0 % |      0.0 % | run      | core/src/run.rs   |",
                 "|         4.0 | 20.0 % |     25.0 % | dot      | core/src/vec3.rs  |",
             ]
         );
         assert_eq!(
-            tables[1],
+            tables[2],
             [
                 "|        10.0 | 50.0 % |     10.0 % | run      | core/src/run.rs  |",
                 "|         4.0 | 20.0 % |     25.0 % | dot      | core/src/vec3.rs |",
             ]
         );
         assert_eq!(
-            tables[2],
+            tables[3],
             [
                 "|        10.0 | 50.0 % |      0.0 % | add      | (core/src/ops.rs) |",
                 "|        10.0 | 50.0 % |     10.0 % | run      | core/src/run.rs   |",
             ]
         );
-        assert_eq!(tables[3][1], "|         6.0 | 30.0 % |      0.0 % | core/src/run.rs:9   |");
+        assert_eq!(tables[4][1], "|         6.0 | 30.0 % |      0.0 % | core/src/run.rs:9   |");
     }
 
     #[test]

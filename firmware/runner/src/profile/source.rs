@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use addr2line::{Context, LookupResult, gimli};
 use anyhow::Result;
-use object::{Object, ObjectSection};
+use object::{Object, ObjectSection, SymbolMap, SymbolMapName};
 use rustc_demangle::demangle;
 
 type Reader<'e> = gimli::EndianSlice<'e, gimli::LittleEndian>;
@@ -26,9 +26,10 @@ impl Place {
     }
 }
 
-/// The line tables of a program.
+/// The line tables of a program, and its functions.
 pub(super) struct Source<'e> {
     context: Context<Reader<'e>>,
+    functions: SymbolMap<SymbolMapName<'e>>,
     /// Where the project's files are.
     root: PathBuf,
 }
@@ -40,10 +41,12 @@ impl<'e> Source<'e> {
             Ok(gimli::EndianSlice::new(data.unwrap_or_default(), gimli::LittleEndian))
         };
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize()?;
-        Ok(Self { context: Context::from_dwarf(gimli::Dwarf::load(section)?)?, root })
+        let context = Context::from_dwarf(gimli::Dwarf::load(section)?)?;
+        Ok(Self { context, functions: elf.symbol_map(), root })
     }
 
-    /// Where an instruction comes from: the innermost function first, then what that is inlined into.
+    /// Where an instruction comes from: the innermost function first, then what that is inlined into. Of what has no line tables, such
+    /// as functions in assembly, the function alone is known.
     pub(super) fn places(&self, address: u64) -> Result<Vec<Place>> {
         let frames = self.context.find_frames(address);
         let mut frames = match frames {
@@ -64,7 +67,23 @@ impl<'e> Source<'e> {
                 line: line.unwrap_or(0),
             });
         }
+        if places.is_empty() {
+            places.extend(self.function(address));
+        }
         Ok(places)
+    }
+
+    /// The function that an address lies in, of the core's functions with the file of its module.
+    fn function(&self, address: u64) -> Option<Place> {
+        // The lowest bit of a function's address tells that it is Thumb code.
+        let name = format!("{:#}", demangle(self.functions.containing(address | 1)?.name()));
+        let mut modules: Vec<_> = name.split("::").collect();
+        let function = modules.pop()?.to_owned();
+        let file = modules
+            .strip_prefix(&["rayline"])
+            .map(|modules| format!("core/src/{}.rs", modules.join("/")))
+            .filter(|file| self.root.join(file).is_file());
+        Some(Place { function, file: file.unwrap_or("(?)".into()), line: 0 })
     }
 
     /// A file's name from the project's folder on, or from that of the crate that it belongs to.
