@@ -1,6 +1,11 @@
 //! A cone or frustum, by the quadratic equation of its radius along the axis (Heckbert in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
+//!
+//! Most rays that are tested pass the axis farther away than the cone reaches (63 % of them in rings_s1): floating point asks
+//! that first, by the line at right angles to both, for half the products. An M4F takes 0.90 of the instructions for
+//! `show-chess`, 0.98 for rings_s1, which takes 0.97 of the time on x86-64. In fixed point, whose coefficients must not overflow, that
+//! the ray comes near the base at all is asked instead.
 
 use super::{Geometry, Intersect, Spans, Spine, reach_across, uv};
 use crate::arena::Arena;
@@ -57,6 +62,7 @@ impl Geometry for Cone {
         check_held::<R>(steepness)?;
         let size = length + base_radius.larger(top_radius);
         check_size(scale.length::<R>(base_radius.larger(top_radius)))?;
+        let reach: R = scale.length(base_radius.larger(top_radius) * R::Setup::from_f32(1.03));
         Ok(PreparedCone {
             base: scale.point(base),
             axis: Vec3::from_setup(axis),
@@ -66,6 +72,7 @@ impl Geometry for Cone {
             steepness: R::from_setup(steepness),
             magnitude: scale.length(base.magnitude() + length + base_radius.larger(top_radius)),
             size: scale.length(size),
+            reach_squared: reach * reach,
             capped: self.capped,
         })
     }
@@ -85,6 +92,8 @@ pub struct PreparedCone<R> {
     magnitude: R,
     /// No point is farther from the base.
     size: R,
+    /// No point is farther from the axis, squared, with room for rounding.
+    reach_squared: R,
     capped: bool,
 }
 
@@ -143,10 +152,31 @@ fn is_met_twice<R: Real>(a: R) -> bool {
 }
 
 impl<R: Real> PreparedCone<R> {
-    /// `None` where the ray passes by so far away that the coefficients would be out of range.
+    /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared, and times the sine of the angle
+    /// between the two, squared.
+    ///
+    /// Before it is squared the first is off by no more than 2⁻²¹ of the way to the base: that is less than the room that the reach has,
+    /// or less than the root of what is added.
+    #[inline(always)]
+    fn passing(&self, ray: &Ray<R>) -> (R, R) {
+        let to_base = self.base - ray.origin;
+        let across = ray.direction.cross(self.axis);
+        let distance = to_base.dot(across);
+        let doubt = to_base.length_squared() * R::from_f32(1.0 / (1u64 << 33) as f32);
+        (distance * distance, self.reach_squared * across.length_squared() + doubt)
+    }
+
+    /// `None` where the ray passes by.
     #[inline(always)]
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+        if R::REACH.is_none() {
+            let (distance, reach) = self.passing(ray);
+            if distance > reach {
+                return None;
+            }
+        }
         let (from_base, advance) = ray.nearest_to(self.base);
+        // Else coefficients would be out of range.
         if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
@@ -231,6 +261,11 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
         }
         // As `passage`. The root of what is not positive is 0 or NaN.
+        let passing = each(|i| self.passing(&rays.ray(i)));
+        let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
+        if near_enough == 0 {
+            return (0, *max);
+        }
         let directions = each(|i| rays.ray(i).direction);
         let near = each(|i| rays.ray(i).nearest_to(self.base));
         let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
@@ -245,7 +280,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let c = each(|i| across[i].length_squared_wide() - radius[i].times(radius[i]));
         let root = each(|i| (b[i].times(b[i]) - c[i].times(a[i])).sqrt());
         let zeros = [R::ZERO; 4];
-        let crossed = R::less(&zeros, &root);
+        let crossed = near_enough & R::less(&zeros, &root);
         if crossed == 0 {
             return (0, *max);
         }
@@ -367,6 +402,37 @@ mod tests {
             let cone = Cone { top_radius, capped, ..TENT };
             assert_four_are_met_as_one(cone, Vec3::new(0.0, 1.0, 0.0), 2.0);
         }
+    }
+
+    #[test]
+    fn no_ray_that_comes_near_enough_is_said_to_pass_by() {
+        let mut random = Random(7);
+        let (mut near, mut passed) = (0, 0);
+        for round in 0..100_000usize {
+            // Thick ones and very thin ones, from nearby and from far away, and almost along the axis.
+            let radius = [2.0, 0.5, 1e-2, 1e-4][round % 4];
+            let away = [3.0, 30.0, 1e3, 1e6][round / 4 % 4];
+            let shape = Cone { base_radius: radius, top_radius: random.next().abs() * radius, ..TENT };
+            let mut memory = Memory::new();
+            let cone: PreparedCone<f32> = prepared(shape, &mut memory).expect("a legal cone");
+            let beside = random.direction().cross(cone.axis).normalized().unwrap_or(LEFT);
+            let height = cone.axis * (random.next() * 3.0);
+            let aim = cone.base + height + beside * (radius * (1.2 + random.next() * 0.4));
+            let almost_along = random.direction() * 1e-3 + cone.axis;
+            let direction = if round / 16 % 2 == 0 { almost_along } else { random.direction() };
+            let direction = direction.normalized().unwrap_or(LEFT);
+            let ray = Ray { origin: aim - direction * away, direction };
+            let is_passed = cone.passage(&ray).is_none();
+            // The distance from line to line in f64.
+            let (axis, direction): (Vec3<f64>, Vec3<f64>) = (cone.axis.to(), ray.direction.to());
+            let across = direction.cross(axis);
+            let distance = (cone.base.to::<f64>() - ray.origin.to()).dot(across).abs() / across.length();
+            let is_near = distance <= f64::from(radius);
+            assert!(!(is_near && is_passed), "{cone:?}: {ray:?} comes as near as {distance}");
+            near += u32::from(is_near);
+            passed += u32::from(is_passed);
+        }
+        assert!(near > 20_000 && passed > 5_000, "{near} near, {passed} passed");
     }
 
     #[test]
