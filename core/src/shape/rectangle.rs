@@ -57,8 +57,8 @@ pub struct PreparedRectangle<R: Real> {
 
 impl<R: Real> Intersect<R> for PreparedRectangle<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let (t, u, v) = self.patch.meet(ray, range)?;
-        (u >= R::ZERO && v >= R::ZERO && u <= R::ONE && v <= R::ONE).then_some(t)
+        let inside = |u: R, v: R| u >= R::ZERO && v >= R::ZERO && u <= R::ONE && v <= R::ONE;
+        self.patch.meet(ray, range, inside)
     }
 
     fn form(&self) -> Form<R> {

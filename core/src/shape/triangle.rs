@@ -74,8 +74,8 @@ pub struct PreparedTriangle<'m, R: Real> {
 
 impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let (t, b, c) = self.patch.meet(ray, range)?;
-        (b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE).then_some(t)
+        let inside = |b: R, c: R| b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE;
+        self.patch.meet(ray, range, inside)
     }
 
     #[inline(always)]
