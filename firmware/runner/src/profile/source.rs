@@ -63,7 +63,7 @@ impl<'e> Source<'e> {
             let (file, line) = frame.location.map_or((None, None), |location| (location.file, location.line));
             places.push(Place {
                 function,
-                file: file.map_or("?".into(), |file| self.file(file)),
+                file: file.map_or("(?)".into(), |file| self.file(file)),
                 line: line.unwrap_or(0),
             });
         }
