@@ -4,7 +4,7 @@
 //!
 //! Most rays that are tested pass the axis farther away than the cone reaches (63 % of them in rings_s1): floating point asks
 //! that first, by the line at right angles to both, for half the products. An M4F takes 0.90 of the instructions for
-//! `show-chess`, 0.98 for rings_s1, and x86-64 0.84 and 0.97 of the time. In fixed point, whose coefficients must not overflow, that
+//! `show-chess`, 0.98 for rings_s1, and x86-64 0.88 and 0.97 of the time. In fixed point, whose coefficients must not overflow, that
 //! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
 //! rings_s1.
 
