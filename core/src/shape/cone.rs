@@ -61,9 +61,10 @@ impl Geometry for Cone {
         let slope = (top_radius - base_radius) / length;
         let steepness = R::Setup::ONE + slope * slope;
         check_held::<R>(steepness)?;
-        let size = length + base_radius.larger(top_radius);
-        check_size(scale.length::<R>(base_radius.larger(top_radius)))?;
-        let reach: R = scale.length(base_radius.larger(top_radius) * R::Setup::from_f32(1.03));
+        let widest = base_radius.larger(top_radius);
+        let size = length + widest;
+        check_size(scale.length::<R>(widest))?;
+        let reach: R = scale.length(widest * R::Setup::from_f32(1.03));
         Ok(PreparedCone {
             base: scale.point(base),
             axis: Vec3::from_setup(axis),
@@ -71,7 +72,7 @@ impl Geometry for Cone {
             base_radius: scale.length(base_radius),
             slope: R::from_setup(slope),
             steepness: R::from_setup(steepness),
-            magnitude: scale.length(base.magnitude() + length + base_radius.larger(top_radius)),
+            magnitude: scale.length(base.magnitude() + length + widest),
             size: scale.length(size),
             reach_squared: reach * reach,
             capped: self.capped,

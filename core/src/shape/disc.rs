@@ -78,10 +78,10 @@ pub struct PreparedDisc<R: Real> {
 
 impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let t = self.plane.meet(ray, range)?;
-        let from_center = ray.at(t) - self.center;
-        let distance_squared = from_center.length_squared_wide();
-        (distance_squared < self.radius_squared && distance_squared >= self.hole_squared).then_some(t)
+        self.plane.meet_where(ray, range, |point| {
+            let distance_squared = (point - self.center).length_squared_wide();
+            distance_squared < self.radius_squared && distance_squared >= self.hole_squared
+        })
     }
 
     fn form(&self) -> Form<R> {

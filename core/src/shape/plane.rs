@@ -3,7 +3,7 @@
 use super::{Form, Geometry, Intersect, Spans, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// An infinite plane. What lies behind it is its inside.
@@ -70,6 +70,28 @@ impl<R: Real> PreparedPlane<R> {
         }
         let t = height / slope;
         range.contains(t).then_some(t)
+    }
+
+    /// The distance at which a ray meets the part of the plane whose points are `inside`, which takes no longer to tell than where the
+    /// plane is met.
+    ///
+    /// What a ray is tested for lies near it, so that nobody can guess which of the conditions fails: a processor that guesses takes
+    /// 0.96 of the time for teapot_s2 where they are all computed. Those of boards stop at the first.
+    #[inline(always)]
+    pub(super) fn meet_where(
+        &self,
+        ray: &Ray<R>,
+        range: Interval<R>,
+        inside: impl FnOnce(Vec3<R>) -> bool,
+    ) -> Option<R> {
+        if FOUR_AT_ONCE && R::REACH.is_none() {
+            // Positive and finite only toward the plane.
+            let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.direction);
+            let met = (t > R::ZERO) & (t > range.min) & (t < range.max) & inside(ray.at(t));
+            return met.then_some(t);
+        }
+        let t = self.meet(ray, range)?;
+        inside(ray.at(t)).then_some(t)
     }
 
     /// Whether a hit is at a place that can be computed with: the next ray begins there.

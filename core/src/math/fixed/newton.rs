@@ -8,8 +8,8 @@
 //! | [`recip`] | 2⁻¹³ | 2⁻²⁶ of the value |
 //! | [`rsqrt`] | 2⁻¹³ | 2⁻²⁵ of the value |
 //!
-//! A piece is one word, to be loaded at once. A step costs one long product and one or
-//! two short ones. Two steps from a table without lines would cost two more long ones, which weigh 20 instructions each on ARMv6-M.
+//! A piece is one word, to be loaded at once. A step costs one long product and one or two short ones. Two steps from a table without
+//! lines would cost two more long ones, which weigh 20 instructions each on ARMv6-M.
 
 use super::product::upper;
 use super::zeros::even_zeros;

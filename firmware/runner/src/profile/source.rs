@@ -77,13 +77,11 @@ impl<'e> Source<'e> {
     fn function(&self, address: u64) -> Option<Place> {
         // The lowest bit of a function's address tells that it is Thumb code.
         let name = format!("{:#}", demangle(self.functions.containing(address | 1)?.name()));
-        let mut modules: Vec<_> = name.split("::").collect();
-        let function = modules.pop()?.to_owned();
-        let file = modules
-            .strip_prefix(&["rayline"])
-            .map(|modules| format!("core/src/{}.rs", modules.join("/")))
+        let module = name.strip_prefix("rayline::").and_then(|path| Some(path.rsplit_once("::")?.0));
+        let file = module
+            .map(|module| format!("core/src/{}.rs", module.replace("::", "/")))
             .filter(|file| self.root.join(file).is_file());
-        Some(Place { function, file: file.unwrap_or("(?)".into()), line: 0 })
+        Some(Place { function: short(&name), file: file.unwrap_or("(?)".into()), line: 0 })
     }
 
     /// A file's name from the project's folder on, or from that of the crate that it belongs to.
