@@ -151,7 +151,7 @@ impl Div for Fixed {
 fn inverse(divisor: Fixed) -> (u32, i32) {
     let digits = divisor.0.unsigned_abs();
     let zeros = zeros(digits) & 31;
-    (zeros, newton::signed(recip(digits << zeros)))
+    (zeros, recip(digits << zeros) as i32)
 }
 
 impl Real for Fixed {
@@ -307,10 +307,9 @@ impl Real for Fixed {
     #[inline(always)]
     fn polar_with(vector: [Self; 3], other: Self) -> ([Self; 3], Self, Self) {
         let Root { length, inverse, up } = root(FixedProduct::length_squared(vector).bits() as u64);
-        let inverse = newton::signed(inverse);
         // Each coordinate is shifted up as far as fits before it is scaled, and rounded afterwards.
         let unit = |Self(x): Self| {
-            let upper = (product(x << up, inverse) >> 32) as i32;
+            let upper = (product(x << up, inverse as i32) >> 32) as i32;
             Self(upper.wrapping_add(1 << 4) >> 5)
         };
         (vector.map(unit), Self(length as i32), unit(other))

@@ -76,7 +76,7 @@ fn at(line: Line, x: u32) -> u32 {
     line.wrapping_sub((line & 0xFFFF).wrapping_mul(along)) >> 16
 }
 
-/// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³².
+/// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³². Below 2³¹, as a step from either side ends below what it seeks.
 #[inline]
 #[allow(clippy::indexing_slicing)] // There are 64 pieces.
 pub(super) fn recip(x: u32) -> u32 {
@@ -87,7 +87,7 @@ pub(super) fn recip(x: u32) -> u32 {
     (y << 15).wrapping_add(correction as u32)
 }
 
-/// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³².
+/// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³². Below 2³¹, as a step from either side ends below what it seeks.
 #[inline]
 #[allow(clippy::indexing_slicing)] // There are 128 pieces.
 pub(super) fn rsqrt(x: u32) -> u32 {
@@ -97,19 +97,12 @@ pub(super) fn rsqrt(x: u32) -> u32 {
     (y << 15).wrapping_add(correction as u32)
 }
 
-/// A reciprocal in 31 bits: that of a power of two has one too many.
-#[inline(always)]
-pub(super) fn signed(reciprocal: u32) -> i32 {
-    // By its sign rather than by a large constant.
-    if (reciprocal as i32) < 0 { i32::MAX } else { reciprocal as i32 }
-}
-
 /// What [`root`] finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Root {
     /// The root, which a number below 2⁶² has in 31 bits.
     pub(super) length: u32,
-    /// Its reciprocal: 2³⁰ · 2³⁰⁻ᵘᵖ / length, at least 2³⁰, and of a power of four 2³¹.
+    /// Its reciprocal: 2³⁰ · 2³⁰⁻ᵘᵖ / length, at least 2³⁰ and below 2³¹.
     pub(super) inverse: u32,
     /// How far the root was shifted down from 31 digits.
     pub(super) up: u32,
@@ -138,6 +131,18 @@ mod tests {
         (from >> 12..=u32::MAX >> 12)
             .map(|top| top << 12 | top.wrapping_mul(0x9E37) & 0xFFF)
             .chain([from, u32::MAX])
+    }
+
+    #[test]
+    fn reciprocals_have_31_bits() {
+        // Both fall: farther on they are smaller.
+        for next in 0..1 << 16 {
+            let ([a, b], limit) = ([recip((1 << 31) + next), rsqrt((1 << 30) + next)], 1 << 31);
+            assert!(a < limit && b < limit, "{next}: {a:#x} {b:#x}");
+        }
+        for x in normalized(1 << 30) {
+            assert!(rsqrt(x) < 1 << 31 && (x < 1 << 31 || recip(x) < 1 << 31), "{x:#x}");
+        }
     }
 
     #[test]
