@@ -127,6 +127,8 @@ impl<'m, R: Real> PreparedLight<'m, R> {
 
     /// The unit direction from a point toward the light, how far the light is along it, and the cosine of its
     /// angle with a unit normal; `None` where the light is behind the surface, or the point is the light's own.
+    // Rejected: the direction only where a shadow ray needs it, and cosines as those of the way that was not divided by its length. `classic`
+    // takes an M0 0.98 times the instructions so, an M3 1.01 times, and in realtime quality both 1.01 to 1.04 times.
     #[inline(always)]
     pub(crate) fn seen_from(&self, point: Vec3<R>, normal: Vec3<R>) -> Option<(Vec3<R>, R, R)> {
         match self.source {
