@@ -116,7 +116,9 @@ fn convert(arguments: &Convert) -> Outcome {
 
 /// What there is in a scene.
 fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
-    format!("{} objects, {} materials, {} lights", objects.len(), materials.len(), lights.len())
+    [(objects.len(), "object"), (materials.len(), "material"), (lights.len(), "light")]
+        .map(|(count, thing)| format!("{count} {thing}{}", if count == 1 { "" } else { "s" }))
+        .join(", ")
 }
 
 fn bake(arguments: &Convert) -> Outcome {

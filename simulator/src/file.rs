@@ -92,11 +92,16 @@ fn into_io(error: ImageError) -> io::Error {
 /// # Errors
 /// The name is a directory's, or names one that is missing.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
-    let refuse = |kind: io::ErrorKind| Err(FileError::Io { path: path.to_owned(), error: kind.into() });
+    let refuse = |error| Err(FileError::Io { path: path.to_owned(), error });
     if path.is_dir() {
-        return refuse(io::ErrorKind::IsADirectory);
+        return refuse(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory; name a file"));
     }
-    if directory_of(path).is_dir() { Ok(()) } else { refuse(io::ErrorKind::NotFound) }
+    let directory = directory_of(path);
+    if directory.is_dir() {
+        return Ok(());
+    }
+    let reason = format!("there is no directory {}; make it first", directory.display());
+    refuse(io::Error::new(io::ErrorKind::NotFound, reason))
 }
 
 fn directory_of(path: &Path) -> &Path {

@@ -35,6 +35,7 @@ pub mod ron;
 mod stats;
 mod table;
 mod terminal;
+mod text;
 #[cfg(feature = "window")]
 mod window;
 

@@ -4,6 +4,7 @@ use gltf_json::Root;
 use serde::Deserialize;
 
 use super::error::{At, GltfFault, Wrong};
+use crate::text::without_mark;
 
 /// What the crate `gltf-json` or this one knows.
 const EXTENSIONS: [&str; 8] = [
@@ -19,7 +20,7 @@ const EXTENSIONS: [&str; 8] = [
 
 /// Reads the JSON; the bytes are those of the first buffer.
 pub(super) fn open(bytes: &[u8]) -> Result<(Root, Option<&[u8]>), Wrong> {
-    let (json, buffer) = if bytes.starts_with(b"glTF") { split(bytes)? } else { (bytes, None) };
+    let (json, buffer) = if bytes.starts_with(b"glTF") { split(bytes)? } else { (without_mark(bytes), None) };
     Ok((parse(json)?, buffer))
 }
 

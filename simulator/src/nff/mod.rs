@@ -34,6 +34,8 @@ use rayline::limits::{MAX_COUNT, MAX_SIDE};
 use rayline::shape::{Cone, Cylinder, Polygon, Shape, Sphere, Triangle};
 use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Part, Scene, Texture, Vec3};
 
+use crate::text;
+
 pub(crate) use error::Excerpt;
 pub use error::{NffError, NffFault};
 use tokens::Tokens;
@@ -78,10 +80,7 @@ impl Import<'_> {
 /// # Errors
 /// As [`parse`], or the line that is not UTF-8.
 pub fn parse_bytes<'a>(arena: &'a Bump, bytes: &[u8]) -> Result<Import<'a>, NffError> {
-    let text = core::str::from_utf8(bytes).map_err(|error| {
-        let good = bytes.iter().take(error.valid_up_to());
-        NffError { line: good.filter(|byte| **byte == b'\n').count() + 1, fault: NffFault::NotUtf8 }
-    })?;
+    let text = text::of_bytes(bytes).map_err(|line| NffError { line, fault: NffFault::NotUtf8 })?;
     parse(arena, text)
 }
 

@@ -36,7 +36,7 @@ pub(super) fn read(folder: &Path, names: &[(usize, String)]) -> Result<Library, 
             name.split_whitespace().map(|name| folder.join(name)).collect()
         };
         for path in paths {
-            match super::text(&path) {
+            match super::text_of(&path) {
                 Ok(text) => library.add(&path, &text).map_err(|error| error.of(&path))?,
                 Err(ObjError { fault: ObjFault::Unreadable(reason), .. }) => {
                     library.notes.push(format!("{}: its materials are left out: {reason}", path.display()));

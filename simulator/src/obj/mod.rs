@@ -44,6 +44,7 @@ use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
 use crate::model::{FARTHEST_UV, Whole, view};
+use crate::text;
 
 pub use error::{ObjError, ObjFault};
 use statements::Statements;
@@ -78,7 +79,7 @@ impl Import<'_> {
 /// exist is no error but a [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
-    let text = text(path)?;
+    let text = text_of(path)?;
     let statements = Statements::new(&text).map_err(|error| error.of(path))?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let library = materials::read(folder, &statements.libraries)?;
@@ -161,13 +162,10 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
 }
 
 /// The text of a file.
-fn text(path: &Path) -> Result<String, ObjError> {
+fn text_of(path: &Path) -> Result<String, ObjError> {
     let error = |line, fault| ObjError { path: path.to_owned(), line, fault };
     let bytes = fs::read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
-    String::from_utf8(bytes).map_err(|reason| {
-        let good = reason.as_bytes().iter().take(reason.utf8_error().valid_up_to());
-        error(Some(good.filter(|byte| **byte == b'\n').count() + 1), ObjFault::NotUtf8)
-    })
+    text::of_bytes(&bytes).map(str::to_owned).map_err(|line| error(Some(line), ObjFault::NotUtf8))
 }
 
 fn vectors(numbers: &[f32]) -> Vec<Vec3> {

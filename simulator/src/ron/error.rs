@@ -40,6 +40,8 @@ pub struct RonError {
 pub enum RonFault {
     /// The system cannot read it. Mend what it says.
     Read(io::Error),
+    /// It is no text, or one in another encoding. Convert it to UTF-8.
+    NotUtf8,
     /// The text is not what was expected there. Mend it.
     Syntax(ron::Error),
     /// There is no such thing. Name one that there is.
@@ -111,6 +113,7 @@ impl fmt::Display for RonFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Read(error) => error.fmt(f),
+            Self::NotUtf8 => f.write_str("not a text file; convert it to UTF-8"),
             Self::Syntax(error) => error.fmt(f),
             Self::UnknownName { what, name, known } => {
                 write!(f, "there is no {what} `{}`", name.escape_debug())?;

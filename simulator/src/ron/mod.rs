@@ -58,6 +58,8 @@ use rayline::{Fault, Part, Scene};
 use ron::Options;
 use ron::extensions::Extensions;
 
+use crate::text;
+
 pub use error::{Position, RonError, RonFault};
 use names::Known;
 pub use names::PRESETS;
@@ -85,8 +87,10 @@ impl Import<'_> {
 /// found by [`PreparedScene::new`](rayline::PreparedScene::new); for those [`Import::position_of`] tells the place.
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
     let error = |position, fault| RonError { path: path.to_owned(), position, fault: Box::new(fault) };
-    let text = fs::read_to_string(path).map_err(|io| error(None, RonFault::Read(io)))?;
-    let text = arena.alloc_str(&text);
+    let bytes = fs::read(path).map_err(|io| error(None, RonFault::Read(io)))?;
+    let text = text::of_bytes(&bytes)
+        .map_err(|line| error(Some(Position { line, column: 1 }), RonFault::NotUtf8))?;
+    let text = arena.alloc_str(text);
     let directory = arena.alloc_str(&path.parent().unwrap_or(Path::new("")).to_string_lossy());
     parse(arena, text, Path::new(directory)).map_err(|(position, fault)| error(Some(position), fault))
 }

@@ -40,6 +40,8 @@ fn bad_files_are_answered_with_the_line() {
         assert_eq!(bench.error(&["pixel", "bad.nff", "0,0"]), expected);
     }
     assert_eq!(bench.files(), ["bad.nff"]);
+    bench.write("bad.ron", b"// \xff");
+    assert_eq!(bench.error(&["render", "bad.ron"]), "bad.ron:1:1: not a text file; convert it to UTF-8");
     assert!(bench.error(&["render", "missing.nff"]).starts_with("cannot read missing.nff: "));
     assert!(bench.error(&["render", "two\nlines.nff"]).starts_with("cannot read two\u{fffd}lines.nff: "));
 }
@@ -70,12 +72,15 @@ fn what_cannot_be_written_is_refused_before_rendering() {
     let error = |arguments: &[&str]| bench.error(&[&huge, arguments].concat());
     assert_eq!(error(&["-o", "picture.jpg"]), "cannot write picture.jpg: pictures are .png or .ppm files");
     assert_eq!(error(&["-o", "picture"]), "cannot write picture: pictures are .png or .ppm files");
-    assert!(error(&["-o", "nowhere/picture.png"]).starts_with("cannot write nowhere/picture.png: "));
+    assert_eq!(
+        error(&["-o", "nowhere/picture.png"]),
+        "cannot write nowhere/picture.png: there is no directory nowhere; make it first"
+    );
     assert!(
         error(&["-o", "picture.png", "--stats", "nowhere/stats.json"]).starts_with("cannot write nowhere/")
     );
     std::fs::create_dir(bench.path("directory.png")).unwrap();
-    assert!(error(&["-o", "directory.png"]).starts_with("cannot write directory.png: "));
+    assert_eq!(error(&["-o", "directory.png"]), "cannot write directory.png: it is a directory; name a file");
     assert_eq!(bench.files(), ["directory.png"]);
 }
 

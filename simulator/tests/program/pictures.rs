@@ -57,6 +57,33 @@ fn models_get_a_camera_and_a_light_and_say_so() {
 }
 
 #[test]
+fn a_byte_order_mark_changes_nothing() {
+    let bench = Bench::new();
+    let red = "newmtl red\nKd 1 0 0\n";
+    // Without its first line, the square would have other corners.
+    let square = SQUARE.replace("mtllib square.mtl\n", "") + "mtllib square.mtl\n";
+    let triangle = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "accessors": [{"bufferView": 0, "componentType": 5126,
+        "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#;
+    bench.write("ball.nff", BALL);
+    bench.output(&["convert", "ball.nff", "scene.ron"]);
+    let scene = std::fs::read_to_string(bench.path("scene.ron")).unwrap();
+    let texts =
+        [("ball.nff", BALL), ("square.obj", &square), ("triangle.gltf", triangle), ("scene.ron", &scene)];
+    let pictures = |mark: &str| {
+        bench.write("square.mtl", [mark, red].concat());
+        texts.map(|(name, text)| {
+            bench.write(name, [mark, text].concat());
+            bench.picture(&[name, "--size", "40x30"])
+        })
+    };
+    let without = pictures("");
+    assert!(without.iter().all(|(_, _, bytes)| bytes.chunks(3).any(|pixel| pixel != &bytes[..3])));
+    assert_eq!(pictures("\u{feff}"), without);
+}
+
+#[test]
 fn ppm_and_png_hold_the_same_pixels() {
     let bench = Bench::new();
     for name in ["picture.PNG", "picture.ppm"] {
