@@ -17,7 +17,7 @@ const TRACED: u32 = 1 << 31;
 /// A small highlight is near: interpolation could lose it.
 const GLINT: u32 = 1 << 30;
 /// Digest of what was met, on the way that light takes to the pixel: never 0.
-const PATH: u32 = ((1 << 9) - 1) << 16;
+const PATH: u32 = ((1 << 7) - 1) << 16;
 /// Digest of what stood before the lights.
 const SHADE: u32 = ((1 << 14) - 1) << 16 ^ PATH;
 

@@ -42,6 +42,8 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     /// Digests of what was met, and of what stood before the lights.
     path: u32,
     shade: u32,
+    /// Bounces before the current ray.
+    bounces: u32,
     near_glint: bool,
     marks: Marks<R>,
     /// Whether small highlights are looked for that lie beside what is seen.
@@ -66,6 +68,7 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
             probe,
             path: 0,
             shade: 0,
+            bounces: 0,
             near_glint: false,
             marks,
             searches,
@@ -120,7 +123,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
     fn record(&mut self, event: Event<R>) {
         self.probe.record(event);
         match event {
-            Event::Ray { ray, throughput, .. } => {
+            Event::Ray { ray, throughput, bounces, .. } => {
+                self.bounces = u32::from(bounces);
                 self.counts = throughput > self.marks.faint;
                 self.direction = ray.direction;
             }
@@ -156,7 +160,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     if through >= R::ONE {
                         self.near_glint |= sharp && cosine() > self.marks.beside && glint(R::ONE);
                     } else if material.diffuse > R::ZERO || !sharp || glint(self.marks.shows) {
-                        let what = 1 << 24 | (light as u32) << 17 | through.to_q16();
+                        // A shadow that is mirrored is another than one that is seen.
+                        let what = self.bounces << 25 | 1 << 24 | (light as u32) << 17 | through.to_q16();
                         self.shade = fold(self.shade, what);
                     }
                 }
