@@ -1,7 +1,7 @@
 //! How light fades with distance.
 
 use crate::fault::{Fault, check_coordinate};
-use crate::math::{Real, Scale};
+use crate::math::Real;
 
 /// How light fades with distance d: to 1 / (constant + linear d + quadratic d²), but never to more than it was (Hall and Greenberg,
 /// "A Testbed for Realistic Image Synthesis", IEEE CG&A 1983).
@@ -33,8 +33,8 @@ impl Falloff {
         self.constant == 1.0 && self.linear == 0.0 && self.quadratic == 0.0
     }
 
-    /// Checks every number and converts it; `None` where nothing fades.
-    pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<Option<PreparedFalloff<R>>, Fault> {
+    /// Checks every number and converts it, for distances that are so many times those of the scene; `None` where nothing fades.
+    pub(crate) fn prepare<R: Real>(&self, scale: f32) -> Result<Option<PreparedFalloff<R>>, Fault> {
         let mut sum = 0.0;
         for coefficient in [self.constant, self.linear, self.quadratic] {
             check_coordinate(coefficient)?;
@@ -49,15 +49,14 @@ impl Falloff {
         if self.is_none() {
             return Ok(None);
         }
-        let per_unit = R::Setup::from_f32(1.0 / scale.to_f32());
+        let per_unit = R::Setup::from_f32(1.0 / scale);
         let [c, l, q] = [self.constant, self.linear, self.quadratic].map(R::Setup::from_f32);
         let (l, q) = (l * per_unit, q * per_unit * per_unit);
-        // The largest is made 1, and so none is out of range.
+        // The largest is made 1, and so none is out of range; or less, where the brightness would be.
         let largest = c.larger(l).larger(q);
-        let part = |coefficient: R::Setup| R::from_setup(coefficient / largest);
-        // Beyond what a number system holds, nothing fades anywhere near.
-        let brightness =
-            if R::holds(largest.recip()) { R::from_setup(largest.recip()) } else { return Ok(None) };
+        let unit = if R::holds(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
+        let part = |coefficient: R::Setup| R::from_setup(coefficient / unit);
+        let brightness = R::from_setup(unit.recip());
         Ok(Some(PreparedFalloff { constant: part(c), linear: part(l), quadratic: part(q), brightness }))
     }
 }
@@ -68,13 +67,16 @@ impl Default for Falloff {
     }
 }
 
-/// A [`Falloff`], prepared: its largest coefficient is 1.
+/// Within what all number systems hold.
+const BRIGHTEST: f32 = 32.0;
+
+/// A [`Falloff`], prepared: its largest coefficient is 1, or less.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedFalloff<R> {
     constant: R,
     linear: R,
     quadratic: R,
-    /// 1 over what that coefficient was.
+    /// 1 over what a coefficient of 1 was.
     brightness: R,
 }
 
@@ -83,16 +85,16 @@ impl<R: Real> PreparedFalloff<R> {
     pub(crate) fn at(&self, distance: R) -> R {
         let Self { constant, linear, quadratic, brightness } = *self;
         // Far away by the inverse of the distance, so that no square is out of range.
-        let left = if distance > R::ONE {
+        let (most, sum) = if distance > R::ONE {
             let near = distance.recip();
-            brightness * (near * near) / (quadratic + near * (linear + near * constant))
+            (brightness * (near * near), quadratic + near * (linear + near * constant))
         } else {
-            let sum = constant + distance * (linear + distance * quadratic);
-            if !(sum > R::ZERO) {
-                return R::ONE;
-            }
-            brightness / sum
+            (brightness, constant + distance * (linear + distance * quadratic))
         };
+        if !(sum > R::ZERO) {
+            return R::ONE;
+        }
+        let left = most / sum;
         if left < R::ONE { left } else { R::ONE }
     }
 }
@@ -100,12 +102,12 @@ impl<R: Real> PreparedFalloff<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{Extent, Fixed, Vec3};
+    use crate::math::{Extent, Fixed, Scale, Vec3};
 
     fn left<R: Real>(falloff: Falloff, distance: f32) -> f32 {
         let scale = Scale::new::<R>(Extent::solid(20.0), Vec3::ZERO);
         let distance = scale.length::<R>(R::Setup::from_f32(distance));
-        falloff.prepare::<R>(scale).unwrap().map_or(1.0, |falloff| falloff.at(distance).to_f32())
+        falloff.prepare::<R>(scale.to_f32()).unwrap().map_or(1.0, |falloff| falloff.at(distance).to_f32())
     }
 
     #[test]
@@ -122,12 +124,16 @@ mod tests {
             assert!((left(lamp, 50.0) - 0.01).abs() < 1e-5);
             assert_eq!(left(lamp, 1.0), 1.0);
             assert_eq!(left(Falloff::NONE, 1000.0), 1.0);
+            // In fixed point 1 over the coefficient is out of range, and its light fades all the same.
+            let window = Falloff::inverse_square(200.0);
+            assert!((left(window, 400.0) - 0.25).abs() < 1e-4, "{}", left(window, 400.0));
+            assert_eq!(left(Falloff { constant: 1e-6, linear: 1e-9, quadratic: 0.0 }, 400.0), 1.0);
         }
     }
 
     #[test]
     fn bad_coefficients_are_refused() {
-        let refused = |falloff: Falloff| falloff.prepare::<f32>(Scale::ONE).unwrap_err();
+        let refused = |falloff: Falloff| falloff.prepare::<f32>(1.0).unwrap_err();
         assert_eq!(refused(Falloff { linear: -1.0, ..Falloff::NONE }), Fault::FalloffNegative);
         assert_eq!(refused(Falloff { constant: 0.0, ..Falloff::NONE }), Fault::FalloffNegative);
         assert_eq!(refused(Falloff { quadratic: f32::NAN, ..Falloff::NONE }), Fault::NotFinite);

@@ -129,7 +129,7 @@ impl<'s, R: Real> Vertex<'s, R> {
             if !(diffuses || glints) {
                 continue;
             }
-            let share = light.lamp().map(|lamp| lamp.share(toward, distance));
+            let share = light.share(self.hit.surface.point, toward, distance);
             if share.is_some_and(|share| !(share > R::ZERO)) {
                 continue;
             }

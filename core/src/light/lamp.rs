@@ -3,7 +3,7 @@
 use crate::color::LinearRgb;
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Fault, check_coordinate, check_direction};
-use crate::math::{Product, Real, Scale, Vec3, float};
+use crate::math::{Product, Real, Vec3, float};
 
 /// A light at one point that falls off with distance, or shines into a cone alone: a spot light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +50,8 @@ struct PreparedCone<R> {
 }
 
 impl Lamp {
-    /// Checks what a point light has not.
-    pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedLamp<R>, Fault> {
+    /// Checks what a point light has not, for distances that are so many times those of the scene.
+    pub(super) fn prepare<R: Real>(&self, scale: f32) -> Result<PreparedLamp<R>, Fault> {
         let falloff = self.falloff.prepare(scale)?;
         let Some(cone) = self.cone else { return Ok(PreparedLamp { falloff, cone: None }) };
         let direction: Vec3<R::Setup> = check_direction(cone.direction)?;
@@ -108,7 +108,7 @@ mod tests {
 
     fn share<R: Real>(lamp: Lamp, angle: f32) -> f32 {
         let toward = Vec3::new(angle.sin(), angle.cos(), 0.0).to::<R>();
-        lamp.prepare::<R>(Scale::ONE).unwrap().share(toward, R::ONE).to_f32()
+        lamp.prepare::<R>(1.0).unwrap().share(toward, R::ONE).to_f32()
     }
 
     #[test]
@@ -132,7 +132,7 @@ mod tests {
     fn bad_cones_are_refused() {
         let refused = |bright, dark| {
             let cone = LightCone { direction: Vec3::new(1.0, 0.0, 0.0), bright, dark };
-            Lamp { cone: Some(cone), ..SPOT }.prepare::<f32>(Scale::ONE).unwrap_err()
+            Lamp { cone: Some(cone), ..SPOT }.prepare::<f32>(1.0).unwrap_err()
         };
         for (bright, dark) in [(0.5, 0.4), (-0.1, 0.4), (0.0, 0.0), (0.1, 3.2)] {
             assert_eq!(refused(bright, dark), Fault::LightCone);
@@ -140,6 +140,6 @@ mod tests {
         assert_eq!(refused(f32::NAN, 1.0), Fault::NotFinite);
         let cone = LightCone { direction: Vec3::ZERO, bright: 0.1, dark: 0.2 };
         let lamp = Lamp { cone: Some(cone), ..SPOT };
-        assert_eq!(lamp.prepare::<f32>(Scale::ONE).unwrap_err(), Fault::ZeroLength);
+        assert_eq!(lamp.prepare::<f32>(1.0).unwrap_err(), Fault::ZeroLength);
     }
 }

@@ -71,8 +71,9 @@ impl Light {
         let (source, color) = match *self {
             Self::Lamp(lamp) => {
                 check_point(lamp.position)?;
-                prepared_lamp = Some(memory.store(lamp.prepare(scale)?)?);
-                (Source::point(lamp.position, scale), lamp.color)
+                let source = Source::point(lamp.position, scale);
+                prepared_lamp = Some(memory.store(lamp.prepare(scale.to_f32() * source.shrink())?)?);
+                (source, lamp.color)
             }
             // It is a light like the others, but there is no place that sees it.
             Self::Ambient { color } => (Source::Toward(Vec3::ZERO), color),
@@ -116,13 +117,27 @@ impl<R: Real> Source<R> {
         let shrink = scale.shrink(position);
         Self::Far(scale.point((position * shrink).to()), R::from_f32(shrink))
     }
+
+    /// The factor that brought the light near.
+    fn shrink(&self) -> f32 {
+        match *self {
+            Self::Far(_, shrink) => shrink.to_f32(),
+            Self::At(_) | Self::Toward(_) => 1.0,
+        }
+    }
 }
 
 impl<'m, R: Real> PreparedLight<'m, R> {
-    /// What it has that a point light has not, if anything. Without the feature, the compiler drops the code for it.
+    /// The share of its light that a lamp sends to a point which sees it in this direction at this distance; `None` where it is none. Without
+    /// the feature, the compiler drops the code for it.
     #[inline(always)]
-    pub(crate) fn lamp(&self) -> Option<&'m PreparedLamp<R>> {
-        if cfg!(feature = "optics") { self.lamp } else { None }
+    pub(crate) fn share(&self, point: Vec3<R>, toward: Vec3<R>, distance: R) -> Option<R> {
+        let lamp = if cfg!(feature = "optics") { self.lamp? } else { return None };
+        let distance = match self.source {
+            Source::Far(position, shrink) => (position - point * shrink).length(),
+            Source::At(_) | Source::Toward(_) => distance,
+        };
+        Some(lamp.share(toward, distance))
     }
 
     /// The unit direction from a point toward the light, how far the light is along it, and the cosine of its

@@ -129,7 +129,7 @@ impl Optics {
             absorption: Absorption::prepare(self.absorption, scale)?,
             outside: Absorption::prepare(self.outside.absorption, scale)?,
             emission: emission.to(),
-            falloff: self.reflection_falloff.prepare(scale)?,
+            falloff: self.reflection_falloff.prepare(scale.to_f32())?,
         })
     }
 }

@@ -11,8 +11,8 @@ use rayline::builtin::{self, CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{Cone, Polygon, Shape, Sphere};
 use rayline::{
-    Background, Camera, Checker, Digest, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene,
-    Real, Renderer, Scene, SceneError, Settings, Texture, Transfer, Vec3,
+    Background, Camera, Checker, Digest, Falloff, Fault, Lamp, Light, LinearRgb, Material, Object, Part,
+    PreparedScene, Real, Renderer, Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
 use rayline_tests::{Picture, backgrounds, core_picture, lights, numbers, optics, shapes, vectors};
 
@@ -49,6 +49,34 @@ fn assert_near_f64(name: &str, scene: &Scene<'_>, bounces: u8) {
 fn pictures_are_near_those_of_f64() {
     for scene in &builtin::ALL {
         assert_near_f64(scene.name, scene.scene, scene.bounces);
+    }
+}
+
+#[test]
+fn lamps_fade_from_any_distance() {
+    let ball = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)];
+    let white = [Material::matte(LinearRgb::WHITE)];
+    let camera = Camera {
+        eye: Vec3::new(0.0, 1.5, 5.0),
+        target: Vec3::ZERO,
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 0.8,
+    };
+    for distance in [12.0, 17.0, 50.0, 1000.0, 1e5] {
+        for falloff in [
+            Falloff::inverse_square(distance / 2.0),
+            Falloff { constant: 0.0, linear: 2.0 / distance, quadratic: 0.0 },
+            Falloff { constant: 0.01, linear: 0.0, quadratic: 2.0 / (distance * distance) },
+        ] {
+            let position = Vec3::new(0.0, 0.8 * distance, 0.6 * distance);
+            let lights = [Light::Lamp(Lamp { position, color: LinearRgb::WHITE, falloff, cone: None })];
+            let background = Background::Solid(LinearRgb::BLACK);
+            let scene = Scene { camera, background, objects: &ball, materials: &white, lights: &lights };
+            let settings = Settings { transfer: Transfer::Linear, ..Settings::new(64, 48) };
+            let close =
+                psnr(&core_picture::<f64>(&scene, settings), &core_picture::<Fixed>(&scene, settings));
+            assert!(close > 55.0, "{close:.1} dB for {falloff:?} from {distance}");
+        }
     }
 }
 
