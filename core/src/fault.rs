@@ -115,7 +115,7 @@ pub enum Fault {
         /// The feature.
         feature: &'static str,
     },
-    /// The index of refraction is zero or negative. Air is 1, glass about 1.5.
+    /// The index of refraction is less than 0.001. Air is 1, glass about 1.5.
     IorNotPositive,
     /// The number system that the scene is prepared for has too few digits for something so much smaller than the
     /// scene: less than 64 units of 2⁻²⁴, where the scene was scaled to 1/2. Enlarge it, leave it out, or prepare the scene for `f32`.
@@ -130,7 +130,7 @@ pub enum Fault {
     EyeAtTarget,
     /// The camera looks along its up vector. Turn the up vector away from the line of sight.
     UpAlongView,
-    /// The field of view is outside (0°, 180°). It is the full vertical angle, in radians.
+    /// The field of view is not between 0.0002° and 179.98°. It is the full vertical angle, in radians.
     FieldOfView,
     /// The units of a pattern are 0, or smaller than 1e-6. Enlarge them.
     PatternSize,
@@ -183,7 +183,7 @@ impl fmt::Display for Fault {
         f.write_str(match self {
             Self::NotFinite => "a number is NaN or infinite; replace it",
             Self::TooFar => "a coordinate, radius or distance is beyond ±1e6; scale the scene down",
-            Self::RadiusNotPositive => "the radius is not positive; a cone needs one of its two to be",
+            Self::RadiusNotPositive => "the radius is not positive; give one above 0 (a cone needs one of its two)",
             Self::HoleTooLarge => "the hole of a ring is not between 0 and its radius; make it smaller",
             Self::Collinear => "the corners lie on one line; remove the shape or move a corner",
             Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
@@ -244,29 +244,36 @@ impl fmt::Display for Fault {
                 "a falloff is negative or all zero; use 0 or more, and more for one of the three"
             }
             Self::LightCone => {
-                "a cone of light is not between 0 and 180 degrees, the bright part within all of it"
+                "a cone of light is not between 0 and 180 degrees, the bright part within all of it; give half angles in \
+                 radians: 20 degrees are 0.349"
             }
             Self::WithoutFeature { feature } => {
                 return write!(f, "this needs the feature `{feature}` of the crate rayline; build with it");
             }
-            Self::IorNotPositive => "the index of refraction is not positive; air is 1, glass about 1.5",
+            Self::IorNotPositive => "the index of refraction is less than 0.001; air is 1, glass about 1.5",
             Self::TooSmall => {
                 "too small beside the rest for this number system; enlarge it or prepare for f32"
             }
-            Self::OutOfRange => "a number is too large or too small for this number system; prepare for f32",
+            Self::OutOfRange => {
+                "a number is too large or too small for this number system; in fixed point keep light below 59, \
+                 indices of refraction below 7.6, or prepare for f32"
+            }
             Self::BeyondReach => {
                 "the camera is too far away for this number system; prepare the scene with it"
             }
             Self::EyeAtTarget => "the eye is at the target; move one of them",
             Self::UpAlongView => "the up vector lies along the line of sight; turn it away",
-            Self::FieldOfView => "the vertical field of view is not between 0 and 180 degrees",
+            Self::FieldOfView => {
+                "the vertical field of view is not between 0.0002 and 179.98 degrees (`vertical_fov` is in radians: 45 \
+                 degrees are 0.785)"
+            },
             Self::PatternSize => "the units of a pattern are smaller than 1e-6; enlarge them",
             Self::Octaves => "the octaves of noise are not 1 to 8; give it so many",
             Self::Turbulence => "a turbulence is outside 0 to 16; turn it down",
             Self::PixelCount { needed, given } => {
                 return write!(
                     f,
-                    "the image has {given} numbers of pixels, and its sides ask for {needed}; mend one or the other"
+                    "the image has {given} numbers of pixels, and its sides ask for {needed}, 1 or more; mend one or the other"
                 );
             }
             Self::PaletteColor { named, colors } => {

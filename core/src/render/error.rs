@@ -46,8 +46,8 @@ impl core::error::Error for SettingsError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LineError {
-    /// The buffer does not hold whole lines. Lend one of the picture's width, or of a multiple of it to draw
-    /// several lines at once.
+    /// The buffer does not hold whole lines. Lend one of the picture's width; to draw several lines at once, of a
+    /// multiple of it.
     BufferLength {
         /// Pixels that it holds.
         given: usize,
@@ -83,7 +83,10 @@ impl fmt::Display for LineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::BufferLength { given, width } => {
-                write!(f, "a buffer of {given} pixels does not hold whole lines of {width}; lend another")
+                write!(
+                    f,
+                    "a buffer of {given} pixels does not fit lines of {width}; lend {width}, or a multiple to draw several"
+                )
             }
             Self::BandLength { given, needed } => {
                 write!(f, "a buffer of {given} pixels is not a band of lines; lend {needed} pixels")

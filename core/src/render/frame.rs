@@ -36,7 +36,7 @@ pub struct Progress {
     pub lines_done: u32,
     /// Lines that there are to draw.
     pub lines_total: u32,
-    /// Rays that this step spent.
+    /// Rays that this step spent; in realtime quality, 1 for a cell that takes none.
     pub rays: u32,
 }
 

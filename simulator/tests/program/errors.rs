@@ -22,7 +22,7 @@ fn bad_files_are_answered_with_the_line() {
         (format!("{BALL}s 1 2 3 x").into_bytes(), "bad.nff:6: expected the radius of the sphere, found `x`"),
         (
             format!("{BALL}s 1 2 3 -1").into_bytes(),
-            "bad.nff:6: the radius is not positive; a cone needs one of its two to be",
+            "bad.nff:6: the radius is not positive; give one above 0 (a cone needs one of its two)",
         ),
         (
             format!("{BALL}s 1 2 3").into_bytes(),
@@ -30,7 +30,8 @@ fn bad_files_are_answered_with_the_line() {
         ),
         (
             BALL.replace("angle 40", "angle 190").into_bytes(),
-            "bad.nff:1: the vertical field of view is not between 0 and 180 degrees",
+            "bad.nff:1: the vertical field of view is not between 0.0002 and 179.98 degrees (`vertical_fov` is in radians: 45 \
+             degrees are 0.785)",
         ),
         (b"# \xff".to_vec(), "bad.nff:1: not a text file; convert it to UTF-8"),
         (Vec::new(), "bad.nff:1: the file has no `v`; say where the camera is"),

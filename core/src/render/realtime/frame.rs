@@ -114,7 +114,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
 
     /// Traces cells of the grid until `budget_rays` are spent, and at least one; sends each band of lines to the
     /// display as soon as it is complete. A step spends less than `budget_rays` plus
-    /// [`Settings::rays_per_pixel`](crate::Settings) for each pixel of a cell and its sides.
+    /// [`Settings::rays_per_pixel`](crate::Settings) for each pixel of a cell and its sides, twice: some
+    /// are looked at before they are traced.
     ///
     /// # Errors
     /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next step
