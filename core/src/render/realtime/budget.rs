@@ -12,51 +12,109 @@ pub(super) enum Detail {
 }
 
 /// The rays that a frame may still spend.
+///
+/// Each band gets its share of what the pixels of the grid leave. These are traced first, so that what those of the
+/// lines below will take is kept back: as much for each row as the last one took.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
+    /// For the frame, and what is left of it.
+    rays: u32,
     left: u32,
-    /// What the current band may spend, and what it has spent.
+    /// The frame's lines.
+    lines: u32,
+    /// What the last row of the grid took that was traced, and what the current one has taken.
+    row: u32,
+    row_spent: u32,
+    /// Whether the lower row of the current band is traced.
+    traces_row: bool,
+    /// What the current band may spend beside the grid, and what it has spent.
     limit: u32,
     spent: u32,
     detail: Detail,
 }
 
 impl Budget {
-    pub(super) fn new(rays: u32) -> Self {
-        Self { left: rays, limit: u32::MAX, spent: 0, detail: Detail::Full }
+    pub(super) fn new(rays: u32, lines: u32) -> Self {
+        Self {
+            rays,
+            left: rays,
+            lines,
+            row: 0,
+            row_spent: 0,
+            traces_row: true,
+            limit: u32::MAX,
+            spent: 0,
+            detail: Detail::Full,
+        }
     }
 
     /// Begins a band of `lines`, where `lines_left` are to be drawn with it.
     pub(super) fn share(&mut self, lines: u32, lines_left: u32) {
-        if self.left == u32::MAX {
+        if self.rays == u32::MAX {
             return;
         }
-        let share = u64::from(self.left) * u64::from(lines) / u64::from(lines_left.max(1));
-        let share = u32::try_from(share).unwrap_or(u32::MAX);
+        if self.traces_row {
+            self.row = self.row_spent;
+        }
+        let (lines, left) = (lines.clamp(1, lines_left.max(1)), u64::from(self.left));
+        let part = |rays: u64, of: u32, all: u32| rays * u64::from(of) / u64::from(all.max(1));
+        let grid = u64::from(self.row) * u64::from(lines_left.div_ceil(lines));
+        let free = left.saturating_sub(grid);
+        let share = part(free, lines, lines_left);
         let next = match self.detail {
-            Detail::Full | Detail::Coarse if self.spent / 4 > share => self.detail.coarser(),
-            Detail::Coarse | Detail::Grid if self.spent / 2 < share => self.detail.finer(),
+            Detail::Full | Detail::Coarse if u64::from(self.spent / 4) > share => self.detail.coarser(),
+            Detail::Coarse | Detail::Grid if u64::from(self.spent / 2) < share => self.detail.finer(),
             same => same,
         };
         // Bands differ: where there is much to see, one may take five times its share, as long as half is left for those below.
-        let half = if lines_left > lines { self.left / 2 } else { self.left };
-        let limit = share.saturating_mul(5).min(half);
-        (self.limit, self.spent, self.detail) = (limit, 0, next);
+        let half = if lines_left > lines { free / 2 } else { free };
+        let limit = u32::try_from(share.saturating_mul(5).min(half)).unwrap_or(u32::MAX);
+        // Where there are too few for the grid, its rows are left out evenly.
+        let due = part(u64::from(self.rays), self.lines.saturating_sub(lines_left) + lines, self.lines);
+        self.traces_row = grid <= left || u64::from(self.rays - self.left) + u64::from(self.row) <= due;
+        (self.limit, self.spent, self.row_spent, self.detail) = (limit, 0, 0, next);
     }
 
     /// Counts rays of the current band.
-    pub(super) fn spend(&mut self, rays: u32) {
-        if self.left == u32::MAX {
+    pub(super) fn spend(&mut self, rays: Spent) {
+        if self.rays == u32::MAX {
             return;
         }
-        self.left = self.left.saturating_sub(rays);
-        self.spent = self.spent.saturating_add(rays);
+        self.left = self.left.saturating_sub(rays.all);
+        self.row_spent = self.row_spent.saturating_add(rays.row);
+        self.spent = self.spent.saturating_add(rays.refined);
+    }
+
+    /// How many rays the frame has left.
+    pub(super) fn left(&self) -> u32 {
+        self.left
+    }
+
+    /// Whether the pixels of the grid below the band are traced.
+    pub(super) fn traces_row(&self) -> bool {
+        self.traces_row
+    }
+
+    /// How many rays the current band has left for what lies between the pixels of the grid.
+    pub(super) fn refines(&self) -> u32 {
+        self.limit.saturating_sub(self.spent).min(self.left)
     }
 
     /// How closely to look now: a band that has spent all it may sees only the grid.
     pub(super) fn detail(&self) -> Detail {
-        if self.spent > self.limit { Detail::Grid } else { self.detail }
+        if self.refines() == 0 { Detail::Grid } else { self.detail }
     }
+}
+
+/// The rays that a cell took.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Spent {
+    /// All of them.
+    pub(super) all: u32,
+    /// Those of its lower right corner: one pixel of the row below.
+    pub(super) row: u32,
+    /// Those between its corners.
+    pub(super) refined: u32,
 }
 
 impl Detail {
@@ -79,28 +137,63 @@ impl Detail {
 mod tests {
     use super::*;
 
+    fn refined(rays: u32) -> Spent {
+        Spent { all: rays, row: 0, refined: rays }
+    }
+
     #[test]
     fn without_a_limit_all_is_looked_at() {
-        let mut budget = Budget::new(u32::MAX);
+        let mut budget = Budget::new(u32::MAX, 8);
         budget.share(4, 8);
-        budget.spend(u32::MAX);
+        budget.spend(refined(u32::MAX));
         budget.share(4, 4);
-        assert_eq!(budget.detail(), Detail::Full);
+        assert_eq!((budget.detail(), budget.refines(), budget.left()), (Detail::Full, u32::MAX, u32::MAX));
+        assert!(budget.traces_row());
     }
 
     #[test]
     fn what_is_spent_too_fast_is_made_up_for() {
-        let mut budget = Budget::new(1000);
+        let mut budget = Budget::new(1000, 40);
         budget.share(4, 40);
-        budget.spend(500);
+        assert_eq!((budget.detail(), budget.refines()), (Detail::Full, 500));
+        budget.spend(refined(499));
         assert_eq!(budget.detail(), Detail::Full);
-        budget.spend(1);
-        assert_eq!(budget.detail(), Detail::Grid);
+        budget.spend(refined(2));
+        assert_eq!((budget.detail(), budget.refines()), (Detail::Grid, 0));
         // 499 rays for 36 lines: 55 for four.
         budget.share(4, 36);
         assert_eq!(budget.detail(), Detail::Coarse);
-        budget.spend(10);
+        budget.spend(refined(10));
         budget.share(4, 32);
         assert_eq!(budget.detail(), Detail::Full);
+    }
+
+    #[test]
+    fn what_the_grid_takes_below_is_kept_back() {
+        let mut budget = Budget::new(1000, 40);
+        budget.share(4, 40);
+        budget.spend(Spent { all: 120, row: 60, refined: 0 });
+        budget.share(4, 36);
+        // 880 are left, of which nine rows take 540: 37 a band, and five times as many for this one.
+        assert_eq!((budget.refines(), budget.traces_row()), (170, true));
+        // The last band may take all that its own row leaves.
+        budget.share(4, 4);
+        assert_eq!(budget.refines(), 880);
+    }
+
+    #[test]
+    fn where_there_are_too_few_rays_rows_are_left_out_evenly() {
+        let mut budget = Budget::new(300, 80);
+        let mut rows = Vec::new();
+        for band in 0..20 {
+            budget.share(4, 80 - band * 4);
+            rows.push(budget.traces_row());
+            if budget.traces_row() {
+                budget.spend(Spent { all: 60, row: 60, refined: 0 });
+            }
+        }
+        let traced: Vec<_> = (0..20).filter(|band| rows[*band]).collect();
+        assert_eq!(traced, [0, 7, 11, 15, 19]);
+        assert_eq!((budget.left(), budget.refines()), (0, 0));
     }
 }

@@ -19,6 +19,9 @@ pub(super) trait Look {
     /// Whether something may lie between two points so many pixels apart.
     fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool;
 
+    /// Whether there are rays left for more than the corners.
+    fn may_trace(&self) -> bool;
+
     /// Whether a pixel is looked at that is this far, in 1/16 of a pixel, from an edge.
     fn is_near(&self, distance: u32) -> bool;
 }
@@ -235,7 +238,11 @@ impl Cell {
     /// The point in the middle of a square, and the way from there to each side.
     fn quarter(&mut self, (x, y): (usize, usize), size: usize, look: &mut impl Look) {
         let half = size / 2;
-        let middle = look.trace(x + half, y + half);
+        let middle = if look.may_trace() {
+            look.trace(x + half, y + half)
+        } else {
+            self.get(x, y).middle(self.get(x + size, y + size))
+        };
         self.set(x + half, y + half, middle);
         self.look_along((x, y + half), Way::Right, half, look);
         self.look_along((x + half, y + half), Way::Right, half, look);
@@ -247,7 +254,7 @@ impl Cell {
     pub(super) fn trace_all(&mut self, side: usize, look: &mut impl Look) {
         for y in 0..side {
             for x in 0..side {
-                if !self.get(x, y).is_traced() {
+                if !self.get(x, y).is_traced() && look.may_trace() {
                     let point = look.trace(x, y);
                     self.set(x, y, point);
                 }

@@ -7,7 +7,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
-use super::budget::{Budget, Detail};
+use super::budget::{Budget, Detail, Spent};
 use super::cell::{Cell, Corners, Look, Way};
 use super::limits::Limits;
 use super::paint::Paint;
@@ -89,6 +89,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             return Err(LineError::SampleCount { given: buffer.samples.len(), needed });
         }
         let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
+        let total = lines.end.saturating_sub(lines.start);
         // What is as wide and high as two cells covers a point of the grid wherever it is.
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
@@ -97,7 +98,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         Ok(Self {
             quality,
             buffer,
-            total: lines.end.saturating_sub(lines.start),
+            total,
             lines,
             thin,
             band: None,
@@ -108,7 +109,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             renderer,
             marks: Marks::new(quality.grid),
             cell: Cell::BLANK,
-            budget: Budget::new(quality.budget_rays),
+            budget: Budget::new(quality.budget_rays, total),
         })
     }
 
@@ -150,7 +151,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
                 let rays = self.draw_cell(&mut band, probe);
                 self.budget.spend(rays);
                 // A cell without rays takes time too.
-                spent = spent.saturating_add(rays.max(1));
+                spent = spent.saturating_add(rays.all.max(1));
                 if spent >= budget_rays {
                     break;
                 }
@@ -179,7 +180,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
     }
 
     /// Draws the next cell of a band into the buffer; tells how many rays that took.
-    fn draw_cell(&mut self, band: &mut Band, probe: &mut impl Probe<R>) -> u32 {
+    fn draw_cell(&mut self, band: &mut Band, probe: &mut impl Probe<R>) -> Spent {
         let side = self.quality.grid.pixels();
         let left = band.left as usize;
         let shown = band.strip.as_ref().map(|strip| strip.between(band.left as u16, (left + side) as u16));
@@ -195,6 +196,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             left: band.left,
             top: band.top,
             limits: Limits::new(self.quality.threshold, detail),
+            allowed: u32::MAX,
             marks: self.marks,
             color: PhantomData::<C>,
             probe,
@@ -213,36 +215,45 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             paint.blank(self.buffer.colors, nothing);
             let corners = Corners::all(nothing);
             self.finish_smooth(band, corners, side);
-            return 0;
+            return Spent::default();
         }
 
-        // The corners: those on the left and above may be known.
+        // The corners: those on the left and above may be known. Where no rays are left for one, it is seen as its neighbor.
         let known = if band.has_top { self.buffer.samples.get(left..) } else { None };
         let at = |i: usize| known.and_then(|known| known.get(i)).copied();
+        let (left_rays, traces_row) = (self.budget.left(), self.budget.traces_row());
         let cell = &mut self.cell;
         if left == 0 {
-            cell.set(0, 0, at(0).unwrap_or_else(|| tracer.trace(0, 0)));
-            cell.set(0, side, tracer.trace(0, side));
+            let top_left = at(0).unwrap_or_else(|| tracer.trace(0, 0));
+            cell.set(0, 0, top_left);
+            let may = traces_row && tracer.rays < left_rays;
+            cell.set(0, side, if may { tracer.trace(0, side) } else { top_left.again() });
             band.rough_left = tracer.differ(cell.get(0, 0), cell.get(0, side), side);
-            if band.rough_left {
-                cell.look_along((0, 0), Way::Down, side, &mut tracer);
-            }
         }
-        let corners = Corners {
-            top_left: cell.get(0, 0),
-            top_right: at(side).unwrap_or_else(|| tracer.trace(side, 0)),
-            bottom_left: cell.get(0, side),
-            bottom_right: tracer.trace(side, side),
+        let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
+        let top_right = match at(side) {
+            Some(known) => known,
+            None if tracer.rays < left_rays => tracer.trace(side, 0),
+            None => top_left.again(),
         };
+        let before = tracer.rays;
+        let may = traces_row && before < left_rays;
+        let bottom_right = if may { tracer.trace(side, side) } else { top_right.again() };
+        let corners = Corners { top_left, top_right, bottom_left, bottom_right };
+        let grid = tracer.rays;
+        let row = grid - before;
+        tracer.allow(self.budget.refines());
+        if left == 0 && band.rough_left {
+            cell.look_along((0, 0), Way::Down, side, &mut tracer);
+        }
         let top = tracer.differ(corners.top_left, corners.top_right, side);
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);
         let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
         let thin = detail != Detail::Grid && shown.is_some_and(|shown| shown.intersects(self.thin));
         if !(top || right || bottom || band.rough_left || thin) {
             paint.smooth(self.buffer.colors, &corners);
-            let rays = tracer.rays;
             self.finish_smooth(band, corners, side);
-            return rays;
+            return Spent { all: grid, row, refined: 0 };
         }
 
         // The sides, then what is inside.
@@ -264,7 +275,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             cell.trace_all(side, &mut tracer);
         }
         paint.refined(self.buffer.colors, cell);
-        let rays = tracer.rays;
+        let all = tracer.rays;
         let first = if left == 0 { 0 } else { 1 };
         for (x, sample) in (first..=side).zip(self.buffer.samples.iter_mut().skip(left + first)) {
             *sample = self.cell.get(x, side);
@@ -272,7 +283,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         self.cell.advance(side);
         band.rough_left = right;
         self.finish(band, side);
-        rays
+        Spent { all, row, refined: all - grid }
     }
 
     /// Hands a cell's right side to the next one, and its bottom to the band below, if they are straight.

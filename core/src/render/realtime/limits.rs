@@ -12,9 +12,15 @@ pub(super) struct Limits {
     far: u16,
     near: u16,
     glint: u16,
+    /// Whether anything but the pixels of the grid is traced.
+    traces: bool,
 }
 
 impl Limits {
+    /// Nothing between the pixels of the grid is looked at.
+    pub(super) const NONE: Self =
+        Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX, traces: false };
+
     pub(super) fn new(threshold: u16, detail: Detail) -> Self {
         match detail {
             // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
@@ -23,12 +29,13 @@ impl Limits {
                 far: threshold,
                 near: threshold.saturating_add(threshold / 2),
                 glint: threshold / 4,
+                traces: true,
             },
             Detail::Coarse => {
                 let far = threshold.saturating_mul(4);
-                Self { marks: 0, far, near: far, glint: far }
+                Self { marks: 0, far, near: far, glint: far, traces: true }
             }
-            Detail::Grid => Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX },
+            Detail::Grid => Self::NONE,
         }
     }
 
@@ -49,6 +56,11 @@ impl Limits {
             self.near
         };
         a.differs_in_color(b, limit)
+    }
+
+    /// Whether anything but the pixels of the grid is traced.
+    pub(super) fn may_trace(&self) -> bool {
+        self.traces
     }
 
     /// Whether neighbors are looked at wherever they differ.

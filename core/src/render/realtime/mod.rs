@@ -94,9 +94,11 @@ pub struct Realtime {
     /// Neighbors on the grid may differ by this much, in units of 1/65536 of what the display can show, without a look
     /// at what lies between them.
     pub threshold: u16,
-    /// The most rays for a frame; `u32::MAX`: as many as it takes. Where bands of lines take more than their share,
-    /// those below are drawn more coarsely, so that the frame is done in time; but the pixels of the grid are
-    /// always traced. Then what a line looks like depends on those that the same frame has drawn before.
+    /// The most rays for a frame; `u32::MAX`: as many as it takes. The pixel that is traced last may take more, no
+    /// other. Where bands of lines take more than their share, those below are drawn more coarsely, so that the
+    /// frame is done in time; and where there are too few rays even for the pixels of the grid, rows of these are
+    /// left out, and what is above is shown in their place. Then what a line looks like depends on those that the same frame has
+    /// drawn before.
     pub budget_rays: u32,
 }
 

@@ -31,6 +31,8 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
+    /// How many it may be.
+    pub(super) allowed: u32,
 }
 
 impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, '_, R, S, C, ()> {
@@ -46,6 +48,14 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
 }
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, R, S, C, P> {
+    /// Lets it trace so many rays more: then it looks nowhere.
+    pub(super) fn allow(&mut self, rays: u32) {
+        self.allowed = self.rays.saturating_add(rays);
+        if rays == 0 {
+            self.limits = Limits::NONE;
+        }
+    }
+
     /// The light of a pixel in the scene, or in one without lights, as a sample.
     // Called from many places: one copy is enough.
     #[inline(never)]
@@ -58,6 +68,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
+        if self.rays >= self.allowed {
+            self.limits = Limits::NONE;
+        }
         seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
     }
 }
@@ -84,6 +97,10 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_,
     #[inline(always)]
     fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
         self.limits.differ(a, b, distance)
+    }
+
+    fn may_trace(&self) -> bool {
+        self.limits.may_trace()
     }
 
     #[inline]
