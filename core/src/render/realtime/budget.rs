@@ -56,22 +56,22 @@ impl Budget {
         if self.traces_row {
             self.row = self.row_spent;
         }
-        let (lines, left) = (lines.clamp(1, lines_left.max(1)), u64::from(self.left));
-        let part = |rays: u64, of: u32, all: u32| rays * u64::from(of) / u64::from(all.max(1));
-        let grid = u64::from(self.row) * u64::from(lines_left.div_ceil(lines));
-        let free = left.saturating_sub(grid);
+        let lines = lines.clamp(1, lines_left.max(1));
+        let grid = self.row.saturating_mul(lines_left.div_ceil(lines));
+        let free = self.left.saturating_sub(grid);
         let share = part(free, lines, lines_left);
         let next = match self.detail {
-            Detail::Full | Detail::Coarse if u64::from(self.spent / 4) > share => self.detail.coarser(),
-            Detail::Coarse | Detail::Grid if u64::from(self.spent / 2) < share => self.detail.finer(),
+            Detail::Full | Detail::Coarse if self.spent / 4 > share => self.detail.coarser(),
+            Detail::Coarse | Detail::Grid if self.spent / 2 < share => self.detail.finer(),
             same => same,
         };
         // Bands differ: where there is much to see, one may take five times its share, as long as half is left for those below.
         let half = if lines_left > lines { free / 2 } else { free };
-        let limit = u32::try_from(share.saturating_mul(5).min(half)).unwrap_or(u32::MAX);
+        let limit = share.saturating_mul(5).min(half);
         // Where there are too few for the grid, its rows are left out evenly.
-        let due = part(u64::from(self.rays), self.lines.saturating_sub(lines_left) + lines, self.lines);
-        self.traces_row = grid <= left || u64::from(self.rays - self.left) + u64::from(self.row) <= due;
+        let due = part(self.rays, self.lines.saturating_sub(lines_left) + lines, self.lines);
+        let taken = self.rays.saturating_sub(self.left).saturating_add(self.row);
+        self.traces_row = grid <= self.left || taken <= due;
         (self.limit, self.spent, self.row_spent, self.detail) = (limit, 0, 0, next);
     }
 
@@ -104,6 +104,12 @@ impl Budget {
     pub(super) fn detail(&self) -> Detail {
         if self.refines() == 0 { Detail::Grid } else { self.detail }
     }
+}
+
+/// What falls to some of a picture's lines. Both are below 2¹⁶: no product overflows, and none takes 64 bits.
+fn part(rays: u32, lines: u32, of: u32) -> u32 {
+    let of = of.max(1);
+    (rays / of).saturating_mul(lines).saturating_add(rays % of * lines / of)
 }
 
 /// The rays that a cell took.

@@ -196,7 +196,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             left: band.left,
             top: band.top,
             limits: Limits::new(self.quality.threshold, detail),
-            allowed: u32::MAX,
+            allowed: self.budget.left(),
             marks: self.marks,
             color: PhantomData::<C>,
             probe,
@@ -218,33 +218,28 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             return Spent::default();
         }
 
-        // The corners: those on the left and above may be known. Where no rays are left for one, it is seen as its neighbor.
+        // The corners: those on the left and above may be known.
         let known = if band.has_top { self.buffer.samples.get(left..) } else { None };
         let at = |i: usize| known.and_then(|known| known.get(i)).copied();
-        let (left_rays, traces_row) = (self.budget.left(), self.budget.traces_row());
+        let traces_row = self.budget.traces_row();
         let cell = &mut self.cell;
         if left == 0 {
             let top_left = at(0).unwrap_or_else(|| tracer.trace(0, 0));
             cell.set(0, 0, top_left);
-            let may = traces_row && tracer.rays < left_rays;
-            cell.set(0, side, if may { tracer.trace(0, side) } else { top_left.again() });
-            band.rough_left = tracer.differ(cell.get(0, 0), cell.get(0, side), side);
+            cell.set(0, side, tracer.trace_or(top_left, traces_row, (0, side)));
         }
         let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
-        let top_right = match at(side) {
-            Some(known) => known,
-            None if tracer.rays < left_rays => tracer.trace(side, 0),
-            None => top_left.again(),
-        };
-        let before = tracer.rays;
-        let may = traces_row && before < left_rays;
-        let bottom_right = if may { tracer.trace(side, side) } else { top_right.again() };
+        let top_right = at(side).unwrap_or_else(|| tracer.trace_or(top_left, true, (side, 0)));
+        let above = tracer.rays;
+        let bottom_right = tracer.trace_or(top_right, traces_row, (side, side));
         let corners = Corners { top_left, top_right, bottom_left, bottom_right };
-        let grid = tracer.rays;
-        let row = grid - before;
+        let (grid, row) = (tracer.rays, tracer.rays - above);
         tracer.allow(self.budget.refines());
-        if left == 0 && band.rough_left {
-            cell.look_along((0, 0), Way::Down, side, &mut tracer);
+        if left == 0 {
+            band.rough_left = tracer.differ(top_left, bottom_left, side);
+            if band.rough_left {
+                cell.look_along((0, 0), Way::Down, side, &mut tracer);
+            }
         }
         let top = tracer.differ(corners.top_left, corners.top_right, side);
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);

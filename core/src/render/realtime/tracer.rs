@@ -31,7 +31,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
-    /// How many it may be.
+    /// How many they may be: with the last pixel, they may be more.
     pub(super) allowed: u32,
 }
 
@@ -48,10 +48,15 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
 }
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, R, S, C, P> {
-    /// Lets it trace so many rays more: then it looks nowhere.
+    /// A pixel of the grid; or, where it may not be traced or no rays are left, as its neighbor.
+    pub(super) fn trace_or(&mut self, neighbor: Sample, may: bool, (x, y): (usize, usize)) -> Sample {
+        if may && self.rays < self.allowed { self.trace(x, y) } else { neighbor.again() }
+    }
+
+    /// From here on, so many rays more at most: then it looks nowhere.
     pub(super) fn allow(&mut self, rays: u32) {
-        self.allowed = self.rays.saturating_add(rays);
-        if rays == 0 {
+        self.allowed = self.allowed.min(self.rays.saturating_add(rays));
+        if self.rays >= self.allowed {
             self.limits = Limits::NONE;
         }
     }
