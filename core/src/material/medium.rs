@@ -108,10 +108,13 @@ impl<R: Real> Absorption<R> {
         Ok(Some(Self { halvings, doublings, most: R::from_f32(most) }))
     }
 
-    /// What is left of light after a way of this length.
-    pub(super) fn left_after(&self, length: R) -> Share<R> {
+    /// What is left of light after a way of this length; `None`: a way without end, however far the number system reaches.
+    pub(super) fn left_after(&self, length: Option<R>) -> Share<R> {
         let LinearRgb { r, g, b } = self.halvings;
         let left = |halvings: R| {
+            let Some(length) = length else {
+                return if halvings > R::ZERO { R::ZERO } else { R::ONE };
+            };
             let times = halvings.times(length);
             if times > self.most.times(R::ONE) {
                 return R::ZERO;
@@ -135,13 +138,28 @@ mod tests {
             let coefficients = LinearRgb::new(0.25, 2.0, 40.0);
             let absorption = Absorption::<R>::prepare(coefficients, scale).unwrap().unwrap();
             for way in [0.5, 0.0] {
-                let left = absorption.left_after(scale.length(R::Setup::from_f32(way))).color().to_f32();
+                let way_there = scale.length(R::Setup::from_f32(way));
+                let left = absorption.left_after(Some(way_there)).color().to_f32();
                 let expected = coefficients.channels().map(|coefficient| (-coefficient * way).exp());
                 for (left, expected) in left.channels().into_iter().zip(expected) {
                     assert!((left - expected).abs() < 2e-5, "{size} {way}: {left}, not {expected}");
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_way_without_end_absorbs_all_light() {
+        // In fixed point rays end after 59 units, where half of the light is left.
+        fn check<R: Real>() {
+            let scale = Scale::new::<R>(Extent::solid(0.5), Vec3::ZERO);
+            let coefficients = LinearRgb::new(0.0, 0.01, 4.0);
+            let absorption = Absorption::<R>::prepare(coefficients, scale).unwrap().unwrap();
+            assert_eq!(absorption.left_after(None).color().to_f32(), LinearRgb::new(1.0, 0.0, 0.0));
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<Fixed>();
     }
 
     #[test]

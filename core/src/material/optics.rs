@@ -197,9 +197,9 @@ impl<R: Real> PreparedOptics<R> {
         self.fresnel == Fresnel::Exact
     }
 
-    /// What is left of light after a way of this length in front of the surface, or behind it; `None`: all of it.
+    /// What is left of light after a way of this length, or without end, in front of the surface, or behind it; `None`: all of it.
     #[inline(always)]
-    pub(crate) fn left_after(&self, in_front: bool, length: R) -> Option<Share<R>> {
+    pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Share<R>> {
         let absorption = if in_front { &self.outside } else { &self.absorption };
         absorption.as_ref().map(|absorption| absorption.left_after(length))
     }
@@ -214,7 +214,7 @@ impl<R: Real> PreparedOptics<R> {
         length: Option<R>,
     ) -> Share<R> {
         let mut left = throughput;
-        if let Some(through) = self.left_after(outward, length.unwrap_or(R::FARTHEST)) {
+        if let Some(through) = self.left_after(outward, length) {
             left = left * through;
         }
         // The background is at no distance.

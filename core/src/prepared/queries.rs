@@ -540,7 +540,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         surface
             .and_then(|surface| {
                 let comes_from_front = !(surface.normal.dot(ray.direction) > R::ZERO);
-                optics.left_after(comes_from_front, part.max - part.min)
+                optics.left_after(comes_from_front, Some(part.max - part.min))
             })
             .map_or(light, |left| light * left)
     }
