@@ -60,6 +60,13 @@ impl Camera {
     }
 }
 
+impl<R: Real> PreparedCamera<R> {
+    /// Where all rays begin.
+    pub(crate) fn eye(&self) -> Vec3<R> {
+        self.eye
+    }
+}
+
 /// A camera and the size of a picture: knows the ray through each place of the picture, and back.
 ///
 /// Rejected: what the rays of a line have in common, worked out once for each line. It takes three products less a pixel, but the line

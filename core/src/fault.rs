@@ -118,13 +118,16 @@ pub enum Fault {
     /// The index of refraction is less than 0.001. Air is 1, glass about 1.5.
     IorNotPositive,
     /// The number system that the scene is prepared for has too few digits for something so much smaller than the
-    /// scene: less than 64 units of 2⁻²⁴, where the scene was scaled to 1/2. Enlarge it, leave it out, or prepare the scene for `f32`.
+    /// scene: in [`Fixed`](crate::math::Fixed), less than 64 units of 2⁻²⁴ where the scene was scaled to 1/2, or to 1/4 with infinite
+    /// planes. Enlarge it, leave it out, bring nearer to the origin what extends farther, or prepare the scene for `f32`.
     TooSmall,
     /// The number system that the scene is prepared for ends before this number does: in fixed point, light ends at 59, indices of
-    /// refraction and the slopes of cones at 7.6, and so do their inverses. Keep inside, or prepare the scene for `f32`.
+    /// refraction, their inverses and the slopes of cones at 7.6; [`Fixed`](crate::math::Fixed) tells all limits. Keep inside, or
+    /// prepare the scene for `f32`.
     OutOfRange,
-    /// The camera was moved so far away that the number system does not reach there. Move it closer, or prepare the scene anew
-    /// with it.
+    /// The camera was moved so far away that the number system does not reach there, or so high above an infinite plane that it
+    /// would be seen to end before the horizon: [`Fixed`](crate::math::Fixed) tells how far that is. Move it closer, or prepare the
+    /// scene anew with it.
     BeyondReach,
     /// The camera's target is where its eye is. Move one of them.
     EyeAtTarget,
@@ -259,7 +262,8 @@ impl fmt::Display for Fault {
                  indices of refraction below 7.6, or prepare for f32"
             }
             Self::BeyondReach => {
-                "the camera is too far away for this number system; prepare the scene with it"
+                "the camera is too far away, or too far from an infinite plane, for this number system; prepare the scene \
+                 with it"
             }
             Self::EyeAtTarget => "the eye is at the target; move one of them",
             Self::UpAlongView => "the up vector lies along the line of sight; turn it away",

@@ -50,8 +50,9 @@ impl Extent {
 /// From the units of a scene's description to those in which a number system traces it: a power of two.
 ///
 /// For floating point it is 1. A number system with little range ([`Real::REACH`]) gets the scene such that its solids
-/// lie within 1/2 of the origin, and flat shapes, eye and lights within 8; where there is an infinite plane, eye and
-/// solids lie within 1/4, so that the plane is seen more than 200 times as far as the eye is away.
+/// lie within 1/2 of the origin, and flat shapes, eye and lights within 8. Where there are infinite planes, these, eye and
+/// solids lie within 1/4, and the eye is no farther from any plane than 1/2: a plane is then seen 118 times as far as the
+/// eye is away from it, and most often more than 200 times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale(f32);
 
@@ -61,10 +62,12 @@ impl Scale {
 
     /// How far solids may extend, after scaling.
     const SOLID: f32 = 0.5;
-    /// How far solids and the eye may, where there is a plane: its last line before the horizon is then nearer than a
-    /// ray is followed, in pictures of 240 lines.
+    /// How far solids, the eye and planes may, where there is a plane: its last line before the horizon is then nearer
+    /// than a ray is followed, in pictures of 240 lines.
     const ON_PLANE: f32 = 0.25;
-    /// How far flat shapes may, and how far eye, lights and planes may be from the origin.
+    /// How far from a plane the eye may be: what is not seen of it ends half a degree below the horizon.
+    const ABOVE_PLANE: f32 = 0.5;
+    /// How far flat shapes may, and how far eye and lights may be from the origin.
     const NEAR: f32 = 8.0;
 
     /// The scale for a scene that is seen from `eye`.
@@ -72,16 +75,18 @@ impl Scale {
         if R::REACH.is_none() {
             return Self::ONE;
         }
-        let eye = eye.magnitude();
-        let (near, limit) = match extent.plane {
-            Some(_) => (extent.solid.larger(eye), Self::ON_PLANE),
-            None => (extent.solid, Self::SOLID),
+        let (from_origin, eye) = (eye.length(), eye.magnitude());
+        // No plane is farther from the eye than the origin is from both.
+        let (near, limit, height) = match extent.plane {
+            Some(plane) => (extent.solid.larger(eye).larger(plane), Self::ON_PLANE, plane + from_origin),
+            None => (extent.solid, Self::SOLID, 0.0),
         };
         let fits = |scale: f32| {
             near * scale <= limit
+                && height * scale <= Self::ABOVE_PLANE
                 && extent.flat * scale <= Self::NEAR
-                && eye * scale <= Self::NEAR
-                && extent.plane.unwrap_or(0.0) * scale <= Self::NEAR
+                // All eyes that are no farther from the origin are then near.
+                && from_origin * scale <= Self::NEAR
         };
         // The largest that fits, from 2⁻³⁰ to 2³⁰: descriptions end at 10⁶, and what is smaller than 10⁻⁹ is a point.
         let mut scale = (1u32 << 30) as f32;
@@ -138,6 +143,12 @@ impl Scale {
     /// Whether an eye or light at this point is near enough.
     pub fn is_near<R: Real>(self, point: Vec3) -> bool {
         R::REACH.is_none() || point.magnitude() * self.0 <= Self::NEAR
+    }
+
+    /// Whether an eye so far from an infinite plane sees it up to the horizon.
+    pub(crate) fn is_near_plane<R: Real>(height: R) -> bool {
+        // The height of the eye that a scene was prepared with is rounded.
+        R::REACH.is_none() || height.abs() <= R::from_f32(Self::ABOVE_PLANE) + R::offset(R::ONE)
     }
 
     /// A power of two that brings a point, with coordinates of up to 10⁶ units, as near as [`is_near`](Self::is_near) asks.

@@ -26,7 +26,7 @@ use crate::limits::MAX_COUNT;
 use crate::material::Material;
 use crate::math::{Real, Scale, Vec3};
 use crate::scene::Scene;
-use crate::shape::{Geometry, Shape};
+use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
 
 /// A scene that was checked and converted to the number system `R`, in memory that the caller lent.
@@ -131,11 +131,29 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// Looks at the same scene from elsewhere.
     ///
+    /// In fixed point the scene was scaled for the eye that it was prepared with. An eye that is no farther from the origin is
+    /// always near enough; how far away others may be, [`Fixed`](crate::math::Fixed) tells.
+    ///
     /// # Errors
     /// What is wrong with the camera; the old one stays.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
-        self.camera = camera.prepare(self.scale).map_err(Part::Camera.error())?;
+        let camera = camera.prepare(self.scale).map_err(Part::Camera.error())?;
+        if !self.planes_are_near(camera.eye()) {
+            return Err(Part::Camera.error()(Fault::BeyondReach));
+        }
+        self.camera = camera;
         Ok(())
+    }
+
+    /// Whether infinite planes are seen up to the horizon from there.
+    fn planes_are_near(&self, eye: Vec3<R>) -> bool {
+        let is_near = |shape: &S::Prepared<'m, R>| match shape.form() {
+            Form::Flat { normal, distance } => {
+                shape.bounds().is_some() || Scale::is_near_plane(normal.dot(eye) - distance)
+            }
+            _ => true,
+        };
+        R::REACH.is_none() || self.objects.iter().all(|object| is_near(&object.shape))
     }
 
     /// How many units of rays, hits and events one unit of the scene is: a power of two, and 1 in floating point.

@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
 use rayline::builtin::{self, CLASSIC, PRISM};
 use rayline::math::Fixed;
-use rayline::shape::{Cone, Polygon, Shape, Sphere};
+use rayline::shape::{Blob, Cone, Ellipsoid, Metaballs, Plane, Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, Checker, Digest, Falloff, Fault, Lamp, Light, LinearRgb, Material, Object, Part,
     PreparedScene, Real, Renderer, Scene, SceneError, Settings, Texture, Transfer, Vec3,
@@ -233,6 +233,28 @@ fn floors_may_be_very_large() {
 }
 
 #[test]
+fn what_is_small_beside_the_scene_is_still_seen() {
+    // The page of `Fixed` tells these figures.
+    for (ratio, bar) in [(32.0, 44.0), (256.0, 36.0), (1024.0, 30.0)] {
+        for (name, extent) in [("whitted", 3.1), ("flake", 1.0), ("table", 3.4)] {
+            let scene = builtin::ALL.iter().find(|scene| scene.name == name).unwrap();
+            // A ball behind the camera.
+            let Camera { eye, target, .. } = scene.scene.camera;
+            let behind = (eye - target) * (0.9 / (eye - target).magnitude());
+            let (center, radius) = (behind * (ratio * extent), 0.1 * ratio * extent);
+            let mut objects = scene.scene.objects.to_vec();
+            objects.push(Object::new(Shape::Sphere(Sphere::new(center, radius)), 0));
+            let scene = Scene { objects: &objects, ..*scene.scene };
+            let settings = Settings { bounces: 5, transfer: Transfer::Linear, ..Settings::new(160, 120) };
+            let close =
+                psnr(&core_picture::<f64>(&scene, settings), &core_picture::<Fixed>(&scene, settings));
+            println!("{name:18} in {ratio} times as much {close:5.1} dB");
+            assert!(close >= bar, "{name} has {close:.1} dB in a scene {ratio} times as large");
+        }
+    }
+}
+
+#[test]
 fn the_camera_may_be_far_away() {
     let mut parts = Parts::classic();
     // A hundred times as far, through a telescope.
@@ -243,6 +265,120 @@ fn the_camera_may_be_far_away() {
         ..parts.camera
     };
     assert_near_f64("telescope", &parts.scene(), 3);
+}
+
+/// A floor that shines red, seen before black, and what stands on it.
+fn above<'a>(
+    camera: Camera,
+    objects: &'a [Object<Shape<'static>>],
+    materials: &'a [Material<'static>; 3],
+) -> Scene<'a> {
+    Scene { camera, background: Background::Solid(LinearRgb::BLACK), objects, materials, lights: &[] }
+}
+
+const FLOOR_AND_OTHERS: [Material; 3] = [
+    Material { ambient: 1.0, ..Material::matte(LinearRgb::new(1.0, 0.0, 0.0)) },
+    Material { ambient: 1.0, ..Material::matte(LinearRgb::new(0.0, 0.0, 1.0)) },
+    Material { reflectance: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::BLACK) },
+];
+
+/// How many pixels show floor in one picture and none in the other, though the floor does not end at or beside them.
+fn lost_pixels(scene: &Scene<'_>) -> usize {
+    let settings = Settings { transfer: Transfer::Linear, ..Settings::new(160, 120) };
+    let (double, fixed) = (core_picture::<f64>(scene, settings), core_picture::<Fixed>(scene, settings));
+    let is_floor = |picture: &Picture, x: usize, y: usize| picture.pixels[y * 160 + x][0] > 127;
+    let mut lost = 0;
+    for (x, y) in (0..120).flat_map(|y| (0..160).map(move |x| (x, y))) {
+        let here = is_floor(&double, x, y);
+        let mut around = (y.max(1) - 1..(y + 2).min(120))
+            .flat_map(|y| (x.max(1) - 1..(x + 2).min(160)).map(move |x| (x, y)));
+        let is_edge = around.any(|(x, y)| is_floor(&double, x, y) != here);
+        lost += usize::from(is_floor(&fixed, x, y) != here && !is_edge);
+    }
+    lost
+}
+
+#[test]
+fn planes_are_seen_to_the_horizon() {
+    let floor = |up: Vec3, below: f32| Object::new(Shape::Plane(Plane::new(up * -below, up)), 0);
+    let ball = |center: Vec3, radius: f32, material| {
+        Object::new(Shape::Sphere(Sphere::new(center, radius)), material)
+    };
+    let (y, z) = (Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
+    let slanted = Vec3::new(0.6, 0.64, -0.48);
+    let ahead = Camera { eye: Vec3::ZERO, target: Vec3::new(0.0, -0.15, -1.0), up: y, vertical_fov: 0.8 };
+    let mut floors = 0;
+    let mut check = |name: &str, camera: Camera, objects: &[Object<Shape<'static>>]| {
+        let lost = lost_pixels(&above(camera, objects, &FLOOR_AND_OTHERS));
+        assert_eq!(lost, 0, "{name}: pixels of floor or background");
+        floors += 1;
+    };
+    for below in [0.01, 1.0, 7.0, 300.0, 900.0] {
+        check("the eye at the origin", ahead, &[floor(y, below)]);
+        check("beside a wall", Camera { up: slanted, ..ahead }, &[floor(slanted, below)]);
+        check("under a ceiling", Camera { target: Vec3::new(0.0, 0.1, -1.0), ..ahead }, &[floor(-y, below)]);
+        let away = Vec3::new(3.0, 4.0, 1000.0) * below;
+        let camera = Camera { eye: away, target: away + Vec3::new(-0.3, -0.15, -1.0) * below, ..ahead };
+        check("the eye far away along the plane", camera, &[floor(y, below)]);
+        let [blue, mirror] = [(-1.0, 1), (1.0, 2)]
+            .map(|(x, material)| ball(Vec3::new(x, 0.3, -3.0) * (below / 8.0), below / 9.0, material));
+        check("below balls", ahead, &[floor(y, below), blue, mirror]);
+        check(
+            "on end",
+            Camera { target: Vec3::new(-1.0, 0.3, 0.2), up: z, ..ahead },
+            &[floor(z, below), blue],
+        );
+    }
+    for size in [1.0, 0.1, 0.01] {
+        let [blue, mirror] =
+            [(-1.0, 1), (1.0, 2)].map(|(x, material)| ball(Vec3::new(x, 0.3, -3.0) * size, size, material));
+        check("far below small balls", ahead, &[floor(y, 40.0), blue, mirror]);
+    }
+    assert_eq!(floors, 33);
+}
+
+#[test]
+fn a_moved_eye_sees_planes_to_the_horizon_or_is_refused() {
+    let floor = [Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 0)];
+    let at = |x, y, z| Camera {
+        eye: Vec3::new(x, y, z),
+        target: Vec3::new(x - 0.4, y - 0.2, z - 1.0),
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 0.8,
+    };
+    // Within 1/4: the scale is 1/32.
+    let scene = above(at(0.0, 2.0, 8.0), &floor, &FLOOR_AND_OTHERS);
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
+    let mut prepared = PreparedScene::<Fixed>::new(&scene, &mut memory).unwrap();
+    assert_eq!(prepared.scale(), 1.0 / 32.0);
+    let refused = Err(SceneError { part: Part::Camera, fault: Fault::BeyondReach });
+    for (camera, answer) in [
+        (at(0.0, 2.0, 8.0), Ok(())),
+        (at(0.0, 8.0, -2.0), Ok(())),
+        (at(200.0, 16.0, -250.0), Ok(())),
+        (at(200.0, -16.0, 250.0), Ok(())),
+        (at(0.0, 16.1, 0.0), refused),
+        (at(0.0, -16.1, 0.0), refused),
+        (at(0.0, 2.0, 257.0), refused),
+    ] {
+        assert_eq!(prepared.set_camera(&camera), answer, "{:?}", camera.eye);
+    }
+    // With whatever eye it was prepared, that one and others as near to the origin are accepted.
+    for distance in [Some(0.0), Some(1.0), Some(3.1), Some(9.9), Some(1000.0), None] {
+        let up = Vec3::new(0.36, -0.48, 0.8);
+        let plane = distance.map(|distance| Object::new(Shape::Plane(Plane::new(up * -distance, up)), 0));
+        let plane = plane.as_slice();
+        for place in [up, Vec3::new(5.77, -5.77, 5.77), Vec3::new(0.0, 0.0, -10.0)] {
+            let eye = place * (10.0 / place.length());
+            let camera = Camera { eye, ..at(0.0, 0.0, 0.0) };
+            let scene = above(camera, plane, &FLOOR_AND_OTHERS);
+            let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
+            let mut prepared = PreparedScene::<Fixed>::new(&scene, &mut memory).unwrap();
+            for eye in [eye, -eye, up * 9.999, up * -9.999, Vec3::new(9.999, 0.0, 0.0)] {
+                assert_eq!(prepared.set_camera(&Camera { eye, ..camera }), Ok(()), "{eye:?}, {distance:?}");
+            }
+        }
+    }
 }
 
 fn refused(parts: &Parts) -> SceneError {
@@ -282,6 +418,70 @@ fn what_does_not_fit_is_refused_with_a_remedy() {
     let away = |z| Camera { eye: Vec3::new(0.0, 0.0, z), ..CLASSIC.camera };
     assert_eq!(prepared.set_camera(&away(500.0)), Ok(()));
     assert_eq!(prepared.set_camera(&away(600.0)), Err(error(Part::Camera, Fault::BeyondReach)));
+}
+
+/// Whether a scene of one shape and one light is refused, and why.
+fn refusal(shape: Shape<'static>, material: Material<'static>, light: f32) -> Option<Fault> {
+    let (objects, materials) = ([Object::new(shape, 0)], [material]);
+    let lights = [Light::Directional { direction: Vec3::new(0.0, -1.0, 0.0), color: LinearRgb::gray(light) }];
+    let scene = Scene { objects: &objects, materials: &materials, lights: &lights, ..CLASSIC };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
+    PreparedScene::<Fixed>::new(&scene, &mut memory).err().map(|error| error.fault)
+}
+
+#[test]
+fn the_page_of_fixed_tells_its_limits() {
+    let white = Material::matte(LinearRgb::WHITE);
+    let ball = |radius| Shape::Sphere(Sphere::new(Vec3::ZERO, radius));
+    assert_eq!(refusal(ball(1.0), white, 59.0), None);
+    assert_eq!(refusal(ball(1.0), white, 59.1), Some(Fault::OutOfRange));
+    for (ior, answer) in
+        [(0.14, None), (7.6, None), (0.13, Some(Fault::OutOfRange)), (7.7, Some(Fault::OutOfRange))]
+    {
+        assert_eq!(refusal(ball(1.0), Material { ior, ..white }, 1.0), answer, "{ior}");
+    }
+    let top = Vec3::new(0.0, 1.0, 0.0);
+    let cone =
+        |base_radius| Shape::Cone(Cone { base: Vec3::ZERO, base_radius, top, top_radius: 1.0, capped: true });
+    assert_eq!(refusal(cone(8.6), white, 1.0), None);
+    assert_eq!(refusal(cone(8.7), white, 1.0), Some(Fault::OutOfRange));
+    let long = |times| Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, Vec3::new(1.0, times, 1.0)));
+    assert_eq!(refusal(long(58.9), white, 1.0), None);
+    assert_eq!(refusal(long(59.1), white, 1.0), Some(Fault::OutOfRange));
+    let blobs = |strength: f32| {
+        let blob = |x, strength| Blob { strength, ..Blob::new(Vec3::new(x, 0.0, 0.0), 1.0) };
+        Shape::Metaballs(Metaballs::new(vec![blob(0.0, strength), blob(0.5, -1.0)].leak()))
+    };
+    assert_eq!(refusal(blobs(58.0), white, 1.0), None);
+    assert_eq!(refusal(blobs(58.1), white, 1.0), Some(Fault::OutOfRange));
+
+    // Radii beside how far the scene extends, just above what would be scaled to 1/2 or 1/4: the worst there are.
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let camera = Camera { eye: Vec3::ZERO, ..CLASSIC.camera };
+    let far = |x: f32| Object::new(Shape::Sphere(Sphere::new(Vec3::new(x - 0.01, 0.0, 0.0), 0.01)), 0);
+    let floor = |below: f32| Object::new(Shape::Plane(Plane::new(up * -below, up)), 0);
+    let mesh = |x: f32| {
+        let corners = [Vec3::ZERO, up, Vec3::new(x, 0.0, 0.0)];
+        Object::new(Shape::Polygon(Polygon::new(corners.to_vec().leak())), 0)
+    };
+    let extent = 1.001;
+    for (others, share) in [
+        (vec![far(extent)], 65_536.0),
+        (vec![mesh(16.016)], 65_536.0),
+        (vec![floor(extent)], 32_768.0),
+        (vec![far(extent), floor(0.2)], 32_768.0),
+        (vec![mesh(32.032), floor(0.2)], 32_768.0),
+    ] {
+        for (factor, answer) in [(1.01, true), (0.99, false)] {
+            let mut objects = others.clone();
+            objects.push(Object::new(ball(factor * extent / share), 0));
+            let materials = [white];
+            let scene = Scene { camera, objects: &objects, materials: &materials, ..CLASSIC };
+            let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
+            let prepared = PreparedScene::<Fixed>::new(&scene, &mut memory).map(|_| ());
+            assert_eq!(prepared.is_ok(), answer, "{factor} of a {share}th beside {others:?}");
+        }
+    }
 }
 
 #[test]

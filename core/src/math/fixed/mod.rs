@@ -3,22 +3,27 @@
 //! # The format
 //! A [`Fixed`] is an `i32` in units of 2⁻²⁴: ±128, and a unit vector is as exact as in `f32`. Positions have no share in that
 //! choice, because [`Scale`](crate::math::Scale) multiplies the scene by a power of two first: its solids then lie within half a unit of the origin, so
-//! that they keep 22 bits, and rays are followed 118 times as far, so that an infinite floor ends within a pixel of
-//! its horizon. Everything else that is a plain number (light, shares, squares of refractive indices) stays below 59
+//! that they keep 22 bits, and rays are followed 118 times as far. No infinite plane is farther from the eye than that half,
+//! so that a floor ends within half a degree of its horizon, and most often within a quarter: one line of the picture. Everything else that is a plain number (light, shares, squares of refractive indices) stays below 59
 //! or is refused.
 //!
 //! Rejected: Q16.16, on which the first prototypes ran. Its unit vectors are off by 2⁻¹⁷, 5e-4 units at a distance of
 //! 60, and squares end at 181 units, so that it needs wide products all the same. Rejected as well: a block exponent
-//! for each vector, which costs a normalization for each sum.
+//! for each vector, which costs a normalization for each sum. Rejected as well: that a plane which is met too far away is met at the end
+//! of the ray. It would be seen up to the horizon from any height, but with shadows of other places than those that the outlines of
+//! shadows tell a line of the picture: the same scene without acceleration would be another picture.
 //!
 //! # No overflow
 //! Plain sums and products wrap, because testing each would cost a third of a sphere's intersection on Cortex-M3
 //! (which has no saturating addition), and because none can overflow:
 //!
 //! - Along each axis solids lie within 1/2, flat shapes, eye and lights within 8 units of the origin, and rays start
-//!   within 59 ([`Real::REACH`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116.
+//!   within 59 ([`Real::REACH`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116. Infinite planes pass
+//!   the origin within 1/4.
 //! - Rays are followed for 59 units, so that `origin + direction · t` is below 118, and its difference from a vertex below
 //!   126.
+//! - Instances take a ray to where their model is, within 1/2 of its origin. It starts within 59 √3 + 1/2 = 103 there. What is 59 units
+//!   on may wrap, to a place that is 93 units or more from the origin: no model is there.
 //! - Squares, and what they are compared with, stay 64 bits wide ([`FixedProduct`]): the square of 116 units is
 //!   below 2⁶².
 //! - What can be large is saturated: quotients, light that is added up ([`Real::add_saturating`]), and numbers that

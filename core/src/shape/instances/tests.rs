@@ -1,5 +1,5 @@
 use super::super::testing::*;
-use super::super::{Csg, CsgStep, Cuboid, Cylinder, Mesh, Sphere, Torus};
+use super::super::{Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Sphere, Torus};
 use super::*;
 use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
 
@@ -270,4 +270,36 @@ fn bad_instances_are_refused() {
     assert_eq!(refusal(Instances::new(&BALL, &turned)), Fault::NotFinite);
     let point = Sphere::new(Vec3::ZERO, 0.0);
     assert_eq!(refusal(Instances::new(&point, &ASIDE)), Fault::RadiusNotPositive);
+}
+
+#[test]
+fn what_wraps_far_away_meets_no_model() {
+    // Fixed point: rays from the farthest points there are, turned to where the model is.
+    let model = Model::Mesh(house(&HOUSE));
+    let flat = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 0.0, -1.0), Vec3::new(0.0, 1.0, 1.0)];
+    let polygon = Model::Polygon(Polygon::new(&flat));
+    let (mut random, mut met) = (Random(8), 0);
+    for round in 0..40 {
+        let pose = [Pose::at(random.vector()).turned(random.vector() * 3.0)];
+        let instances = Instances::new(if round % 2 == 0 { &model } else { &polygon }, &pose);
+        let scale = Scale::new::<Fixed>(instances.extent(), Vec3::ZERO);
+        let (mut memory, mut others) = (Memory::new(), Memory::new());
+        let fixed = instances.prepare::<Fixed>(scale, &mut Arena::new(memory.lend())).unwrap();
+        let double = instances.prepare::<f64>(scale, &mut Arena::new(others.lend())).unwrap();
+        for i in 0..5_000 {
+            let corner = random.vector();
+            let signs = [corner.x, corner.y, corner.z].map(|x| 58.9f32.copysign(x));
+            let origin = if i % 2 == 0 { Vec3::new(signs[0], signs[1], signs[2]) } else { corner * 58.9 };
+            let toward = if i % 4 < 2 { random.vector() - origin } else { random.vector() };
+            let Some(direction) = toward.to::<f32>().normalized() else { continue };
+            let ray = Ray { origin: Vec3::from_setup(origin), direction: Vec3::from_setup(direction) };
+            let exact = Ray { origin: ray.origin.to_setup().to(), direction: ray.direction.to_setup().to() };
+            let reached = Interval { min: 0.0, max: 59.0 };
+            if fixed.intersect(&ray, Interval::AHEAD).is_some() {
+                assert!(double.intersect(&exact, reached).is_some(), "{ray:?}");
+                met += 1;
+            }
+        }
+    }
+    assert!(met > 50, "{met}");
 }
