@@ -54,7 +54,7 @@
 //! | type | for |
 //! |---|---|
 //! | `f32` | chips with an FPU, and the desktop |
-//! | [`Fixed`](math::Fixed) | chips without: ten times as fast there as `f32` in software |
+//! | [`Fixed`](math::Fixed) | chips without: ten times as fast there as `f32` in software; its page tells what it asks of a scene |
 //! | `f64` | the reference that the others are held to |
 //!
 //! # Exact and realtime
