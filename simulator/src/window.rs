@@ -156,37 +156,45 @@ impl<R: Real> ForColor for View<'_, '_, R> {
     {
         let settings = self.options.settings;
         let mut memory = memory_for::<R>(&self.scene.scene);
-        let mut prepared =
-            PreparedScene::<R, _>::new(&self.scene.scene, &mut memory).map_err(WindowError::Scene)?;
+        let mut scene = self.scene.scene;
         let mut display = SimulatorDisplay::<C>::new(Size::new(settings.width, settings.height));
         let mut window =
             Window::new(&format!("rayline: {}", self.scene.name), &enlarged(display_side(&settings)));
         let mut buffer = vec![C::from(BinaryColor::Off); settings.width as usize];
-        loop {
-            // The camera stays where it is when it would be refused.
-            let seen = self.orbit;
-            let renderer = Renderer::new(&prepared, settings).map_err(WindowError::Settings)?;
-            let mut frame = renderer
-                .frame(0..settings.height, &mut buffer)
-                .map_err(|error| WindowError::Draw(error.into()))?;
-            'frame: loop {
-                draw_for_a_while(&mut frame, &mut display)?;
-                window.update(&display);
-                // All that has happened, before the next picture: a held key must not fall behind.
-                let requests: Vec<Request> = window.events().filter_map(request).collect();
-                let mut moved = false;
-                for request in requests {
-                    match self.obey(request)? {
-                        Some(change) => moved |= change,
-                        None => return Ok(()),
+        'scene: loop {
+            let mut prepared = PreparedScene::<R, _>::new(&scene, &mut memory).map_err(WindowError::Scene)?;
+            loop {
+                // The camera stays where it is when it would be refused.
+                let seen = self.orbit;
+                let renderer = Renderer::new(&prepared, settings).map_err(WindowError::Settings)?;
+                let mut frame = renderer
+                    .frame(0..settings.height, &mut buffer)
+                    .map_err(|error| WindowError::Draw(error.into()))?;
+                'frame: loop {
+                    draw_for_a_while(&mut frame, &mut display)?;
+                    window.update(&display);
+                    // All that has happened, before the next picture: a held key must not fall behind.
+                    let requests: Vec<Request> = window.events().filter_map(request).collect();
+                    let mut moved = false;
+                    for request in requests {
+                        match self.obey(request)? {
+                            Some(change) => moved |= change,
+                            None => return Ok(()),
+                        }
+                    }
+                    if moved {
+                        break 'frame;
                     }
                 }
-                if moved {
-                    break 'frame;
+                let camera = self.orbit.camera();
+                if prepared.set_camera(&camera).is_err() {
+                    scene.camera = camera;
+                    // Another scale may be right for it, in fixed point.
+                    if PreparedScene::<R, _>::new(&scene, &mut memory_for::<R>(&scene)).is_ok() {
+                        continue 'scene;
+                    }
+                    self.orbit = seen;
                 }
-            }
-            if prepared.set_camera(&self.orbit.camera()).is_err() {
-                self.orbit = seen;
             }
         }
     }
