@@ -2,7 +2,7 @@
 
 use core::mem::{MaybeUninit, align_of, size_of};
 
-use crate::fault::Fault;
+use crate::fault::{Fault, Inner};
 
 /// Memory for a prepared scene: as many bytes as [`Scene::bytes`](crate::Scene::bytes) says.
 ///
@@ -35,12 +35,14 @@ impl<const BYTES: usize> Default for Workspace<BYTES> {
 pub struct Arena<'m> {
     free: &'m mut [MaybeUninit<u8>],
     lent: usize,
+    /// Where in a shape that is made of others it was refused.
+    blamed: Option<Inner>,
 }
 
 impl<'m> Arena<'m> {
     /// Takes over the memory.
     pub(crate) fn new(memory: &'m mut [MaybeUninit<u8>]) -> Self {
-        Self { lent: memory.len(), free: memory }
+        Self { lent: memory.len(), free: memory, blamed: None }
     }
 
     /// The most bytes that `count` values of `T` take, wherever the memory before them ends.
@@ -90,6 +92,18 @@ impl<'m> Arena<'m> {
     /// Sets room for `count` values aside.
     pub(crate) fn room<T: Copy>(&mut self, count: usize) -> Result<Room<'m, T>, Fault> {
         Ok(Room { slots: self.take(count)?, len: 0 })
+    }
+
+    /// Keeps which part of a shape was refused, for the error. The solids of a model are among the parts of its object.
+    pub(crate) fn blame(&mut self, inner: Inner) {
+        if inner != Inner::Model || self.blamed.is_none() {
+            self.blamed = Some(inner);
+        }
+    }
+
+    /// The part of a shape that was refused, if it was a part.
+    pub(crate) fn blamed(&self) -> Option<Inner> {
+        self.blamed
     }
 
     /// Cuts room for `count` values off the front of what is free.

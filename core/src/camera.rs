@@ -1,6 +1,6 @@
 //! Where the picture is taken from.
 
-use crate::fault::{Fault, check_coordinate, check_direction, check_point, unit};
+use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
 use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
@@ -37,7 +37,7 @@ impl Camera {
     pub(crate) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedCamera<R>, Fault> {
         check_point(self.eye)?;
         check_point(self.target)?;
-        check_coordinate(self.vertical_fov)?;
+        check_finite(self.vertical_fov)?;
         if !(self.vertical_fov > 0.0 && self.vertical_fov < core::f32::consts::PI) {
             return Err(Fault::FieldOfView);
         }

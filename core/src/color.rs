@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul};
 
-use crate::fault::{Fault, check_coordinate, check_held};
+use crate::fault::{Fault, check_held, check_number};
 use crate::math::Real;
 
 /// Linear light or reflectivity in three channels, with the primaries of sRGB.
@@ -76,8 +76,8 @@ pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
 
 /// Refuses a channel that is negative or not finite.
 pub(crate) fn check_channel(channel: f32) -> Result<(), Fault> {
-    check_coordinate(channel)?;
-    if channel < 0.0 { Err(Fault::NegativeColor) } else { Ok(()) }
+    check_number(channel)?;
+    if channel < 0.0 { Err(Fault::NegativeColor { given: channel }) } else { Ok(()) }
 }
 
 impl<R: Real> Add for LinearRgb<R> {

@@ -1,6 +1,7 @@
 //! How light fades with distance.
 
-use crate::fault::{Fault, check_coordinate};
+use crate::fault::{Fault, check_finite};
+use crate::limits::MAX_COORDINATE;
 use crate::math::Real;
 
 /// How light fades with distance d: to 1 / (constant + linear d + quadratic d²), but never to more than it was (Hall and Greenberg,
@@ -24,7 +25,7 @@ impl Falloff {
     /// None: light as in the first lectures.
     pub const NONE: Self = Self { constant: 1.0, linear: 0.0, quadratic: 0.0 };
 
-    /// The law of nature, where the color of the light is what arrives at a distance of `distance`; nearer it is no brighter.
+    /// The law of nature, where the color of the light is what arrives at a distance of `distance`, 0.001 to 1e19; nearer it is no brighter.
     pub const fn inverse_square(distance: f32) -> Self {
         Self { constant: 0.0, linear: 0.0, quadratic: 1.0 / (distance * distance) }
     }
@@ -37,14 +38,14 @@ impl Falloff {
     pub(crate) fn prepare<R: Real>(&self, scale: f32) -> Result<Option<PreparedFalloff<R>>, Fault> {
         let mut sum = 0.0;
         for coefficient in [self.constant, self.linear, self.quadratic] {
-            check_coordinate(coefficient)?;
-            if coefficient < 0.0 {
-                return Err(Fault::FalloffNegative);
+            if coefficient < 0.0 || coefficient > MAX_COORDINATE {
+                return Err(Fault::Falloff);
             }
+            check_finite(coefficient)?;
             sum += coefficient;
         }
         if sum <= 0.0 {
-            return Err(Fault::FalloffNegative);
+            return Err(Fault::Falloff);
         }
         if self.is_none() {
             return Ok(None);
@@ -131,12 +132,26 @@ mod tests {
         }
     }
 
+    /// A distance of 0 or 1e-4 had to do with the scale of the scene, and one of 1e30 was negative.
+    #[test]
+    fn an_inverse_square_without_a_sane_distance_is_told_so() {
+        let prepare = |distance| Falloff::inverse_square(distance).prepare::<f32>(1.0).err();
+        for distance in [0.0, 1e-30, 1e-4, 1e30, f32::INFINITY] {
+            assert_eq!(prepare(distance), Some(Fault::Falloff), "{distance}");
+        }
+        assert!(Fault::Falloff.to_string().contains("`inverse_square` a distance from 0.001 to 1e19"));
+        for distance in [0.001, 1.0, 1e19] {
+            assert_eq!(prepare(distance), None, "{distance}");
+        }
+        assert_eq!(prepare(f32::NAN), Some(Fault::NotFinite));
+    }
+
     #[test]
     fn bad_coefficients_are_refused() {
         let refused = |falloff: Falloff| falloff.prepare::<f32>(1.0).unwrap_err();
-        assert_eq!(refused(Falloff { linear: -1.0, ..Falloff::NONE }), Fault::FalloffNegative);
-        assert_eq!(refused(Falloff { constant: 0.0, ..Falloff::NONE }), Fault::FalloffNegative);
+        assert_eq!(refused(Falloff { linear: -1.0, ..Falloff::NONE }), Fault::Falloff);
+        assert_eq!(refused(Falloff { constant: 0.0, ..Falloff::NONE }), Fault::Falloff);
         assert_eq!(refused(Falloff { quadratic: f32::NAN, ..Falloff::NONE }), Fault::NotFinite);
-        assert_eq!(refused(Falloff { quadratic: f32::INFINITY, ..Falloff::NONE }), Fault::NotFinite);
+        assert_eq!(refused(Falloff { quadratic: f32::INFINITY, ..Falloff::NONE }), Fault::Falloff);
     }
 }

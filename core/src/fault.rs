@@ -15,17 +15,23 @@ pub enum Fault {
     NotFinite,
     /// A coordinate, radius or distance is beyond ±[`MAX_COORDINATE`]. Scale the scene down.
     TooFar,
+    /// A number that is no length, such as an angle, a direction or a color, is beyond ±[`MAX_COORDINATE`]. Use a smaller one.
+    TooLarge {
+        /// The number.
+        given: f32,
+    },
     /// A radius is zero or negative. Give a positive one; a cone needs one of its two.
     RadiusNotPositive,
     /// The hole of a ring is negative, or as large as the ring. Give it 0 or more, and less than the radius.
     HoleTooLarge,
-    /// The three corners of a triangle, or two edges of a rectangle, lie on one line. Remove it or move a corner.
+    /// The three corners of a triangle lie on one line, or two edges of a rectangle have one direction. Move a corner, turn an edge, or
+    /// remove the shape.
     Collinear,
     /// A polygon has fewer than three vertices, or encloses no area. Remove it or add vertices.
     NoArea,
     /// The vertices of a polygon do not lie in one plane. Split it into triangles.
     NotPlanar,
-    /// The three axes of an ellipsoid lie in one plane, or a box has no room inside. Give it a thickness.
+    /// The three axes of an ellipsoid lie in one plane, or a box has no room inside. Give it a thickness, and `min` below `max`.
     NoVolume,
     /// All coefficients of a quadric are zero, but for the last. Give it another.
     NoSurface,
@@ -95,18 +101,28 @@ pub enum Fault {
         /// What is wrong, and what to do.
         why: &'static str,
     },
-    /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1.
+    /// A normal, an axis or a direction has length zero. Give it a length; it need not be 1. That of a cylinder or cone goes from its
+    /// base to its top: move one of them.
     ZeroLength,
-    /// A component of a color is negative. Use 0 or more.
-    NegativeColor,
-    /// A material's color or coefficient is outside 0..=1. Scale it down.
-    OutsideUnit,
+    /// A component of light, of a background or of what a medium absorbs is negative. Use 0 or more.
+    NegativeColor {
+        /// The component.
+        given: f32,
+    },
+    /// A coefficient is outside 0..=1. Scale it: of a color that counts to 255, say, divide each component by that.
+    OutsideUnit {
+        /// Which it is.
+        coefficient: Coefficient,
+        /// The number that it has.
+        given: f32,
+    },
     /// Reflectance and transmittance add up to more than 1. Lower one of them.
     EnergyAboveOne,
     /// The shininess is negative. Use 0 or more.
     NegativeShininess,
-    /// The coefficients of a falloff are negative, or all zero. Use 0 or more, and more for one of them.
-    FalloffNegative,
+    /// A coefficient of a falloff is negative or beyond 1e6, or all are zero. Use 0 to 1e6, and more than 0 for one of them; give
+    /// [`Falloff::inverse_square`](crate::Falloff::inverse_square) a distance from 0.001 to 1e19.
+    Falloff,
     /// A cone of light is not between 0° and 180°, or dark before it is bright. Give the half angle of the bright part, then that of
     /// all.
     LightCone,
@@ -121,9 +137,10 @@ pub enum Fault {
     /// scene: in [`Fixed`](crate::math::Fixed), less than 64 units of 2⁻²⁴ where the scene was scaled to 1/2, or to 1/4 with infinite
     /// planes. Enlarge it, leave it out, bring nearer to the origin what extends farther, or prepare the scene for `f32`.
     TooSmall,
-    /// The number system that the scene is prepared for ends before this number does: in fixed point, light ends at 59, indices of
-    /// refraction, their inverses and the slopes of cones at 7.6; [`Fixed`](crate::math::Fixed) tells all limits. Keep inside, or
-    /// prepare the scene for `f32`.
+    /// The number system that the scene is prepared for ends before this number does: in fixed point, light ends at 59, and so do the
+    /// strengths of blobs, what is longer of an ellipsoid's axes over what is shorter, the coordinates of textures and the slopes of bumps;
+    /// indices of refraction and the slopes of cones end at 7.6, and so do their inverses. [`Fixed`](crate::math::Fixed) tells all
+    /// limits. Keep inside, or prepare the scene for `f32`.
     OutOfRange,
     /// The camera was moved so far away that the number system does not reach there, or so high above an infinite plane that it
     /// would be seen to end before the horizon: [`Fixed`](crate::math::Fixed) tells how far that is. Move it closer, or prepare the
@@ -135,8 +152,11 @@ pub enum Fault {
     UpAlongView,
     /// The field of view is not between 0.0002° and 179.98°. It is the full vertical angle, in radians.
     FieldOfView,
-    /// The units of a pattern are 0, or smaller than 1e-6. Enlarge them.
+    /// The units of a pattern or the cells of a checker are 0, or smaller than 1e-6. Enlarge them;
+    /// [`Checker::cells_per_unit`](crate::Checker::cells_per_unit) is 1 over their size.
     PatternSize,
+    /// The step of a bump is 0 or negative. Give it the width of the pattern's finest detail.
+    BumpStep,
     /// Noise has no octave, or more than [`MAX_OCTAVES`](crate::MAX_OCTAVES). Give it 1 to 8.
     Octaves,
     /// The turbulence of a texture is outside 0..=16. Turn it down.
@@ -186,12 +206,20 @@ impl fmt::Display for Fault {
         f.write_str(match self {
             Self::NotFinite => "a number is NaN or infinite; replace it",
             Self::TooFar => "a coordinate, radius or distance is beyond ±1e6; scale the scene down",
+            Self::TooLarge { given } => {
+                return write!(f, "a number is {given:e}, beyond ±1e6; use a smaller one");
+            }
             Self::RadiusNotPositive => "the radius is not positive; give one above 0 (a cone needs one of its two)",
             Self::HoleTooLarge => "the hole of a ring is not between 0 and its radius; make it smaller",
-            Self::Collinear => "the corners lie on one line; remove the shape or move a corner",
+            Self::Collinear => {
+                "the corners lie on one line, or two edges have one direction; move a corner, turn an edge, or remove the \
+                 shape"
+            },
             Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
             Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
-            Self::NoVolume => "the axes lie in one plane, or the box has no room inside; give it a thickness",
+            Self::NoVolume => {
+                "the axes lie in one plane, or the box has no room inside; give it a thickness, with `min` below `max`"
+            }
             Self::NoSurface => "the coefficients are zero, but for the last; give it another",
             Self::NoHole => "the torus has no hole; make the minor radius smaller than the major one",
             Self::NotAtRightAngles => "the axes of a box are not at right angles; turn them",
@@ -236,15 +264,28 @@ impl fmt::Display for Fault {
                 return write!(f, "{given} solids in one are too many; use at most 32");
             }
             Self::NoPoses => "there is no place for an instance; give it one or more",
-            Self::InstanceSize => "the size of instances is smaller than 1e-6; it is 1 for that of the model",
+            Self::InstanceSize => "the size of instances is less than 1e-6; give it 1 for that of the model",
             Self::Own { why } => why,
-            Self::ZeroLength => "a normal, axis or direction has length zero; give it a length",
-            Self::NegativeColor => "a color is negative; use 0 or more",
-            Self::OutsideUnit => "a color or coefficient is outside 0 to 1; scale it",
+            Self::ZeroLength => {
+                "a normal, axis or direction has length zero; give it a length (that of a cylinder or cone goes from base to \
+                 top)"
+            }
+            Self::NegativeColor { given } => {
+                return write!(f, "a component of a color, or of an absorption, is {given:?}; use 0 or more");
+            }
+            Self::OutsideUnit { coefficient, given } => {
+                let (of, scale) = match coefficient.is_color() {
+                    true => ("a component of ", " (of 255 levels, divide by 255)"),
+                    false => ("", ""),
+                };
+                let name = coefficient.name();
+                return write!(f, "{of}`{name}` is {given:?}, outside 0 to 1; scale it{scale}");
+            }
             Self::EnergyAboveOne => "reflectance and transmittance add up to more than 1; lower one of them",
             Self::NegativeShininess => "the shininess is negative; use 0 or more",
-            Self::FalloffNegative => {
-                "a falloff is negative or all zero; use 0 or more, and more for one of the three"
+            Self::Falloff => {
+                "a coefficient of a falloff is not within 0 to 1e6, or all are 0; use more than 0 for one of the three, and give \
+                 `inverse_square` a distance from 0.001 to 1e19"
             }
             Self::LightCone => {
                 "a cone of light is not between 0 and 180 degrees, the bright part within all of it; give half angles in \
@@ -255,11 +296,12 @@ impl fmt::Display for Fault {
             }
             Self::IorNotPositive => "the index of refraction is less than 0.001; air is 1, glass about 1.5",
             Self::TooSmall => {
-                "too small beside the rest for this number system; enlarge it or prepare for f32"
+                "it is too small beside the rest of the scene for this number system; enlarge it or prepare for f32"
             }
             Self::OutOfRange => {
-                "a number is too large or too small for this number system; in fixed point keep light below 59, \
-                 indices of refraction below 7.6, or prepare for f32"
+                "a number is too large or too small for this number system; in fixed point keep light, strengths of blobs, \
+                 ratios of an ellipsoid's axes, coordinates of textures and slopes of bumps below 59, indices of refraction \
+                 and slopes of cones below 7.6, or prepare for f32"
             }
             Self::BeyondReach => {
                 "the camera is too far away, or too far from an infinite plane, for this number system; prepare the scene \
@@ -271,7 +313,11 @@ impl fmt::Display for Fault {
                 "the vertical field of view is not between 0.0002 and 179.98 degrees (`vertical_fov` is in radians: 45 \
                  degrees are 0.785)"
             },
-            Self::PatternSize => "the units of a pattern are smaller than 1e-6; enlarge them",
+            Self::PatternSize => {
+                "the units of a pattern or the cells of a checker are smaller than 1e-6; enlarge them (`cells_per_unit` is 1 \
+                 over their size)"
+            }
+            Self::BumpStep => "the step of a bump is not above 0; give it the width of the finest detail",
             Self::Octaves => "the octaves of noise are not 1 to 8; give it so many",
             Self::Turbulence => "a turbulence is outside 0 to 16; turn it down",
             Self::PixelCount { needed, given } => {
@@ -289,7 +335,7 @@ impl fmt::Display for Fault {
             Self::UnknownMaterial { named, materials } => {
                 return write!(
                     f,
-                    "material {named} does not exist: there are {materials}; add it or name another"
+                    "there is no material {named}, of {materials} that are counted from 0; add it or name another"
                 );
             }
             Self::TooMany { given } => return write!(f, "{given} are too many; use at most 65535"),
@@ -305,21 +351,84 @@ impl fmt::Display for Fault {
 
 impl core::error::Error for Fault {}
 
-/// Refuses what is not finite or too large.
-pub(crate) fn check_coordinate(value: f32) -> Result<(), Fault> {
-    if !value.is_finite() {
-        Err(Fault::NotFinite)
-    } else if value.abs() > MAX_COORDINATE {
-        Err(Fault::TooFar)
-    } else {
-        Ok(())
+/// A coefficient from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Coefficient {
+    /// [`Material::color`](crate::Material::color), or a color of a texture.
+    Color,
+    /// [`Material::ambient`](crate::Material::ambient).
+    Ambient,
+    /// [`Material::diffuse`](crate::Material::diffuse).
+    Diffuse,
+    /// [`Material::specular`](crate::Material::specular).
+    Specular,
+    /// [`Material::reflectance`](crate::Material::reflectance).
+    Reflectance,
+    /// [`Material::transmittance`](crate::Material::transmittance).
+    Transmittance,
+    /// [`Optics::reflection_color`](crate::Optics::reflection_color).
+    ReflectionColor,
+    /// [`Optics::transmission_color`](crate::Optics::transmission_color).
+    TransmissionColor,
+    /// [`Stripes::width`](crate::Stripes::width).
+    Width,
+    /// [`Brick::gap`](crate::Brick::gap).
+    Gap,
+}
+
+impl Coefficient {
+    /// What its field is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Color => "color",
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+            Self::Reflectance => "reflectance",
+            Self::Transmittance => "transmittance",
+            Self::ReflectionColor => "reflection_color",
+            Self::TransmissionColor => "transmission_color",
+            Self::Width => "width",
+            Self::Gap => "gap",
+        }
+    }
+
+    const fn is_color(self) -> bool {
+        matches!(self, Self::Color | Self::ReflectionColor | Self::TransmissionColor)
     }
 }
 
+/// What is wrong lies in one of the shapes that a shape is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Inner {
+    /// In this one of its solids.
+    Solid(usize),
+    /// In what it shows in several places.
+    Model,
+}
+
+/// Refuses what is not finite.
+pub(crate) fn check_finite(value: f32) -> Result<(), Fault> {
+    if value.is_finite() { Ok(()) } else { Err(Fault::NotFinite) }
+}
+
+/// Refuses a length that is not finite or too large.
+pub(crate) fn check_coordinate(value: f32) -> Result<(), Fault> {
+    check_finite(value)?;
+    if value.abs() > MAX_COORDINATE { Err(Fault::TooFar) } else { Ok(()) }
+}
+
+/// Refuses what is no length, and not finite or too large.
+pub(crate) fn check_number(given: f32) -> Result<(), Fault> {
+    check_finite(given)?;
+    if given.abs() > MAX_COORDINATE { Err(Fault::TooLarge { given }) } else { Ok(()) }
+}
+
 /// Refuses what is not a share, 0 to 1.
-pub(crate) fn check_share(share: f32) -> Result<(), Fault> {
-    check_coordinate(share)?;
-    if (0.0..=1.0).contains(&share) { Ok(()) } else { Err(Fault::OutsideUnit) }
+pub(crate) fn check_share(coefficient: Coefficient, given: f32) -> Result<(), Fault> {
+    check_finite(given)?;
+    if (0.0..=1.0).contains(&given) { Ok(()) } else { Err(Fault::OutsideUnit { coefficient, given }) }
 }
 
 /// Refuses a point that is not finite or too far out.
@@ -327,9 +436,14 @@ pub(crate) fn check_point(point: Vec3) -> Result<(), Fault> {
     [point.x, point.y, point.z].into_iter().try_for_each(check_coordinate)
 }
 
+/// Refuses angles or a direction that are not finite or too large.
+pub(crate) fn check_numbers(numbers: Vec3) -> Result<(), Fault> {
+    [numbers.x, numbers.y, numbers.z].into_iter().try_for_each(check_number)
+}
+
 /// The unit vector along a direction that the scene names, or why there is none.
 pub(crate) fn check_direction<R: Real>(direction: Vec3) -> Result<Vec3<R>, Fault> {
-    check_point(direction)?;
+    check_numbers(direction)?;
     unit(direction)
 }
 

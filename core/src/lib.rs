@@ -132,7 +132,7 @@ pub use background::{Background, Panorama, Sky};
 pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;
-pub use fault::Fault;
+pub use fault::{Coefficient, Fault};
 pub use light::{Lamp, Light, LightCone};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};
 pub use math::{Real, Vec3};

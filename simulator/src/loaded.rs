@@ -193,8 +193,14 @@ impl<'a> LoadedScene<'a> {
     pub fn explain(&self, error: &SceneError) -> String {
         let Some((path, import)) = &self.file else { return format!("{}: {error}", self.name) };
         let path = path.display();
-        match import.place(error.part) {
-            Some(place) => format!("{path}:{place}: {}", error.fault),
+        // What lies inside of an object has no place of its own.
+        let (part, inside) = match error.part {
+            Part::Solid { object, solid } => (Part::Object(object), format!("solid {solid}: ")),
+            Part::Model(object) => (Part::Object(object), "model: ".to_owned()),
+            part => (part, String::new()),
+        };
+        match import.place(part) {
+            Some(place) => format!("{path}:{place}: {inside}{}", error.fault),
             None => format!("{path}: {error}"),
         }
     }

@@ -4,7 +4,7 @@
 use core::ptr;
 
 use crate::color::LinearRgb;
-use crate::fault::{Fault, check_point};
+use crate::fault::{Fault, check_numbers};
 use crate::math::{Real, Vec3};
 use crate::shape::globe;
 use crate::texture::{Image, PreparedImage};
@@ -49,7 +49,7 @@ impl<'a> Panorama<'a> {
     }
 
     pub(super) fn prepare<R: Real>(&'a self) -> Result<PreparedPanorama<'a, R>, Fault> {
-        check_point(self.rotation)?;
+        check_numbers(self.rotation)?;
         let (one, none) = (R::Setup::ONE, R::Setup::ZERO);
         let axis = |x, y, z| Vec3::from_setup(Vec3::<R::Setup>::new(x, y, z).rotated(self.rotation));
         Ok(PreparedPanorama {

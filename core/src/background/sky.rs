@@ -133,7 +133,7 @@ mod tests {
             Sky { horizon: LinearRgb::gray(-0.5), ..SKY },
             Sky { nadir: LinearRgb::gray(-0.5), ..SKY },
         ] {
-            assert_eq!(refusal(sky), Some(Fault::NegativeColor));
+            assert_eq!(refusal(sky), Some(Fault::NegativeColor { given: -0.5 }));
         }
         let bright = Sky { nadir: LinearRgb::gray(100.0), ..SKY };
         assert_eq!((refusal(bright), bright.prepare::<Fixed>().err()), (None, Some(Fault::OutOfRange)));

@@ -2,7 +2,7 @@
 
 use crate::color::LinearRgb;
 use crate::falloff::{Falloff, PreparedFalloff};
-use crate::fault::{Fault, check_coordinate, check_direction};
+use crate::fault::{Fault, check_direction, check_finite};
 use crate::math::{Product, Real, Vec3, float};
 
 /// A light at one point that falls off with distance, or shines into a cone alone: a spot light.
@@ -55,8 +55,8 @@ impl Lamp {
         let falloff = self.falloff.prepare(scale)?;
         let Some(cone) = self.cone else { return Ok(PreparedLamp { falloff, cone: None }) };
         let direction: Vec3<R::Setup> = check_direction(cone.direction)?;
-        check_coordinate(cone.bright)?;
-        check_coordinate(cone.dark)?;
+        check_finite(cone.bright)?;
+        check_finite(cone.dark)?;
         if !(cone.bright >= 0.0 && cone.bright <= cone.dark && cone.dark > 0.0)
             || cone.dark > core::f32::consts::PI
         {

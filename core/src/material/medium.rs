@@ -1,7 +1,7 @@
 //! What light goes through between two surfaces: its index of refraction, and what it absorbs (Beer's law).
 
 use crate::color::{LinearRgb, check_channel};
-use crate::fault::{Fault, check_coordinate};
+use crate::fault::{Fault, check_number};
 use crate::math::{Product, Real, Scale};
 use crate::share::Share;
 
@@ -64,7 +64,7 @@ impl Default for Medium {
 
 /// Refuses an index of refraction that is not positive.
 pub(super) fn check_ior<R: Real>(ior: f32) -> Result<R::Setup, Fault> {
-    check_coordinate(ior)?;
+    check_number(ior)?;
     // A tiny index has a reciprocal that no longer is a sane number.
     if ior < 1e-3 { Err(Fault::IorNotPositive) } else { Ok(R::Setup::from_f32(ior)) }
 }

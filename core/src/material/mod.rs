@@ -14,7 +14,7 @@ pub(crate) use shininess::Shininess;
 
 use crate::arena::Arena;
 use crate::color::LinearRgb;
-use crate::fault::{Fault, check_coordinate, check_held, check_share};
+use crate::fault::{Coefficient, Fault, check_held, check_number, check_share};
 use crate::math::{Real, Scale};
 use crate::surface::Surface;
 use crate::texture::{Map, PreparedMaps, PreparedTexture, Texture};
@@ -106,14 +106,20 @@ impl<'a> Material<'a> {
     where
         'a: 'm,
     {
-        for share in [self.ambient, self.diffuse, self.specular, self.reflectance, self.transmittance] {
-            check_share(share)?;
+        for (coefficient, share) in [
+            (Coefficient::Ambient, self.ambient),
+            (Coefficient::Diffuse, self.diffuse),
+            (Coefficient::Specular, self.specular),
+            (Coefficient::Reflectance, self.reflectance),
+            (Coefficient::Transmittance, self.transmittance),
+        ] {
+            check_share(coefficient, share)?;
         }
         // Shares such as 0.1 and 0.9 add up to a little more than 1 in f32.
         if self.reflectance + self.transmittance > 1.000_001 {
             return Err(Fault::EnergyAboveOne);
         }
-        check_coordinate(self.shininess)?;
+        check_number(self.shininess)?;
         if self.shininess < 0.0 {
             return Err(Fault::NegativeShininess);
         }

@@ -6,7 +6,7 @@ use super::fresnel::{exact, schlick};
 use super::medium::{Absorption, Medium};
 use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
-use crate::fault::{Fault, check_share};
+use crate::fault::{Coefficient, Fault, check_share};
 use crate::math::{Real, Scale, Vec3};
 use crate::share::Share;
 
@@ -115,8 +115,11 @@ impl Optics {
     /// Checks every number and converts it, but for the index outside; for a material of this index, over that outside.
     pub(super) fn prepare<R: Real>(&self, ior: R::Setup, scale: Scale) -> Result<PreparedOptics<R>, Fault> {
         let Self { reflection_color, transmission_color, emission, .. } = *self;
-        for share in reflection_color.channels().into_iter().chain(transmission_color.channels()) {
-            check_share(share)?;
+        for (coefficient, color) in [
+            (Coefficient::ReflectionColor, reflection_color),
+            (Coefficient::TransmissionColor, transmission_color),
+        ] {
+            color.channels().into_iter().try_for_each(|share| check_share(coefficient, share))?;
         }
         check_emission::<R>(emission)?;
         let straight = (ior - R::Setup::ONE) / (ior + R::Setup::ONE);

@@ -202,6 +202,6 @@ fn prepare_all<'m, D, P: Copy>(
     });
     match prepared {
         Ok(prepared) => Ok(prepared),
-        Err(fault) => Err(part(index).error()(fault)),
+        Err(fault) => Err(part(index).inner(arena.blamed()).error()(fault)),
     }
 }

@@ -70,7 +70,7 @@ pub enum LineError {
         /// Samples of a line.
         needed: usize,
     },
-    /// The picture has no such line.
+    /// The picture has no such line. Ask for one that it has.
     NoSuchLine {
         /// The line that was asked for.
         line: u32,
@@ -95,7 +95,10 @@ impl fmt::Display for LineError {
                 write!(f, "a buffer of {given} samples has the wrong length; lend {needed} samples")
             }
             Self::NoSuchLine { line, height } => {
-                write!(f, "there is no line {line}: the picture has {height}, counted from 0")
+                write!(
+                    f,
+                    "there is no line {line}: the picture has {height}, counted from 0; ask for one below {height}"
+                )
             }
         }
     }

@@ -54,7 +54,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
         buffer: &'b mut [C],
     ) -> Result<Self, LineError> {
         let (width, height) = (renderer.width(), renderer.height());
-        if lines.end > height {
+        // No line of none is missing.
+        if lines.end > height && !lines.is_empty() {
             return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height });
         }
         renderer.whole_lines(buffer.len())?;

@@ -2,7 +2,7 @@
 
 use super::{check_reflectivity, check_unit};
 use crate::color::LinearRgb;
-use crate::fault::Fault;
+use crate::fault::{Coefficient, Fault};
 use crate::math::{Cell, Real};
 
 /// A wall of bricks in the pattern's x-y plane: each takes one unit with its share of mortar, and every second row begins in
@@ -24,7 +24,7 @@ impl Brick {
         Ok(Brick {
             brick: check_reflectivity(self.brick)?,
             mortar: check_reflectivity(self.mortar)?,
-            gap: [check_unit(x)?, check_unit(y)?],
+            gap: [check_unit(Coefficient::Gap, x)?, check_unit(Coefficient::Gap, y)?],
         })
     }
 }

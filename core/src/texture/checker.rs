@@ -2,7 +2,7 @@
 
 use super::check_reflectivity;
 use crate::color::LinearRgb;
-use crate::fault::{Fault, check_point};
+use crate::fault::{Fault, check_finite};
 use crate::math::{Cell, Real, Scale, Vec3};
 
 /// Cells of two colors that alternate in space.
@@ -21,6 +21,9 @@ pub struct Checker {
     pub cells_per_unit: Vec3,
 }
 
+/// The most cells per unit.
+const MAX_CELLS: f32 = 1e6;
+
 impl Checker {
     /// Squares with sides of `size` units in the x-z plane.
     pub const fn xz(even: LinearRgb, odd: LinearRgb, size: f32) -> Self {
@@ -28,7 +31,14 @@ impl Checker {
     }
 
     pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedChecker<R>, Fault> {
-        check_point(self.cells_per_unit)?;
+        let Vec3 { x, y, z } = self.cells_per_unit;
+        for cells in [x, y, z] {
+            // Smaller than that, no pixel shows more than noise. Cells of size 0 are infinitely many.
+            if cells.abs() > MAX_CELLS {
+                return Err(Fault::PatternSize);
+            }
+            check_finite(cells)?;
+        }
         // A power of two: nothing is rounded.
         let per_unit = self.cells_per_unit * (1.0 / scale.to_f32());
         Ok(PreparedChecker {

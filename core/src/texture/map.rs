@@ -95,7 +95,7 @@ impl Onto {
                 check_coordinate(step)?;
                 let length: R = scale.length(R::Setup::from_f32(step));
                 if !(step > 0.0) {
-                    return Err(Fault::ZeroLength);
+                    return Err(Fault::BumpStep);
                 }
                 check_size(length)?;
                 let slope = R::Setup::from_f32(height) / R::Setup::from_f32(step);
@@ -298,7 +298,7 @@ mod tests {
     fn bad_bumps_are_refused() {
         let refusal = |height, step| Onto::Bump { height, step }.prepare::<Fixed>(Scale::ONE).err();
         assert_eq!(refusal(0.1, 0.1), None);
-        assert_eq!(refusal(0.1, 0.0), Some(Fault::ZeroLength));
+        assert_eq!(refusal(0.1, 0.0), Some(Fault::BumpStep));
         assert_eq!(refusal(f32::NAN, 0.1), Some(Fault::NotFinite));
         assert_eq!(refusal(0.1, 1e-7), Some(Fault::TooSmall));
         assert_eq!(refusal(100.0, 0.1), Some(Fault::OutOfRange));

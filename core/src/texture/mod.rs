@@ -35,8 +35,8 @@ pub use stripes::Stripes;
 pub use wood::Wood;
 
 use crate::arena::Arena;
-use crate::color::{LinearRgb, check_channel};
-use crate::fault::{Fault, check_share};
+use crate::color::LinearRgb;
+use crate::fault::{Coefficient, Fault, check_share};
 use crate::math::{Real, Scale};
 use crate::surface::Surface;
 use checker::PreparedChecker;
@@ -107,17 +107,14 @@ crate::read::plain!(
 /// Refuses what is no share of light.
 fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> {
     for channel in color.channels() {
-        check_channel(channel)?;
-        if channel > 1.0 {
-            return Err(Fault::OutsideUnit);
-        }
+        check_share(Coefficient::Color, channel)?;
     }
     Ok(color.to())
 }
 
 /// Refuses a number outside 0..=1.
-fn check_unit<R: Real>(value: f32) -> Result<R, Fault> {
-    check_share(value)?;
+fn check_unit<R: Real>(coefficient: Coefficient, value: f32) -> Result<R, Fault> {
+    check_share(coefficient, value)?;
     Ok(R::from_f32(value))
 }
 

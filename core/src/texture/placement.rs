@@ -1,6 +1,6 @@
 //! Where a pattern lies, and how large it is.
 
-use crate::fault::{Fault, check_coordinate, check_held, check_point};
+use crate::fault::{Fault, check_held, check_number, check_numbers, check_point};
 use crate::math::{Cell, Linear, Real, Scale, Vec3};
 
 /// What a pattern varies over.
@@ -73,10 +73,10 @@ impl Placement {
 
     pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedPlacement<R>, Fault> {
         let Vec3 { x, y, z } = self.size;
-        check_point(self.rotation)?;
+        check_numbers(self.rotation)?;
         check_point(self.origin)?;
         for size in [x, y, z] {
-            check_coordinate(size)?;
+            check_number(size)?;
             // Smaller than that, no pixel shows more than noise.
             if size.abs() < 1e-6 {
                 return Err(Fault::PatternSize);

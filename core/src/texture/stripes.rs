@@ -2,7 +2,7 @@
 
 use super::{check_reflectivity, check_unit};
 use crate::color::LinearRgb;
-use crate::fault::Fault;
+use crate::fault::{Coefficient, Fault};
 use crate::math::{Cell, Real};
 
 /// Stripes across the pattern's x axis: one pair in each unit.
@@ -22,7 +22,7 @@ impl Stripes {
         Ok(Stripes {
             first: check_reflectivity(self.first)?,
             second: check_reflectivity(self.second)?,
-            width: check_unit(self.width)?,
+            width: check_unit(Coefficient::Width, self.width)?,
         })
     }
 }

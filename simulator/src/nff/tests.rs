@@ -134,8 +134,8 @@ fn parts_that_the_core_refuses_are_found_in_the_file() {
     let bad = |statement: &str| refused(&format!("# first\n{VIEW}{GRAY}\ns 0 0 0 1\n{statement}"));
     assert_eq!(bad("s 0 0 0 -1"), (Fault::RadiusNotPositive, Some(6)));
     assert_eq!(bad("f 1 1 1 1 0 0 .5 0"), (Fault::IorNotPositive, Some(6)));
-    assert_eq!(bad("l 0 0 0 -1 0 0"), (Fault::NegativeColor, Some(6)));
-    assert_eq!(bad("b 0 0 -1"), (Fault::NegativeColor, Some(6)));
+    assert_eq!(bad("l 0 0 0 -1 0 0"), (Fault::NegativeColor { given: -1.0 }, Some(6)));
+    assert_eq!(bad("b 0 0 -1"), (Fault::NegativeColor { given: -1.0 }, Some(6)));
     assert_eq!(bad("p 3 0 0 0 1 1 1 2 2 2"), (Fault::Collinear, Some(6)));
     assert_eq!(bad("pp 3 0 0 0 0 0 0 1 0 0 0 0 1 0 1 0 0 0 1"), (Fault::ZeroLength, Some(6)));
     assert_eq!(refused(&format!("\n{}", VIEW.replace("90", "180"))), (Fault::FieldOfView, Some(2)));

@@ -253,6 +253,29 @@ fn refusal(from: &str, to: &str) -> (usize, usize, String) {
     (position.line, position.column, fault.to_string())
 }
 
+/// The line of a file said of the whole object what was wrong with one of its solids.
+#[test]
+fn a_refused_solid_is_told_by_its_number() {
+    let told = |shape: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cut.ron");
+        let from = "(shape: Sphere(center: (2, 1, 0), radius: 0.5)";
+        assert!(SMALL.contains(from));
+        std::fs::write(&path, SMALL.replace(from, &format!("(shape: {shape}"))).unwrap();
+        let arena = Bump::new();
+        let loaded = crate::LoadedScene::open(&path, &arena).unwrap();
+        let error = crate::check(&loaded.scene).unwrap_err();
+        loaded.explain(&error).replace(&format!("{}/", folder.path().display()), "")
+    };
+    let csg = "Csg(steps: [
+        Solid(Sphere(center: (0, 0, 0), radius: 1)), Solid(Sphere(center: (0, 1, 0), radius: 0)), Difference,
+    ])";
+    assert!(told(csg).starts_with("cut.ron:"), "{}", told(csg));
+    assert_eq!(told(csg).split(": ").nth(1), Some("solid 1"));
+    let model = "Instances(model: Polygon(vertices: [(0, 0, 0), (1, 0, 0)]), poses: [(origin: (0, 0, 0))])";
+    assert_eq!(told(model).split(": ").nth(1), Some("model"));
+}
+
 #[test]
 fn mistakes_are_told_where_they_are() {
     let found = [

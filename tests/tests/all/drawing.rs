@@ -10,8 +10,8 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
-    Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Renderer,
-    Scene, Settings, SettingsError, Transfer, Vec3,
+    Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Progress,
+    Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, SettingsError, Transfer, Vec3,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -218,6 +218,34 @@ fn wrong_buffers_and_lines_are_refused_before_the_first_pixel() {
             renderer.frame(20..24, &mut buffer).err(),
             Some(LineError::NoSuchLine { line: 23, height: 23 })
         );
+    });
+}
+
+/// `frame(30..30)` was refused for line 29, which it does not ask for.
+#[test]
+fn no_lines_are_drawn_wherever_they_would_begin() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let quality = Realtime::default();
+        for lines in [0..0, 5..5, 23..23, 30..30, 30..25] {
+            let mut buffer = [Rgb888::BLACK; 37];
+            let mut screen = Screen::new(renderer);
+            let mut frame = renderer.frame(lines.clone(), &mut buffer).expect("nothing to draw");
+            let progress = frame.step(&mut screen, u32::MAX).expect("nothing to fail");
+            assert_eq!(progress, Progress { lines_done: 0, lines_total: 0, rays: 0 });
+
+            let mut colors = vec![Rgb888::BLACK; quality.colors(37)];
+            let mut samples = vec![Sample::BLANK; quality.samples(37)];
+            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
+            let mut frame = renderer.realtime_frame(lines, quality, buffer).expect("nothing to draw");
+            let progress = frame.step(&mut screen, u32::MAX).expect("nothing to fail");
+            assert_eq!((progress.lines_total, progress.rays), (0, 0));
+            assert!(screen.windows.is_empty());
+        }
+        let mut buffer = [Rgb888::BLACK; 37];
+        let error = renderer.frame(30..31, &mut buffer).expect_err("refused");
+        assert_eq!(error, LineError::NoSuchLine { line: 30, height: 23 });
+        let message = error.to_string();
+        assert_eq!(message, "there is no line 30: the picture has 23, counted from 0; ask for one below 23");
     });
 }
 

@@ -9,9 +9,9 @@ use rayline::shape::{
     Quadric, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Background, Camera, Encoding, Ends, Fault, Filter, Image, Light, LinearRgb, Material, Medium, Object,
-    Optics, Panorama, Part, Pixels, PreparedScene, RayCounts, Renderer, Scene, SceneBuf, SceneError,
-    Settings, Sky, Texture, Vec3,
+    Background, Camera, Coefficient, Encoding, Ends, Fault, Figure, Filter, Image, Light, LinearRgb,
+    Material, Medium, Object, Optics, Panorama, Part, Pixels, Placed, Placement, PreparedScene, RayCounts,
+    Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Stripes, Texture, Vec3,
 };
 use rayline_tests::{backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
 
@@ -84,30 +84,35 @@ static TILE: Model = Model::Polygon(Polygon::new(&[
 
 #[test]
 fn numbers_out_of_range_are_refused_with_kind_and_index() {
+    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
     for (bad, fault) in BAD {
         let point = Vec3::new(1.0, bad, 2.0);
         let color = LinearRgb::new(0.1, 0.2, bad);
+        let instead = |other: Fault| if fault == Fault::TooFar { other } else { fault };
+        // What is no length is not mended by another scale of the scene.
+        let number = instead(Fault::TooLarge { given: bad });
+        let share = |coefficient| instead(Fault::OutsideUnit { coefficient, given: bad });
         assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
         assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.up = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, fault);
-        assert_refused(|parts| parts.background = color.into(), Part::Background, fault);
+        assert_refused(|parts| parts.camera.up = point, Part::Camera, number);
+        let view = instead(Fault::FieldOfView);
+        assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, view);
+        assert_refused(|parts| parts.background = color.into(), Part::Background, number);
         let sky = Sky::new(color, LinearRgb::WHITE);
         assert_refused(
             |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
             Part::Background,
-            fault,
+            number,
         );
         let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
         assert_refused(
             |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
             Part::Background,
-            fault,
+            number,
         );
         for (i, object) in [
             Shape::Sphere(Sphere::new(point, 1.0)),
             Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
-            Shape::Plane(Plane::new(Vec3::ZERO, point)),
             Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
             Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
             Shape::Cone(Cone {
@@ -130,9 +135,6 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 major_radius: bad,
                 minor_radius: 1.0,
             }),
-            Shape::Csg(Csg::new(Box::leak(Box::new([CsgStep::Solid(Solid::Sphere(Sphere::new(
-                point, 1.0,
-            )))])))),
             Shape::Quadric(Quadric {
                 center: Vec3::ZERO,
                 coefficients: [1.0; 10],
@@ -141,15 +143,7 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
                 capped: true,
             }),
             Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
-            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
-                Blob::new(Vec3::ZERO, 1.0),
-                Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
-            ])))),
             Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
-            Shape::Instances(Instances::new(
-                &TILE,
-                Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])),
-            )),
         ]
         .into_iter()
         .enumerate()
@@ -157,34 +151,145 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
             let index = i % 5;
             assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
         }
-        for (index, light) in [
-            Light::Point { position: point, color: LinearRgb::WHITE },
-            Light::Directional { direction: point, color: LinearRgb::WHITE },
-            Light::Point { position: Vec3::ZERO, color },
+        for object in [
+            Shape::Plane(Plane::new(Vec3::ZERO, point)),
+            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
+                Blob::new(Vec3::ZERO, 1.0),
+                Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
+            ])))),
+            Shape::Instances(Instances::new(
+                &TILE,
+                Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])),
+            )),
+            Shape::Instances(Instances::new(&TILE, &HERE).sized(bad)),
+        ] {
+            assert_refused(|parts| parts.objects[2].shape = object, Part::Object(2), number);
+        }
+        for (index, (light, fault)) in [
+            (Light::Point { position: point, color: LinearRgb::WHITE }, fault),
+            (Light::Directional { direction: point, color: LinearRgb::WHITE }, number),
+            (Light::Point { position: Vec3::ZERO, color }, number),
         ]
         .into_iter()
         .enumerate()
         {
             assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
         }
-        let fields: [for<'m> fn(&'m mut Material<'static>) -> &'m mut f32; 7] = [
-            |material| &mut material.ambient,
-            |material| &mut material.diffuse,
-            |material| &mut material.specular,
-            |material| &mut material.shininess,
-            |material| &mut material.reflectance,
-            |material| &mut material.transmittance,
-            |material| &mut material.ior,
+        let fields: [(for<'m> fn(&'m mut Material<'static>) -> &'m mut f32, Fault); 7] = [
+            (|material| &mut material.ambient, share(Coefficient::Ambient)),
+            (|material| &mut material.diffuse, share(Coefficient::Diffuse)),
+            (|material| &mut material.specular, share(Coefficient::Specular)),
+            (|material| &mut material.shininess, number),
+            (|material| &mut material.reflectance, share(Coefficient::Reflectance)),
+            (|material| &mut material.transmittance, share(Coefficient::Transmittance)),
+            (|material| &mut material.ior, number),
         ];
-        for field in fields {
+        for (field, fault) in fields {
             assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
         }
-        assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), fault);
+        let channel = share(Coefficient::Color);
+        assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), channel);
         let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
-        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), fault);
+        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), channel);
     }
-    let squares = Texture::checker_xz(LinearRgb::WHITE, LinearRgb::WHITE, 0.0);
-    assert_refused(|parts| parts.materials[4].color = squares, Part::Material(4), Fault::NotFinite);
+}
+
+/// Cells without size were not finite, and tiny ones had to do with the scale of the scene.
+#[test]
+fn cells_of_a_checker_that_are_too_small_are_told_so() {
+    for size in [0.0, -0.0, 1e-7, -1e-7] {
+        let checker = Texture::checker_xz(LinearRgb::WHITE, LinearRgb::WHITE, size);
+        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), Fault::PatternSize);
+    }
+    let nan = Texture::checker_xz(LinearRgb::WHITE, LinearRgb::WHITE, f32::NAN);
+    assert_refused(|parts| parts.materials[4].color = nan, Part::Material(4), Fault::NotFinite);
+    assert!(
+        Fault::PatternSize.to_string().contains("the cells of a checker are smaller than 1e-6; enlarge them")
+    );
+}
+
+/// The coefficient was not named, and its number not told.
+#[test]
+fn a_coefficient_outside_0_to_1_is_named() {
+    const TINTED: Optics = Optics { transmission_color: LinearRgb::new(0.5, -1.0, 0.5), ..Optics::PLAIN };
+    static WIDE: Placed = Placed::new(
+        Figure::Stripes(Stripes { first: LinearRgb::WHITE, second: LinearRgb::WHITE, width: 2.0 }),
+        Placement::SURFACE,
+    );
+    let told = |change: fn(&mut Material)| {
+        let mut materials = CLASSIC.materials.to_vec();
+        change(&mut materials[1]);
+        prepare(&Scene { materials: &materials, ..CLASSIC }).expect_err("refused").to_string()
+    };
+    for (change, message) in [
+        (
+            (|glass| glass.specular = 1.5) as fn(&mut Material),
+            "material 1: `specular` is 1.5, outside 0 to 1; scale it",
+        ),
+        (|glass| glass.ambient = 1e7, "material 1: `ambient` is 10000000.0, outside 0 to 1; scale it"),
+        (
+            |glass| glass.color = LinearRgb::new(0.5, 200.0, 0.5).into(),
+            "material 1: a component of `color` is 200.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+        ),
+        (
+            |glass| glass.optics = Some(&TINTED),
+            "material 1: a component of `transmission_color` is -1.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+        ),
+        (
+            |glass| glass.color = Texture::Placed(&WIDE),
+            "material 1: `width` is 2.0, outside 0 to 1; scale it",
+        ),
+    ] {
+        assert_eq!(told(change), message);
+    }
+}
+
+/// A fault of a solid or a model seemed to be one of the whole object.
+#[test]
+fn a_fault_inside_of_a_shape_names_the_part() {
+    const BALL: Solid = Solid::Sphere(Sphere::new(Vec3::new(0.0, 0.0, -9.0), 1.0));
+    const POINT: Solid = Solid::Sphere(Sphere::new(Vec3::new(0.0, 0.0, -9.0), 0.0));
+    const STEPS: &[CsgStep] = &[
+        CsgStep::Solid(BALL),
+        CsgStep::Solid(BALL),
+        CsgStep::Union,
+        CsgStep::Solid(POINT),
+        CsgStep::Difference,
+    ];
+    static CUT: Model = Model::Csg(Csg::new(STEPS));
+    static LINE: Model = Model::Polygon(Polygon::new(&[Vec3::ZERO, Vec3::ZERO]));
+    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
+    static NOWHERE: [Pose; 1] = [Pose::at(Vec3::new(f32::NAN, 0.0, 0.0))];
+    for (shape, part, fault, place) in [
+        (
+            Shape::Csg(Csg::new(STEPS)),
+            Part::Solid { object: 3, solid: 2 },
+            Fault::RadiusNotPositive,
+            "object 3, solid 2: the radius",
+        ),
+        (
+            Shape::Instances(Instances::new(&CUT, &HERE)),
+            Part::Solid { object: 3, solid: 2 },
+            Fault::RadiusNotPositive,
+            "object 3, solid 2: the radius",
+        ),
+        (
+            Shape::Instances(Instances::new(&LINE, &HERE)),
+            Part::Model(3),
+            Fault::NoArea,
+            "object 3, model: the polygon",
+        ),
+        (
+            Shape::Instances(Instances::new(&CUT, &NOWHERE)),
+            Part::Object(3),
+            Fault::NotFinite,
+            "object 3: a number",
+        ),
+    ] {
+        assert_refused(|parts| parts.objects[3].shape = shape, part, fault);
+        let message = SceneError { part, fault }.to_string();
+        assert!(message.starts_with(place), "{message}");
+    }
 }
 
 #[test]
@@ -215,21 +320,36 @@ fn impossible_materials_are_refused() {
         assert_refused(|parts| change(&mut parts.materials[1]), Part::Material(1), fault);
     };
     refused(|glass| glass.reflectance = 0.3, Fault::EnergyAboveOne);
-    refused(|glass| glass.diffuse = 1.1, Fault::OutsideUnit);
-    refused(|glass| glass.specular = -0.1, Fault::OutsideUnit);
+    refused(
+        |glass| glass.diffuse = 1.1,
+        Fault::OutsideUnit { coefficient: Coefficient::Diffuse, given: 1.1 },
+    );
+    refused(
+        |glass| glass.specular = -0.1,
+        Fault::OutsideUnit { coefficient: Coefficient::Specular, given: -0.1 },
+    );
     refused(|glass| glass.ior = 0.0, Fault::IorNotPositive);
     refused(|glass| glass.ior = -1.5, Fault::IorNotPositive);
     const IN_NOTHING: Optics = Optics { outside: Medium::clear(0.0), ..Optics::PLAIN };
     const IN_LIGHT: Optics =
         Optics { outside: Medium { ior: 1.0, absorption: LinearRgb::gray(-1.0) }, ..Optics::PLAIN };
     refused(|glass| glass.optics = Some(&IN_NOTHING), Fault::IorNotPositive);
-    refused(|glass| glass.optics = Some(&IN_LIGHT), Fault::NegativeColor);
+    refused(|glass| glass.optics = Some(&IN_LIGHT), Fault::NegativeColor { given: -1.0 });
     refused(|glass| glass.shininess = -1.0, Fault::NegativeShininess);
-    refused(|glass| glass.color = LinearRgb::gray(-0.1).into(), Fault::NegativeColor);
-    refused(|glass| glass.color = LinearRgb::gray(1.1).into(), Fault::OutsideUnit);
+    let color = |given| Fault::OutsideUnit { coefficient: Coefficient::Color, given };
+    refused(|glass| glass.color = LinearRgb::gray(-0.1).into(), color(-0.1));
+    refused(|glass| glass.color = LinearRgb::gray(1.1).into(), color(1.1));
     let black_hole = Light::Point { position: Vec3::ZERO, color: LinearRgb::gray(-1.0) };
-    assert_refused(|parts| parts.lights[2] = black_hole, Part::Light(2), Fault::NegativeColor);
-    assert_refused(|parts| parts.background = Background::gray(-0.5), Part::Background, Fault::NegativeColor);
+    assert_refused(
+        |parts| parts.lights[2] = black_hole,
+        Part::Light(2),
+        Fault::NegativeColor { given: -1.0 },
+    );
+    assert_refused(
+        |parts| parts.background = Background::gray(-0.5),
+        Part::Background,
+        Fault::NegativeColor { given: -0.5 },
+    );
 }
 
 #[test]

@@ -77,7 +77,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         buffer: RealtimeBuffer<'b, C>,
     ) -> Result<Self, LineError> {
         let (width, height) = (renderer.width(), renderer.height());
-        if lines.end > height {
+        // No line of none is missing.
+        if lines.end > height && !lines.is_empty() {
             return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height });
         }
         let needed = quality.colors(renderer.width);

@@ -22,7 +22,7 @@ use program::{Program, fold};
 
 use super::{Geometry, Intersect, Solid};
 use crate::arena::Arena;
-use crate::fault::Fault;
+use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
@@ -150,9 +150,10 @@ impl<'a, S: Geometry + 'a> Geometry for Csg<'a, S> {
         }
         let program = Program::new(self.steps, memory)?;
         let mut unprepared = self.solids();
-        let solids = &*memory.try_store_with(given, |_, memory| {
+        let solids = &*memory.try_store_with(given, |index, memory| {
             // There is one for each.
-            unprepared.next().ok_or(Fault::NotOneSolid).and_then(|solid| solid.prepare(scale, memory))
+            let solid = unprepared.next().ok_or(Fault::NotOneSolid)?;
+            solid.prepare(scale, memory).inspect_err(|_| memory.blame(Inner::Solid(index)))
         })?;
         let bounds = bounds(self.steps, solids)?;
         let ball = bounds.map(|bounds| {

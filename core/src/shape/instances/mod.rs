@@ -43,7 +43,7 @@ pub use prepared::PreparedInstances;
 
 use super::{Geometry, Intersect};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_coordinate};
+use crate::fault::{Fault, Inner, check_coordinate, check_number};
 use crate::hierarchy::Hierarchy;
 use crate::limits::{MAX_COUNT, MIN_SIZE};
 use crate::math::{Aabb, Extent, Real, Scale};
@@ -168,14 +168,14 @@ impl<'a, S: Geometry + 'a> Geometry for Instances<'a, S> {
         if given > MAX_COUNT {
             return Err(Fault::TooMany { given });
         }
-        check_coordinate(self.size)?;
+        check_number(self.size)?;
         if self.size < MIN_SIZE {
             return Err(Fault::InstanceSize);
         }
         self.poses.iter().try_for_each(Pose::check)?;
         check_coordinate(self.extent().solid)?;
         let sized = scale.enlarged(self.size);
-        let model = self.model.prepare(sized, memory)?;
+        let model = self.model.prepare(sized, memory).inspect_err(|_| memory.blame(Inner::Model))?;
         let mut unprepared = self.poses.iter();
         let poses = &*memory.try_store_with(given, |_, _| {
             unprepared.next().map(|pose| pose.prepare(scale)).ok_or(Fault::NoPoses)

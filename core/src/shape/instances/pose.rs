@@ -1,7 +1,7 @@
 //! Where an instance stands, and how it is turned.
 
 use super::super::{Spine, bounds_of};
-use crate::fault::{Fault, check_point};
+use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
 
@@ -37,7 +37,7 @@ impl Pose {
     }
 
     pub(super) fn check(&self) -> Result<(), Fault> {
-        check_point(self.rotation)?;
+        check_numbers(self.rotation)?;
         check_point(self.origin)
     }
 

@@ -45,7 +45,7 @@ pub use smooth::SmallNormal;
 
 use super::{Geometry, Intersect, bounds_of};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size};
+use crate::fault::{Fault, check_held, check_number, check_point, check_size};
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_COUNT;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -135,7 +135,7 @@ impl Mesh<'_> {
                 return Err(Fault::UvCount { uvs: uvs.len(), vertices });
             }
             for coordinate in uvs.iter().flatten() {
-                check_coordinate(*coordinate)?;
+                check_number(*coordinate)?;
                 check_held::<R>(R::Setup::from_f32(*coordinate))?;
             }
         }

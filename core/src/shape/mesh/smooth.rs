@@ -1,6 +1,6 @@
 //! Normals at vertices, in half the memory of vectors.
 
-use crate::fault::{Fault, check_point, unit};
+use crate::fault::{Fault, check_numbers, unit};
 use crate::math::{Real, Vec3};
 
 /// A unit vector in units of 2⁻¹⁵: off by 2⁻¹⁶ along each axis, a thousandth of a degree. Zero where there was none.
@@ -12,7 +12,7 @@ const UNITS: f32 = 32767.0;
 impl SmallNormal {
     /// The direction of a vector of any length.
     pub(super) fn new<F: Real<Setup = F>>(normal: Vec3) -> Result<Self, Fault> {
-        check_point(normal)?;
+        check_numbers(normal)?;
         let Vec3 { x, y, z } = unit::<F>(normal).unwrap_or(Vec3::ZERO);
         let half = F::from_f32(0.5);
         Ok(Self([x, y, z].map(|share| (share * F::from_f32(UNITS) + half).floor_to_i32() as i16)))

@@ -13,7 +13,7 @@ use kernel::{LEVEL, STEEPEST, reach_of};
 use sum::{Body, PreparedBlob};
 
 use crate::arena::Arena;
-use crate::fault::{Fault, check_coordinate, check_held, check_point, check_radius, check_size};
+use crate::fault::{Fault, check_held, check_number, check_point, check_radius, check_size};
 use crate::limits::MAX_BLOBS;
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
@@ -126,7 +126,7 @@ impl Geometry for Metaballs<'_> {
         for blob in self.blobs {
             check_point(blob.center)?;
             check_radius(blob.radius)?;
-            check_coordinate(blob.strength)?;
+            check_number(blob.strength)?;
             let radius = R::Setup::from_f32(blob.radius);
             unit = if radius < unit { radius } else { unit };
             sum = sum + R::Setup::from_f32(blob.strength).abs();
