@@ -21,6 +21,42 @@ use crate::material::Material;
 /// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }).unwrap();
 /// assert_eq!(scene.as_scene().objects.len(), 1);
 /// ```
+///
+/// # Frame after frame
+/// What moves is changed in place, [prepared](crate::PreparedScene::new) again, which checks it, and drawn. Each frame is prepared in
+/// the same lent memory, and nothing is allocated; a picture has the bytes that it has of a scene that was filled anew. Where nothing
+/// but the camera moves, [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) does, and nothing is prepared again.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+/// use rayline::shape::Sphere;
+/// use rayline::{
+///     Background, Camera, Light, LinearRgb, Material, PreparedScene, Renderer, SceneBuf, Settings, Vec3, Workspace,
+///     prepared_bytes,
+/// };
+/// # let camera = Camera {
+/// #     eye: Vec3::new(0.0, 1.0, 8.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+/// # };
+/// # let white = LinearRgb::WHITE;
+/// let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(camera, Background::gray(0.1));
+/// let gray = scene.add_material(Material::matte(LinearRgb::gray(0.8))).unwrap();
+/// scene.add_object(Sphere::new(Vec3::new(0.0, -100.0, 0.0), 100.0), gray).unwrap();
+/// scene.add_object(Sphere::new(Vec3::ZERO, 0.5), gray).unwrap(); // the ball
+/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: white }).unwrap();
+///
+/// let mut memory = Workspace::<{ prepared_bytes::<f32, Sphere>(2, 1, 1, 0) }>::new();
+/// let mut line = [Gray8::new(0); 64];
+/// for height in [0.5, 1.2, 1.6, 1.7] {
+///     if let [_ground, ball] = scene.objects_mut() {
+///         ball.shape.center.y = height;
+///     }
+///     let prepared = PreparedScene::<f32, _>::new(&scene.as_scene(), memory.lend())?;
+///     let renderer = Renderer::new(&prepared, Settings::new(64, 48))?;
+/// #   let mut display = MockDisplay::<Gray8>::new();
+///     renderer.draw(&mut display, &mut line)?;
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize> {
     /// Where the picture is taken from.
@@ -74,6 +110,21 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     /// Hands the light back where there is no room; the scene is unchanged. Raise `LIGHTS`.
     pub fn add_light(&mut self, light: Light) -> Result<(), Light> {
         self.lights.push(light)
+    }
+
+    /// The objects in the order in which they were added: move them, or give them another shape or material.
+    pub fn objects_mut(&mut self) -> &mut [Object<S>] {
+        &mut self.objects
+    }
+
+    /// The materials, each at the position that its [`MaterialId`] is.
+    pub fn materials_mut(&mut self) -> &mut [Material<'a>] {
+        &mut self.materials
+    }
+
+    /// The lights in the order in which they were added.
+    pub fn lights_mut(&mut self) -> &mut [Light] {
+        &mut self.lights
     }
 
     /// Removes all objects, materials and lights.

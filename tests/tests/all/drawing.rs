@@ -11,7 +11,8 @@ use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Progress,
-    Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, SettingsError, Transfer, Vec3,
+    Realtime, RealtimeBuffer, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
+    Vec3, Workspace, prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -247,6 +248,61 @@ fn no_lines_are_drawn_wherever_they_would_begin() {
         let message = error.to_string();
         assert_eq!(message, "there is no line 30: the picture has 23, counted from 0; ask for one below 23");
     });
+}
+
+type Stage = SceneBuf<'static, Sphere, 3, 2, 1>;
+
+/// A ball on a larger one, at a moment from 0 to 1: where it is, its color and its light depend on that.
+fn stage(moment: f32) -> Stage {
+    let mut scene = Stage::new(CLASSIC.camera, CLASSIC.background);
+    let [ground, red] =
+        [Material::matte(LinearRgb::gray(0.6)), Material::matte(LinearRgb::new(0.9, moment, 0.1))]
+            .map(|material| scene.add_material(material).expect("room"));
+    scene.add_object(Sphere::new(Vec3::new(0.0, -104.0, -16.0), 100.0), ground).expect("room");
+    scene
+        .add_object(Sphere::new(Vec3::new(0.0, moment * 4.0 - 3.0, -16.0), 1.0 + moment), red)
+        .expect("room");
+    scene
+        .add_light(Light::Point { position: Vec3::new(20.0 * moment, 20.0, 20.0), color: LinearRgb::WHITE })
+        .expect("room");
+    scene
+}
+
+#[test]
+fn a_scene_that_is_changed_has_the_bytes_of_one_that_is_filled_anew() {
+    const BYTES: usize = prepared_bytes::<f32, Sphere>(3, 2, 1, 0);
+    let drawn = |scene: &Stage, memory: &mut Workspace<BYTES>| {
+        let prepared = PreparedScene::<f32, _>::new(&scene.as_scene(), memory.lend()).expect("a legal scene");
+        let renderer = Renderer::new(&prepared, SMALL).expect("legal settings");
+        let mut pixels = [Rgb888::BLACK; 37 * 23];
+        renderer.lines(0, &mut pixels, &mut ()).expect("as many lines");
+        pixels
+    };
+    let (mut memory, mut changed) = (Workspace::new(), stage(0.0));
+    let mut before = drawn(&changed, &mut memory);
+    for frame in 1..=4u8 {
+        let moment = f32::from(frame) / 4.0;
+        let [_, ball] = changed.objects_mut() else { panic!("two objects") };
+        ball.shape.center.y = moment * 4.0 - 3.0;
+        ball.shape.radius = 1.0 + moment;
+        changed.materials_mut()[1].color = Texture::Solid(LinearRgb::new(0.9, moment, 0.1));
+        let [Light::Point { position, .. }] = changed.lights_mut() else { panic!("one light") };
+        position.x = 20.0 * moment;
+
+        let fresh = stage(moment);
+        assert_eq!(changed.as_scene(), fresh.as_scene());
+        // In memory that held the frame before, and in memory that did not.
+        let pixels = drawn(&changed, &mut memory);
+        assert!(pixels == drawn(&fresh, &mut Workspace::new()), "frame {frame}");
+        assert!(pixels != before, "frame {frame}");
+        before = pixels;
+    }
+    // What was changed for the worse is refused, and can be mended.
+    changed.objects_mut()[1].shape.radius = -1.0;
+    let refused = PreparedScene::<f32, _>::new(&changed.as_scene(), memory.lend()).expect_err("no radius");
+    assert_eq!(refused.to_string().split(": ").next(), Some("object 1"));
+    changed.objects_mut()[1].shape.radius = 2.0;
+    assert!(drawn(&changed, &mut memory) == before);
 }
 
 #[test]
