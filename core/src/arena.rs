@@ -4,7 +4,9 @@ use core::mem::{MaybeUninit, align_of, size_of};
 
 use crate::fault::{Fault, Inner};
 
-/// Memory for a prepared scene: as many bytes as [`Scene::bytes`](crate::Scene::bytes) says.
+/// Memory for a prepared scene: as many bytes as [`Scene::bytes`](crate::Scene::bytes) says, or
+/// [`prepared_bytes`](crate::prepared_bytes) of a set of fewer shapes or of your own; the module
+/// [`shape`](crate::shape#how-much-memory-to-lend) has an example.
 ///
 /// On the desktop, where sizes are known only at run time, [`PreparedScene::new`](crate::PreparedScene::new)
 /// takes any slice of bytes.

@@ -62,6 +62,14 @@ impl Scene<'_> {
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
 /// objects, materials and lights, and for `more`, what single ones take beyond that: [`Scene::part_bytes`](crate::Scene::part_bytes), or
 /// the sum of [`Geometry::bytes`] over all objects where nothing else takes more.
+/// The module [`shape`](crate::shape#how-much-memory-to-lend) tells what takes more, with an example.
+///
+/// ```
+/// use rayline::{Workspace, prepared_bytes, shape::Sphere};
+/// // For up to eight spheres of two materials, and one light.
+/// let mut memory = Workspace::<{ prepared_bytes::<f32, Sphere>(8, 2, 1, 0) }>::new();
+/// # memory.lend();
+/// ```
 pub const fn prepared_bytes<'m, R: Real, S: Geometry + 'm>(
     objects: usize,
     materials: usize,

@@ -81,13 +81,14 @@
 //!     Object::new(Table::Bowl(Bowl(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0))), 0),
 //!     Object::new(Table::Top(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 1),
 //! ];
+//! // For two objects, two materials, no lights, and nothing more: see below.
+//! let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
 //! # let camera = rayline::Camera {
 //! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
 //! # };
 //! # let white = rayline::LinearRgb::WHITE;
 //! # let materials = [rayline::Material::matte(white); 2];
 //! # let scene = rayline::Scene { camera, background: white.into(), objects: &OBJECTS, materials: &materials, lights: &[] };
-//! # let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
 //! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
 //! ```
 //!
@@ -101,6 +102,161 @@
 //! - [`surface`](Intersect::surface) moves the point back onto the shape, and tells the largest number that it was computed from: a ray
 //!   that leaves there must not meet the shape at once.
 //! - For [`Fixed`](crate::math::Fixed) no sum or product may exceed 128, where the scene was scaled so that curved shapes lie within 1/2.
+//!
+//! # How much memory to lend
+//! For a scene of all built-in shapes, [`Scene::bytes`](crate::Scene::bytes) tells. For another set `S` it is
+//! [`prepared_bytes::<R, S>(objects, materials, lights, more)`](crate::prepared_bytes): the first three numbers are how many there are, and
+//! `more` is the sum of what single ones take beyond what each of its kind does, 0 for most scenes. These take more:
+//!
+//! - most shapes but spheres, planes, discs, rectangles, cylinders, cones and tori; materials with placed textures, optics or maps; lamps;
+//!   backgrounds that are no solid color. Of those, [`Scene::part_bytes`](crate::Scene::part_bytes) tells the sum: make a constant of a
+//!   `Scene` that has them, and no shape of your own.
+//! - shapes of your own that store something in the [`Arena`]: as much as their [`bytes`](Geometry::bytes) says. Write it as a `const fn`, too.
+//!
+//! All of that is known when the program is built, so that it can be `static`:
+//!
+//! ```
+//! # use rayline::math::{Aabb, Extent, Interval, Ray, Scale};
+//! # use rayline::shape::{Intersect, Plane};
+//! # use rayline::{Falloff, Surface};
+//! use rayline::shape::{Geometry, Polygon, Shape};
+//! use rayline::{
+//!     Arena, Background, Camera, Fault, Lamp, Light, LinearRgb, Material, Object, PreparedScene, Real, Scene, Vec3,
+//!     Workspace, prepared_bytes,
+//! };
+//!
+//! /// Balls of one size, in a list.
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! pub struct Beads {
+//!     centers: &'static [Vec3],
+//!     radius: f32,
+//! }
+//!
+//! /// [`Beads`], prepared: the centers lie in the memory that is lent.
+//! #[derive(Clone, Copy, Debug)]
+//! pub struct PreparedBeads<'m, R: Real> {
+//!     centers: &'m [Vec3<R>],
+//!     radius: R,
+//! }
+//!
+//! impl Beads {
+//!     /// As [`Geometry::bytes`], in constants.
+//!     const fn const_bytes<R: Real>(&self) -> usize {
+//!         Arena::bytes::<Vec3<R>>(self.centers.len())
+//!     }
+//! #
+//! #   fn reach(&self) -> f32 {
+//! #       self.centers.iter().fold(0.0, |most: f32, center| most.larger(center.magnitude())) + self.radius
+//! #   }
+//! }
+//!
+//! impl Geometry for Beads {
+//!     type Prepared<'m, R: Real> = PreparedBeads<'m, R>;
+//!
+//!     fn bytes<R: Real>(&self) -> usize {
+//!         self.const_bytes::<R>()
+//!     }
+//! #
+//! #   fn extent(&self) -> Extent {
+//! #       Extent::solid(self.reach())
+//! #   }
+//!
+//!     fn prepare<'m, R: Real>(&self, scale: Scale, memory: &mut Arena<'m>) -> Result<PreparedBeads<'m, R>, Fault>
+//!     where
+//!         Self: 'm,
+//!     {
+//! #       if !(self.radius > 0.0) {
+//! #           return Err(Fault::RadiusNotPositive);
+//! #       }
+//! #       if !self.reach().is_finite() {
+//! #           return Err(Fault::NotFinite);
+//! #       }
+//! #       let center = |index| self.centers.get(index).map_or(Vec3::ZERO, |center: &Vec3| scale.point(center.to()));
+//!         let centers = memory.store_with(self.centers.len(), center)?; // takes no more than `bytes` says
+//!         Ok(PreparedBeads { centers, radius: scale.length(R::Setup::from_f32(self.radius)) })
+//!     }
+//! }
+//! #
+//! # impl<R: Real> Intersect<R> for PreparedBeads<'_, R> {
+//! #     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+//! #         let met = |center: &Vec3<R>| {
+//! #             let (from_center, advance) = ray.nearest_to(*center);
+//! #             let room = self.radius * self.radius - from_center.length_squared();
+//! #             let half = if room > R::ZERO { room.sqrt() } else { return None };
+//! #             [advance - half, advance + half].into_iter().find(|t| range.contains(*t))
+//! #         };
+//! #         self.centers.iter().filter_map(met).reduce(|a, b| if b < a { b } else { a })
+//! #     }
+//! #
+//! #     fn bounds(&self) -> Option<Aabb<R>> {
+//! #         None
+//! #     }
+//! #
+//! #     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+//! #         let point = ray.at(t);
+//! #         let outward = self.centers.iter().map(|center| point - *center);
+//! #         let outward = outward.reduce(|a, b| if b.length_squared() < a.length_squared() { b } else { a });
+//! #         let normal = outward.and_then(Vec3::normalized).unwrap_or(Vec3::ZERO);
+//! #         Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 }
+//! #     }
+//! #
+//! #     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+//! #         [surface.normal.x, surface.normal.y]
+//! #     }
+//! # }
+//!
+//! rayline::shape_set! {
+//!     /// What lies in the shop's window.
+//!     pub enum Window<'a>;
+//!     /// `Window`, prepared.
+//!     pub enum PreparedWindow {
+//!         /// Beads.
+//!         Beads(Beads),
+//!         /// The price tag.
+//!         Tag(Polygon<'a>),
+//!         /// What all lies on.
+//!         Top(Plane),
+//!     }
+//! }
+//!
+//! const BEADS: Beads = Beads { centers: &[Vec3::new(-1.0, 0.5, 0.0), Vec3::new(0.0, 0.5, 0.0)], radius: 0.5 };
+//! const TAG: Polygon =
+//!     Polygon::new(&[Vec3::new(1.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0), Vec3::new(1.5, 1.0, 0.0)]);
+//! # const TOP: Plane = Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0));
+//! # const CAMERA: Camera = Camera {
+//! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! # };
+//! # const LAMP: Lamp =
+//! #     Lamp { position: Vec3::new(0.0, 4.0, 0.0), color: LinearRgb::WHITE, falloff: Falloff::inverse_square(4.0), cone: None };
+//!
+//! static OBJECTS: [Object<Window>; 3] =
+//!     [Object::new(Window::Beads(BEADS), 0), Object::new(Window::Tag(TAG), 0), Object::new(Window::Top(TOP), 0)];
+//! const MATERIALS: &[Material] = &[Material::matte(LinearRgb::WHITE)];
+//! const LIGHTS: &[Light] = &[Light::Lamp(LAMP)];
+//!
+//! /// What takes more and is built in: the tag and the lamp.
+//! const BUILT_IN: Scene = Scene {
+//!     camera: CAMERA,
+//!     background: Background::BLACK,
+//!     objects: &[Object::new(Shape::Polygon(TAG), 0)],
+//!     materials: MATERIALS,
+//!     lights: LIGHTS,
+//! };
+//! const MORE: usize = BUILT_IN.part_bytes::<f32>() + BEADS.const_bytes::<f32>();
+//! const BYTES: usize = prepared_bytes::<f32, Window>(OBJECTS.len(), MATERIALS.len(), LIGHTS.len(), MORE);
+//!
+//! let mut memory = Workspace::<BYTES>::new();
+//! let scene = Scene {
+//!     camera: CAMERA, background: Background::BLACK, objects: &OBJECTS, materials: MATERIALS, lights: LIGHTS,
+//! };
+//! # #[cfg(feature = "optics")]
+//! assert!(PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
+//! # let mut less = Workspace::<{ BYTES - 1 }>::new();
+//! # assert!(PreparedScene::<f32, _>::new(&scene, less.lend()).is_err());
+//! ```
+//!
+//! Where a scene is put together at run time, lend for the largest: with [`SceneBuf`](crate::SceneBuf), its three capacities. Too little is
+//! refused, with the number that was needed ([`Fault::Memory`]).
 //!
 mod chord;
 mod cone;
