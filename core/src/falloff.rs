@@ -1,6 +1,6 @@
 //! How light fades with distance.
 
-use crate::fault::{Fault, check_finite};
+use crate::fault::Fault;
 use crate::limits::MAX_COORDINATE;
 use crate::math::Real;
 
@@ -38,10 +38,12 @@ impl Falloff {
     pub(crate) fn prepare<R: Real>(&self, scale: f32) -> Result<Option<PreparedFalloff<R>>, Fault> {
         let mut sum = 0.0;
         for coefficient in [self.constant, self.linear, self.quadratic] {
-            if coefficient < 0.0 || coefficient > MAX_COORDINATE {
+            if coefficient.is_nan() {
+                return Err(Fault::NotFinite);
+            }
+            if !(0.0..=MAX_COORDINATE).contains(&coefficient) {
                 return Err(Fault::Falloff);
             }
-            check_finite(coefficient)?;
             sum += coefficient;
         }
         if sum <= 0.0 {

@@ -310,8 +310,8 @@ impl fmt::Display for Fault {
             Self::EyeAtTarget => "the eye is at the target; move one of them",
             Self::UpAlongView => "the up vector lies along the line of sight; turn it away",
             Self::FieldOfView => {
-                "the vertical field of view is not between 0.0002 and 179.98 degrees (`vertical_fov` is in radians: 45 \
-                 degrees are 0.785)"
+                "the vertical field of view is not between 0.0002 and 179.98 degrees; give `vertical_fov` in radians: 45 \
+                 degrees are 0.785"
             },
             Self::PatternSize => {
                 "the units of a pattern or the cells of a checker are smaller than 1e-6; enlarge them (`cells_per_unit` is 1 \

@@ -30,8 +30,8 @@ fn bad_files_are_answered_with_the_line() {
         ),
         (
             BALL.replace("angle 40", "angle 190").into_bytes(),
-            "bad.nff:1: the vertical field of view is not between 0.0002 and 179.98 degrees (`vertical_fov` is in radians: 45 \
-             degrees are 0.785)",
+            "bad.nff:1: the vertical field of view is not between 0.0002 and 179.98 degrees; give `vertical_fov` in radians: 45 \
+             degrees are 0.785",
         ),
         (b"# \xff".to_vec(), "bad.nff:1: not a text file; convert it to UTF-8"),
         (Vec::new(), "bad.nff:1: the file has no `v`; say where the camera is"),
@@ -90,7 +90,7 @@ fn places_outside_the_picture() {
     let bench = Bench::new();
     assert_eq!(
         bench.error(&["render", "classic", "--lines", "470..481"]),
-        "there is no line 480: the picture has 480, counted from 0"
+        "there is no line 480: the picture has 480, counted from 0; ask for one below 480"
     );
     assert_eq!(
         bench.error(&["pixel", "classic", "640,0"]),

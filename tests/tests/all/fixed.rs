@@ -588,7 +588,10 @@ proptest! {
                     }
                     break;
                 }
-                Err(SceneError { part: Part::Object(index), .. }) => {
+                Err(SceneError {
+                    part: Part::Object(index) | Part::Solid { object: index, .. } | Part::Model(index),
+                    ..
+                }) => {
                     objects.remove(index);
                 }
                 Err(SceneError { part: Part::Material(index), .. }) => materials[index] = PRISM.materials[0],
