@@ -325,6 +325,91 @@ fn rays_along_the_axes_through_a_grid() {
     }
 }
 
+/// A large ball of glass, a small one and a slab seen through each other, with small balls inside and around: more objects than sets are
+/// for, or few.
+fn glass(ior: f32, many: bool, check: impl Fn(&Scene)) {
+    let ball = |x: f32, y: f32, z: f32, radius: f32| Shape::Sphere(Sphere::new(Vec3::new(x, y, z), radius));
+    let slab = Cuboid::aligned(Vec3::new(-1.5, -0.9, 1.6), Vec3::new(0.2, 0.4, 1.7));
+    let glass = [ball(0.0, 0.3, 0.0, 1.2), ball(0.9, 0.8, 1.6, 0.4), Shape::Cuboid(slab)];
+    let small = (0..if many { 60u16 } else { 12 }).map(|i| {
+        let turn = f32::from(i) * 2.4;
+        let (sine, cosine) = turn.sin_cos();
+        let away = if i % 4 == 0 { 0.7 } else { 1.6 + f32::from(i % 7) * 0.4 };
+        ball(away * sine, 0.1 + f32::from(i % 5) * 0.3, away * cosine, 0.12)
+    });
+    let floor = Shape::Plane(Plane::new(Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)));
+    let objects = glass.into_iter().map(|shape| Object::new(shape, 0));
+    let objects: Vec<_> = objects
+        .chain(small.enumerate().map(|(i, shape)| Object::new(shape, 1 + (i % 2) as u16)))
+        .chain([Object::new(floor, 3)])
+        .collect();
+    let matte = |r, g, b| Material::matte(LinearRgb::new(r, g, b));
+    let materials = [
+        Material { reflectance: 0.1, transmittance: 0.9, ior, ..matte(0.0, 0.0, 0.0) },
+        matte(0.9, 0.3, 0.2),
+        Material { reflectance: 0.3, ..matte(0.2, 0.5, 0.3) },
+        matte(0.7, 0.7, 0.5),
+    ];
+    let camera = Camera {
+        eye: Vec3::new(0.4, 1.1, 5.0),
+        target: Vec3::new(0.0, 0.2, 0.0),
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 0.7,
+    };
+    let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
+    let lights = [Light::Point { position: Vec3::new(3.0, 4.0, 3.0), color: LinearRgb::gray(0.9) }];
+    check(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
+}
+
+fn assert_same_in_all_numbers(scene: &Scene, settings: Settings, which: impl std::fmt::Debug) {
+    assert_eq!(differences::<f32>(scene, settings), 0, "{which:?}");
+    assert_eq!(differences::<f64>(scene, settings), 0, "{which:?}");
+    if accepted::<Fixed>(scene) {
+        assert_eq!(differences::<Fixed>(scene, settings), 0, "{which:?}");
+    }
+}
+
+/// Rays that leave something of a high index were not of unit length.
+#[test]
+fn glass_of_any_index() {
+    for ior in [1e-3, 1.0 / 60.0, 0.05, 0.14, 0.5, 1.5, 2.4, 4.0, 7.6, 17.9, 20.0, 60.0, 1e3] {
+        for many in [false, true] {
+            let settings = Settings { bounces: 8, ..Settings::new(96, 72) };
+            glass(ior, many, |scene| assert_same_in_all_numbers(scene, settings, (ior, many)));
+        }
+    }
+}
+
+/// Rays that leave one surface after the other were of unit length less and less.
+#[test]
+fn surfaces_that_are_left_in_turn() {
+    for (ior, vertical_fov) in [(1.5, 0.1), (2.0, 0.015), (3.0, 1e-3)] {
+        for many in [false, true] {
+            glass(ior, many, |scene| {
+                // Seven panes, all seen from behind, between the eye and the rest.
+                let panes = (0..7u16).map(|i| {
+                    let corner = Vec3::new(-1.0, -1.0, 4.5 - f32::from(i) * 0.2);
+                    let (right, up) = (Vec3::new(2.0, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0));
+                    Object::new(Shape::Rectangle(Rectangle::new(corner, up, right)), 0)
+                });
+                let objects: Vec<_> = panes.chain(scene.objects.iter().skip(3).copied()).collect();
+                let camera = Camera {
+                    eye: Vec3::new(0.0, 0.3, 5.0),
+                    target: Vec3::new(0.0, 0.3, 0.0),
+                    vertical_fov,
+                    ..scene.camera
+                };
+                let settings = Settings { bounces: 8, ..Settings::new(96, 72) };
+                assert_same_in_all_numbers(
+                    &Scene { objects: &objects, camera, ..*scene },
+                    settings,
+                    (ior, many),
+                );
+            });
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
