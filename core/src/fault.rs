@@ -27,7 +27,7 @@ pub enum Fault {
     /// The three corners of a triangle lie on one line, or two edges of a rectangle have one direction. Move a corner, turn an edge, or
     /// remove the shape.
     Collinear,
-    /// A polygon has fewer than three vertices, or encloses no area. Remove it or add vertices.
+    /// A polygon has fewer than three vertices, or all of them lie on one line. Remove it or add vertices.
     NoArea,
     /// The vertices of a polygon do not lie in one plane. Split it into triangles.
     NotPlanar,
@@ -214,8 +214,10 @@ impl fmt::Display for Fault {
             Self::Collinear => {
                 "the corners lie on one line, or two edges have one direction; move a corner, turn an edge, or remove the \
                  shape"
-            },
-            Self::NoArea => "the polygon has fewer than three vertices or no area; remove it or add vertices",
+            }
+            Self::NoArea => {
+                "the polygon has fewer than three vertices, or all on one line; remove it or add vertices"
+            }
             Self::NotPlanar => "the vertices do not lie in one plane; split the polygon into triangles",
             Self::NoVolume => {
                 "the axes lie in one plane, or the box has no room inside; give it a thickness, with `min` below `max`"

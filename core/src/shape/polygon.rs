@@ -9,7 +9,9 @@ use crate::surface::Surface;
 
 /// A planar polygon; its front is the side from which the vertices run counterclockwise.
 ///
-/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule).
+/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule). Where it runs one way as much as the
+/// other, as a bow tie does, three vertices tell its front: the first, the one farthest from that, and the one farthest from the line
+/// through both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Polygon<'a> {
@@ -70,14 +72,23 @@ impl Geometry for Polygon<'_> {
             extent = extent.larger(vertex.length());
             previous = vertex;
         }
-        if !(doubled_area.length() > R::Setup::from_f32(1e-6) * extent * extent) {
-            return Err(Fault::NoArea);
-        }
-        let normal = doubled_area.normalized().ok_or(Fault::NoArea)?;
+        let least = R::Setup::from_f32(1e-6) * extent * extent;
+        let unit_of = |area: Vec3<R::Setup>| if area.length() > least { area.normalized() } else { None };
         let tolerance = R::Setup::from_f32(PLANARITY) * extent;
-        if self.vertices.iter().any(|vertex| normal.dot(vertex.to() - corner).abs() > tolerance) {
-            return Err(Fault::NotPlanar);
-        }
+        let is_normal = |normal: &Vec3<R::Setup>| {
+            self.vertices.iter().all(|vertex| !(normal.dot(vertex.to() - corner).abs() > tolerance))
+        };
+        let normal = match unit_of(doubled_area).filter(is_normal) {
+            Some(normal) => normal,
+            // Of an outline that crosses itself little or nothing of the area may be left, or what that was rounded by.
+            None => {
+                let normal = unit_of(widest(self.vertices, corner)).ok_or(Fault::NoArea)?;
+                if !is_normal(&normal) {
+                    return Err(Fault::NotPlanar);
+                }
+                normal
+            }
+        };
         // Drop the axis along which the polygon is thinnest: the shadow on the other two is the largest.
         let (x, y, z) = (normal.x.abs(), normal.y.abs(), normal.z.abs());
         let dropped = if x >= y && x >= z {
@@ -98,6 +109,20 @@ impl Geometry for Polygon<'_> {
         let plane = PreparedPlane::new(normal, normal.dot(corner), scale);
         Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }
+}
+
+/// Twice the area of the triangle between the first vertex, the one farthest from that, and the one farthest from the line through both,
+/// along its normal: toward where they run counterclockwise in the order of the outline.
+fn widest<R: Real>(vertices: &[Vec3], first: Vec3<R>) -> Vec3<R> {
+    let from_first = || vertices.iter().map(|vertex| vertex.to() - first);
+    let larger = |a: Vec3<R>, b: Vec3<R>| if b.length_squared() > a.length_squared() { b } else { a };
+    let farthest = from_first().fold(Vec3::ZERO, larger);
+    let mut is_past = false;
+    let areas = from_first().map(|vertex| {
+        is_past |= vertex == farthest;
+        if is_past { farthest.cross(vertex) } else { vertex.cross(farthest) }
+    });
+    areas.fold(Vec3::ZERO, larger)
 }
 
 /// The least and the largest u, and those of v, of an outline that is a rectangle along the axes.
@@ -275,6 +300,40 @@ mod tests {
                 prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
             };
             assert!(inside(&left) != inside(&right), "{point:?}");
+        }
+    }
+
+    #[test]
+    fn an_outline_that_crosses_itself_encloses_both_its_sides() {
+        let vec = |x: f32, y: f32| Vec3::new(x, y, 0.0);
+        // Two triangles that meet in the middle and run opposite ways: no area is left, or little.
+        for (height, front) in [(1.0, -1.0), (1.001, 1.0)] {
+            let bow_tie = [vec(-1.0, -1.0), vec(-1.0, 1.0), vec(1.0, -height), vec(1.0, height)];
+            for (x, y) in [(-0.9, 0.0), (-0.5, 0.4), (-0.5, -0.4), (0.9, 0.0), (0.5, 0.4), (0.5, -0.4)] {
+                let (origin, toward) = down(x, y);
+                assert_meets(Polygon::new(&bow_tie), origin, toward, 2.0, [0.0, 0.0, front]);
+            }
+            for (x, y) in [(0.0, 0.5), (0.0, -0.5), (-0.5, 0.6), (0.5, -0.6), (1.1, 0.0)] {
+                let (origin, toward) = down(x, y);
+                assert_misses(Polygon::new(&bow_tie), origin, toward);
+            }
+        }
+    }
+
+    #[test]
+    fn a_bow_tie_in_any_plane_has_a_front() {
+        // Turned and far from the origin, where what is left of its area is rounding.
+        let (right, up) = (Vec3::new(0.3, 0.7, -0.2), Vec3::new(-0.5, 0.1, 0.4));
+        let front = up.cross(right).normalized().unwrap();
+        let center = Vec3::new(3.1, -4.7, 2.3);
+        let outline = [center - right - up, center - right + up, center + right - up, center + right + up];
+        for (outline, front) in [(outline, front), ([outline[3], outline[2], outline[1], outline[0]], -front)]
+        {
+            let mut memory = Memory::new();
+            let bow_tie = prepared::<_, f32>(Polygon::new(&outline), &mut memory).unwrap();
+            assert!((bow_tie.plane.normal - front).length() < 1e-5, "{:?}", bow_tie.plane.normal);
+            assert!(bow_tie.encloses(center - right * 0.5) && bow_tie.encloses(center + right * 0.5));
+            assert!(!bow_tie.encloses(center - up * 0.5) && !bow_tie.encloses(center + up * 0.5));
         }
     }
 

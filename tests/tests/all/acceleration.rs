@@ -241,6 +241,60 @@ fn eye() -> BoxedStrategy<Vec3> {
     vector().prop_map(|eye| eye * 2.0 + Vec3::new(0.1, 0.2, 0.3)).boxed()
 }
 
+/// A bow tie is drawn as the two triangles that it encloses.
+#[test]
+fn a_bow_tie_is_two_triangles() {
+    let place = |u: f32, v: f32| Vec3::new(0.9 * u, v + 0.2 * u, 0.3 * u - 0.4 * v);
+    let corners = [place(-1.0, -0.7), place(-1.0, 0.7), place(1.0, -0.7), place(1.0, 0.7)];
+    let [a, b, c, d] = corners;
+    let middle = place(0.0, 0.0);
+    // With the same front as the bow tie.
+    let triangles = [Triangle::flat(a, b, middle), Triangle::flat(c, middle, d)];
+    let floor = Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, -1.5, 0.0), Vec3::new(0.0, 1.0, 0.0))), 1);
+    let balls = |count: u16| {
+        (0..count).map(|i| {
+            let center = Vec3::new(f32::from(i % 8) * 0.3 - 1.0, f32::from(i / 8) * 0.3 - 1.0, -2.0);
+            Object::new(Shape::Sphere(Sphere::new(center, 0.1)), 1)
+        })
+    };
+    let camera = Camera {
+        eye: Vec3::new(0.3, 0.4, 4.0),
+        target: Vec3::ZERO,
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 0.7,
+    };
+    let glass = Material { transmittance: 0.5, ior: 1.5, ..Material::matte(LinearRgb::new(0.9, 0.3, 0.2)) };
+    let materials = [glass, Material::matte(LinearRgb::gray(0.7))];
+    let lights = [Light::Point { position: Vec3::new(3.0, 4.0, 3.0), color: LinearRgb::gray(0.9) }];
+    let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
+    let settings = Settings::new(96, 72);
+    for count in [0, 50] {
+        let with = |shapes: &[Shape<'static>], check: &dyn Fn(&Scene)| {
+            let objects: Vec<_> = shapes
+                .iter()
+                .map(|shape| Object::new(*shape, 0))
+                .chain([floor])
+                .chain(balls(count))
+                .collect();
+            check(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
+        };
+        let bow_tie = Shape::Polygon(Polygon::new(Box::leak(Box::new(corners))));
+        with(&[bow_tie], &|bow_tie| {
+            assert_same_in_all_numbers(bow_tie, settings, count);
+            with(&triangles.map(Shape::Triangle), &|triangles| {
+                // But for pixels on the outline and on the edge of its shadow.
+                let off = |a: Vec<Rgb888>, b: Vec<Rgb888>| a.iter().zip(&b).filter(|(a, b)| a != b).count();
+                let counts = [
+                    off(picture::<f32>(bow_tie, settings), picture::<f32>(triangles, settings)),
+                    off(picture::<f64>(bow_tie, settings), picture::<f64>(triangles, settings)),
+                    off(picture::<Fixed>(bow_tie, settings), picture::<Fixed>(triangles, settings)),
+                ];
+                assert!(counts.iter().all(|count| *count <= 8), "{counts:?}");
+            });
+        });
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
