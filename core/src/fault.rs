@@ -126,6 +126,8 @@ pub enum Fault {
     /// A cone of light is not between 0° and 180°, or dark before it is bright. Give the half angle of the bright part, then that of
     /// all.
     LightCone,
+    /// A cone of light is dark beyond less than 1e-4 radians, 0.006°: directions have too few digits for what lies within. Widen it.
+    LightConeTooNarrow,
     /// The scene needs code that was left out. Build with this feature of the crate `rayline`.
     WithoutFeature {
         /// The feature.
@@ -292,6 +294,9 @@ impl fmt::Display for Fault {
             Self::LightCone => {
                 "a cone of light is not between 0 and 180 degrees, the bright part within all of it; give half angles in \
                  radians: 20 degrees are 0.349"
+            }
+            Self::LightConeTooNarrow => {
+                "a cone of light is narrower than 1e-4 radians (0.006 degrees); widen it (angles are in radians)"
             }
             Self::WithoutFeature { feature } => {
                 return write!(f, "this needs the feature `{feature}` of the crate rayline; build with it");

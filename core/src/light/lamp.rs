@@ -28,7 +28,8 @@ pub struct LightCone {
     pub direction: Vec3,
     /// Within this angle of the middle, in radians, it is as bright as can be.
     pub bright: f32,
-    /// Beyond this angle, as large or larger and at most π, it is dark. Between the two it fades smoothly.
+    /// Beyond this angle, as large or larger and at most π, it is dark. Between the two it fades smoothly. At least 1e-4: directions have
+    /// no more digits than for that.
     pub dark: f32,
 }
 
@@ -43,11 +44,23 @@ pub(crate) struct PreparedLamp<R> {
 struct PreparedCone<R> {
     /// Unit vector from the middle back to the light.
     back: Vec3<R>,
-    /// Cosine of the angle where it is dark.
-    dark: R,
-    /// From there to the cosine where it is bright; 0 where the edge is sharp.
-    width: R,
+    edge: Edge<R>,
 }
+
+/// Where a cone of light ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Edge<R> {
+    /// The cosine of the angle where it is dark, and from there to the cosine where it is bright; 0 where the edge is sharp.
+    Wide { dark: R, width: R },
+    /// The chords of both angles: how far unit vectors are from each other. The cosines of angles below 1° differ in half of their digits
+    /// or fewer.
+    Narrow { dark: R, bright: R },
+}
+
+/// Up to this angle where it is dark, in radians, a cone is told by chords.
+const NARROW: f32 = 0.02;
+/// The smallest angle where a cone is dark, in radians. Beyond, what unit vectors are rounded by would show as speckle.
+const NARROWEST: f32 = 1e-4;
 
 impl Lamp {
     /// Checks what a point light has not, for distances that are so many times those of the scene.
@@ -62,12 +75,17 @@ impl Lamp {
         {
             return Err(Fault::LightCone);
         }
-        let (bright, dark) = (float::set_up_cos(cone.bright), float::set_up_cos(cone.dark));
-        let cone = PreparedCone {
-            back: Vec3::from_setup(-direction),
-            dark: R::from_f32(dark),
-            width: R::from_f32(bright - dark),
+        if cone.dark < NARROWEST {
+            return Err(Fault::LightConeTooNarrow);
+        }
+        let edge = if cone.dark < NARROW {
+            let chord = |angle: f32| R::from_f32(2.0 * float::set_up_sin_cos(0.5 * angle).0);
+            Edge::Narrow { dark: chord(cone.dark), bright: chord(cone.bright) }
+        } else {
+            let (bright, dark) = (float::set_up_cos(cone.bright), float::set_up_cos(cone.dark));
+            Edge::Wide { dark: R::from_f32(dark), width: R::from_f32(bright - dark) }
         };
+        let cone = PreparedCone { back: Vec3::from_setup(-direction), edge };
         Ok(PreparedLamp { falloff, cone: Some(cone) })
     }
 }
@@ -77,12 +95,8 @@ impl<R: Real> PreparedLamp<R> {
     pub(crate) fn share(&self, toward: Vec3<R>, distance: R) -> R {
         let inside = match self.cone {
             None => R::ONE,
-            Some(PreparedCone { back, dark, width }) => {
-                let past = back.dot(toward) - dark;
-                if !(past > R::ZERO) {
-                    return R::ZERO;
-                }
-                let x = if past < width { past.times(R::ONE).over(width) } else { R::ONE };
+            Some(PreparedCone { back, edge }) => {
+                let Some(x) = edge.passed(back, toward) else { return R::ZERO };
                 // Smooth at both ends: 3x² - 2x³.
                 x * x * (R::from_u16(3) - (x + x))
             }
@@ -90,6 +104,26 @@ impl<R: Real> PreparedLamp<R> {
         match self.falloff {
             None => inside,
             Some(falloff) => inside * falloff.at(distance),
+        }
+    }
+}
+
+impl<R: Real> Edge<R> {
+    /// How much of the way from dark to bright lies behind a direction, between unit vectors: 0 to 1; `None` where it is dark.
+    fn passed(&self, back: Vec3<R>, toward: Vec3<R>) -> Option<R> {
+        match *self {
+            Self::Wide { dark, width } => {
+                let past = back.dot(toward) - dark;
+                let x = || if past < width { past.times(R::ONE).over(width) } else { R::ONE };
+                (past > R::ZERO).then(x)
+            }
+            Self::Narrow { dark, bright } => {
+                // The squares of chords are as far apart as the cosines, twice.
+                let (dark, bright) = (dark.times(dark), bright.times(bright));
+                let (past, width) = (dark - (toward - back).length_squared_wide(), dark - bright);
+                let x = || if past < width { past.share(width) } else { R::ONE };
+                (past > R::Product::ZERO).then(x)
+            }
         }
     }
 }
@@ -128,6 +162,39 @@ mod tests {
         }
     }
 
+    /// Between the cosines of 0.1° and 0° there are but 26 numbers in `f32`, and as many in fixed point.
+    #[test]
+    fn narrow_cones_fade_as_smoothly_as_wide_ones() {
+        fn assert_smooth<R: Real>() {
+            let direction = Vec3::new(1.0, -2.0, 0.7).to::<f64>().normalized().unwrap();
+            let (across, _) = direction.around();
+            for dark in [0.019f32, 1e-3, 3e-4, NARROWEST] {
+                for bright in [0.0, dark * 0.5] {
+                    let cone = Some(LightCone { direction: Vec3::new(1.0, -2.0, 0.7), bright, dark });
+                    let lamp = Lamp { cone, ..SPOT }.prepare::<R>(1.0).unwrap();
+                    for step in 0..200 {
+                        let angle = f64::from(dark) * f64::from(step) / 160.0;
+                        let toward = across * angle.sin() - direction * angle.cos();
+                        let toward = Vec3::new(toward.x as f32, toward.y as f32, toward.z as f32);
+                        let squared = |angle: f32| (f64::from(angle) * 0.5).sin().powi(2);
+                        let x = squared(dark) - (angle * 0.5).sin().powi(2);
+                        let x = (x / (squared(dark) - squared(bright))).clamp(0.0, 1.0);
+                        let expected = x * x * (3.0 - 2.0 * x);
+                        let share = f64::from(lamp.share(toward.to(), R::ONE).to_f32());
+                        let bound = 2e-3 + 1e-6 / f64::from(dark);
+                        assert!(
+                            (share - expected).abs() < bound,
+                            "{dark} {bright} {angle}: {share}, not {expected}"
+                        );
+                    }
+                }
+            }
+        }
+        assert_smooth::<f32>();
+        assert_smooth::<f64>();
+        assert_smooth::<Fixed>();
+    }
+
     #[test]
     fn bad_cones_are_refused() {
         let refused = |bright, dark| {
@@ -137,6 +204,7 @@ mod tests {
         for (bright, dark) in [(0.5, 0.4), (-0.1, 0.4), (0.0, 0.0), (0.1, 3.2)] {
             assert_eq!(refused(bright, dark), Fault::LightCone);
         }
+        assert_eq!(refused(0.0, 0.9e-4), Fault::LightConeTooNarrow);
         assert_eq!(refused(f32::NAN, 1.0), Fault::NotFinite);
         let cone = LightCone { direction: Vec3::ZERO, bright: 0.1, dark: 0.2 };
         let lamp = Lamp { cone: Some(cone), ..SPOT };
