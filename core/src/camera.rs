@@ -7,7 +7,8 @@ use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Camera {
-    /// Where the camera is.
+    /// Where the camera is. It may be inside of an object, but not on what is curved, such as a sphere: there rounding would tell for
+    /// each ray whether it begins inside.
     pub eye: Vec3,
     /// A point that it looks at: the center of the picture.
     pub target: Vec3,

@@ -31,7 +31,7 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
 fn arithmetic_per_pixel_does_not_grow() {
     let most = [
         ("classic", 183.0, 69.0),
-        ("whitted", 602.0, 191.0),
+        ("whitted", 605.0, 191.0),
         ("flake", 1763.0, 678.0),
         ("prism", 2018.0, 796.0),
     ];
