@@ -175,7 +175,8 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
         {
             assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
         }
-        let fields: [(for<'m> fn(&'m mut Material<'static>) -> &'m mut f32, Fault); 7] = [
+        type Field = for<'m> fn(&'m mut Material<'static>) -> &'m mut f32;
+        let fields: [(Field, Fault); 7] = [
             (|material| &mut material.ambient, share(Coefficient::Ambient)),
             (|material| &mut material.diffuse, share(Coefficient::Diffuse)),
             (|material| &mut material.specular, share(Coefficient::Specular)),
