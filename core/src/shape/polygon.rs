@@ -10,8 +10,7 @@ use crate::surface::Surface;
 /// A planar polygon; its front is the side from which the vertices run counterclockwise.
 ///
 /// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule). Where it runs one way as much as the
-/// other, as a bow tie does, three vertices tell its front: the first, the one farthest from that, and the one farthest from the line
-/// through both.
+/// other, as a bow tie does, three vertices tell its front: the first, and the two in turn that span the largest triangle with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Polygon<'a> {
@@ -64,31 +63,38 @@ impl Geometry for Polygon<'_> {
         // the enclosed area along the normal (Sutherland, Sproull and Schumacker 1974).
         let corner: Vec3<R::Setup> = first.to();
         let mut doubled_area = Vec3::ZERO;
+        let mut largest = Vec3::ZERO;
         let mut previous = last.to() - corner;
         let mut extent = R::Setup::ZERO;
         for vertex in self.vertices {
             let vertex = vertex.to() - corner;
-            doubled_area = doubled_area + previous.cross(vertex);
+            let triangle = previous.cross(vertex);
+            doubled_area = doubled_area + triangle;
+            // Of several that are as large but for rounding, the first.
+            if triangle.length_squared() > largest.length_squared() * R::Setup::from_f32(1.01) {
+                largest = triangle;
+            }
             extent = extent.larger(vertex.length());
             previous = vertex;
         }
         let least = R::Setup::from_f32(1e-6) * extent * extent;
-        let unit_of = |area: Vec3<R::Setup>| if area.length() > least { area.normalized() } else { None };
         let tolerance = R::Setup::from_f32(PLANARITY) * extent;
-        let is_normal = |normal: &Vec3<R::Setup>| {
+        let is_normal = |normal: Vec3<R::Setup>| {
             self.vertices.iter().all(|vertex| !(normal.dot(vertex.to() - corner).abs() > tolerance))
         };
-        let normal = match unit_of(doubled_area).filter(is_normal) {
-            Some(normal) => normal,
-            // Of an outline that crosses itself little or nothing of the area may be left, or what that was rounded by.
-            None => {
-                let normal = unit_of(widest(self.vertices, corner)).ok_or(Fault::NoArea)?;
-                if !is_normal(&normal) {
-                    return Err(Fault::NotPlanar);
+        // Of an outline that crosses itself little or nothing of the area may be left, or what that was rounded by.
+        let mut found = Err(Fault::NoArea);
+        for area in [doubled_area, largest] {
+            if area.length() > least
+                && let Some(normal) = area.normalized()
+            {
+                found = if is_normal(normal) { Ok(normal) } else { Err(Fault::NotPlanar) };
+                if found.is_ok() {
+                    break;
                 }
-                normal
             }
-        };
+        }
+        let normal = found?;
         // Drop the axis along which the polygon is thinnest: the shadow on the other two is the largest.
         let (x, y, z) = (normal.x.abs(), normal.y.abs(), normal.z.abs());
         let dropped = if x >= y && x >= z {
@@ -109,20 +115,6 @@ impl Geometry for Polygon<'_> {
         let plane = PreparedPlane::new(normal, normal.dot(corner), scale);
         Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }
-}
-
-/// Twice the area of the triangle between the first vertex, the one farthest from that, and the one farthest from the line through both,
-/// along its normal: toward where they run counterclockwise in the order of the outline.
-fn widest<R: Real>(vertices: &[Vec3], first: Vec3<R>) -> Vec3<R> {
-    let from_first = || vertices.iter().map(|vertex| vertex.to() - first);
-    let larger = |a: Vec3<R>, b: Vec3<R>| if b.length_squared() > a.length_squared() { b } else { a };
-    let farthest = from_first().fold(Vec3::ZERO, larger);
-    let mut is_past = false;
-    let areas = from_first().map(|vertex| {
-        is_past |= vertex == farthest;
-        if is_past { farthest.cross(vertex) } else { vertex.cross(farthest) }
-    });
-    areas.fold(Vec3::ZERO, larger)
 }
 
 /// The least and the largest u, and those of v, of an outline that is a rectangle along the axes.
@@ -327,7 +319,8 @@ mod tests {
         let front = up.cross(right).normalized().unwrap();
         let center = Vec3::new(3.1, -4.7, 2.3);
         let outline = [center - right - up, center - right + up, center + right - up, center + right + up];
-        for (outline, front) in [(outline, front), ([outline[3], outline[2], outline[1], outline[0]], -front)]
+        // From its second vertex on, the first triangle is part of the other wing.
+        for (outline, front) in [(outline, front), ([outline[1], outline[2], outline[3], outline[0]], -front)]
         {
             let mut memory = Memory::new();
             let bow_tie = prepared::<_, f32>(Polygon::new(&outline), &mut memory).unwrap();
