@@ -53,13 +53,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
         lines: Range<u32>,
         buffer: &'b mut [C],
     ) -> Result<Self, LineError> {
-        let (width, height) = (renderer.width(), renderer.height());
-        // No line of none is missing.
-        if lines.end > height && !lines.is_empty() {
-            return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height });
-        }
+        let lines = renderer.lines_of(lines)?;
         renderer.whole_lines(buffer.len())?;
-        let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
         Ok(Self { renderer, total: lines.end.saturating_sub(lines.start), buffer, lines, traced: 0 })
     }
 

@@ -213,6 +213,18 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         lines.ok_or(LineError::BufferLength { given: pixels, width: self.width() })
     }
 
+    /// The lines of a range that are to be drawn; `0..0` where there is nothing to draw.
+    fn lines_of(&self, lines: Range<u32>) -> Result<Range<u32>, LineError> {
+        // No line of none is missing.
+        if lines.is_empty() {
+            return Ok(0..0);
+        }
+        if lines.end > self.height() {
+            return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height: self.height() });
+        }
+        Ok(if self.width == 0 { 0..0 } else { lines })
+    }
+
     /// Draws the whole picture with its upper left corner at the display's origin, one `fill_contiguous` per
     /// buffer. The buffer holds one line, or as many whole lines as shall be sent at once.
     ///

@@ -105,6 +105,8 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
 }
 
 /// Draws some lines at a time: the way that spends nothing on anything but pixels.
+// A function of its own: how the compiler puts tracing together shall not hang on how a scene is prepared.
+#[inline(never)]
 fn draw_exact<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,
     display: &mut D,

@@ -76,11 +76,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         quality: Realtime,
         buffer: RealtimeBuffer<'b, C>,
     ) -> Result<Self, LineError> {
-        let (width, height) = (renderer.width(), renderer.height());
-        // No line of none is missing.
-        if lines.end > height && !lines.is_empty() {
-            return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height });
-        }
+        let lines = renderer.lines_of(lines)?;
         let needed = quality.colors(renderer.width);
         if buffer.colors.len() != needed {
             return Err(LineError::BandLength { given: buffer.colors.len(), needed });
@@ -89,7 +85,6 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         if buffer.samples.len() != needed {
             return Err(LineError::SampleCount { given: buffer.samples.len(), needed });
         }
-        let lines = if width == 0 || lines.is_empty() { 0..0 } else { lines };
         let total = lines.end.saturating_sub(lines.start);
         // What is as wide and high as two cells covers a point of the grid wherever it is.
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
