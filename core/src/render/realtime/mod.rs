@@ -45,8 +45,8 @@
 //! Of 24 frames around `classic` the worst has 40.4 dB, around `prism` 36.0 dB; at 160×120, where everything is smaller,
 //! the fine ones 38.5 and 34.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 263 instead of 553 on Cortex-M4F in `f32`, 392 instead of 951 on
-//! Cortex-M3 and 832 instead of 2,262 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 266 instead of 557 on Cortex-M4F in `f32`, 391 instead of 948 on
+//! Cortex-M3 and 839 instead of 2,285 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
