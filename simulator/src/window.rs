@@ -145,6 +145,31 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         }
         Ok(Some(true))
     }
+
+    /// Draws a picture until the camera is moved; tells whether to go on.
+    fn show<C: DisplayColor + Into<Rgb888> + From<Rgb888>>(
+        &mut self,
+        frame: &mut Frame<'_, '_, '_, R, rayline::shape::Shape<'_>, C>,
+        display: &mut SimulatorDisplay<C>,
+        window: &mut Window,
+    ) -> Result<bool, WindowError> {
+        loop {
+            draw_for_a_while(frame, display)?;
+            window.update(display);
+            // All that has happened, before the next picture: a held key must not fall behind.
+            let requests: Vec<Request> = window.events().filter_map(request).collect();
+            let mut moved = false;
+            for request in requests {
+                match self.obey(request)? {
+                    Some(change) => moved |= change,
+                    None => return Ok(false),
+                }
+            }
+            if moved {
+                return Ok(true);
+            }
+        }
+    }
 }
 
 impl<R: Real> ForColor for View<'_, '_, R> {
@@ -170,31 +195,20 @@ impl<R: Real> ForColor for View<'_, '_, R> {
                 let mut frame = renderer
                     .frame(0..settings.height, &mut buffer)
                     .map_err(|error| WindowError::Draw(error.into()))?;
-                'frame: loop {
-                    draw_for_a_while(&mut frame, &mut display)?;
-                    window.update(&display);
-                    // All that has happened, before the next picture: a held key must not fall behind.
-                    let requests: Vec<Request> = window.events().filter_map(request).collect();
-                    let mut moved = false;
-                    for request in requests {
-                        match self.obey(request)? {
-                            Some(change) => moved |= change,
-                            None => return Ok(()),
-                        }
-                    }
-                    if moved {
-                        break 'frame;
-                    }
+                if !self.show(&mut frame, &mut display, &mut window)? {
+                    return Ok(());
                 }
                 let camera = self.orbit.camera();
-                if prepared.set_camera(&camera).is_err() {
-                    scene.camera = camera;
-                    // Another scale may be right for it, in fixed point.
-                    if PreparedScene::<R, _>::new(&scene, &mut memory_for::<R>(&scene)).is_ok() {
-                        continue 'scene;
-                    }
-                    self.orbit = seen;
+                if prepared.set_camera(&camera).is_ok() {
+                    continue;
                 }
+                // Another scale may be right for it, in fixed point.
+                let moved = Scene { camera, ..scene };
+                if PreparedScene::<R, _>::new(&moved, &mut memory_for::<R>(&moved)).is_ok() {
+                    scene = moved;
+                    continue 'scene;
+                }
+                self.orbit = seen;
             }
         }
     }

@@ -59,7 +59,7 @@ enum Edge<R> {
 
 /// Up to this angle where it is dark, in radians, a cone is told by chords.
 const NARROW: f32 = 0.02;
-/// The smallest angle where a cone is dark, in radians. Beyond, what unit vectors are rounded by would show as speckle.
+/// The smallest angle where a cone is dark, in radians. Below it, what unit vectors are rounded by would show as speckle.
 const NARROWEST: f32 = 1e-4;
 
 impl Lamp {
