@@ -464,6 +464,27 @@ fn a_budget_of_rays_is_kept_and_quality_falls_with_it() {
     });
 }
 
+#[test]
+fn a_budget_of_a_tenth_more_than_a_frame_wants_costs_nothing() {
+    for name in ["classic", "whitted", "flake", "prism"] {
+        with_scene(name, |scene, bounces| {
+            for (width, height, quality) in [(320, 240, Realtime::new()), (160, 120, Realtime::fine())] {
+                with_renderer::<f32, _>(
+                    scene,
+                    Settings { bounces, ..Settings::new(width, height) },
+                    |renderer| {
+                        let mut wanted = RayCounts::default();
+                        let whole = realtime(renderer, quality, &mut wanted);
+                        let budget_rays = (all_rays(&wanted) * 11 / 10) as u32;
+                        let picture = realtime(renderer, Realtime { budget_rays, ..quality }, &mut ());
+                        assert!(whole == picture, "{name}, {width}x{height}");
+                    },
+                );
+            }
+        });
+    }
+}
+
 /// Counts the rays of a frame, and the most of one pixel.
 #[derive(Default)]
 struct Most {
@@ -485,7 +506,7 @@ impl<R: Real> Probe<R> for Most {
 
 #[test]
 fn no_frame_takes_more_rays_than_it_may_but_for_one_pixel() {
-    for (name, least) in [("classic", 22.0), ("flake", 22.0), ("prism", 24.0)] {
+    for (name, least) in [("classic", 22.0), ("flake", 22.0), ("prism", 22.0)] {
         with_scene(name, |scene, bounces| {
             with_renderer::<f32, _>(scene, Settings { bounces, ..Settings::new(160, 120) }, |renderer| {
                 let exact = exact(renderer, &mut ());
