@@ -103,7 +103,7 @@ pub(crate) struct Candidates<'m, R: Real> {
     /// Per object and light: what tells fast that a ball is not in the way.
     occluders: &'m [Occluder<R>],
     lights: usize,
-    /// The largest coordinate of any object that has bounds: for hits within, `occluders` hold.
+    /// The largest coordinate of any object that has bounds: for hits within, `occluders` hold, and outlines of shadows.
     reach: R,
 }
 
@@ -127,10 +127,7 @@ impl<R: Real> Occluder<R> {
         };
         let (position, radius) = (position.to_setup(), radius.to_setup());
         let toward_center = center.to_setup() - position;
-        // A shadow ray begins a little beside the surface, so it passes the light by as little.
-        let beside =
-            R::offset(reach.larger(R::from_setup(position.magnitude()))).to_setup() * R::Setup::from_f32(8.0);
-        let radius = radius + radius * R::Setup::from_f32(1e-3) + beside;
+        let radius = radius + radius * R::Setup::from_f32(1e-3) + beside(reach, light);
         let distance_squared = toward_center.length_squared();
         let rounding = distance_squared * (R::Setup::RAY_OFFSET * R::Setup::from_f32(4.0));
         let tangent_squared = distance_squared - rounding - radius * radius;
@@ -147,6 +144,16 @@ impl<R: Real> Occluder<R> {
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_coarse(toward_light) > self.least_opposite
     }
+}
+
+/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within `reach`.
+#[inline(never)]
+fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
+    let largest = match light {
+        Source::At(position) => reach.larger(R::from_setup(position.to_setup().magnitude())),
+        _ => reach,
+    };
+    R::offset(largest).to_setup() * R::Setup::from_f32(8.0)
 }
 
 impl<'m, R: Real> Candidates<'m, R> {
@@ -244,10 +251,15 @@ impl<'m, R: Real> Candidates<'m, R> {
         if from.outward { set } else { set.with(from.object) }
     }
 
-    /// Whether [`not_passed_by`](Self::not_passed_by) holds for hits of this [`Surface::magnitude`]
-    /// (crate::Surface::magnitude).
+    /// By how much shadow rays of hits that are near enough may pass by where they are said to go.
+    pub(super) fn beside(&self, light: &Source<R>) -> R::Setup {
+        beside(self.reach, light)
+    }
+
+    /// Whether hits of this [`Surface::magnitude`](crate::Surface::magnitude) are near enough for [`beside`](Self::beside), and
+    /// so for [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
-    pub(super) fn know_occluders(&self, magnitude: R) -> bool {
+    pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
     }
 

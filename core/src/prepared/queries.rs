@@ -5,6 +5,7 @@ use super::objects::PreparedObject;
 use super::{Hit, PreparedScene};
 use crate::color::LinearRgb;
 use crate::hierarchy::{Hierarchy, WIDE};
+use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, FourRays, Interval, Ray, Real, Vec3, choose};
@@ -93,9 +94,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// A ball around everything that a ray can meet of an object, with room for rounding.
-    pub(crate) fn ball_around(&self, object: usize) -> Option<(Vec3<R::Setup>, R::Setup)> {
-        self.objects.get(object).and_then(Ball::around).map(|ball| (ball.center, ball.radius))
+    /// A ball that no ray from a hit near enough, toward a light, misses where it meets the object.
+    pub(crate) fn ball_of_shadow(
+        &self,
+        object: usize,
+        light: &Source<R>,
+    ) -> Option<(Vec3<R::Setup>, R::Setup)> {
+        let (candidates, ball) = (self.candidates()?, self.objects.get(object).and_then(Ball::around)?);
+        Some((ball.center, ball.radius + candidates.beside(light)))
     }
 
     /// What can stand between an object and a light; everything, where there are no sets.
@@ -339,9 +345,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         among: ObjectSet,
     ) -> Option<ObjectSet> {
         let candidates = self.candidates()?;
-        let between = candidates.between(from, light).common(among);
-        Some(if candidates.know_occluders(magnitude) {
-            candidates.not_passed_by(between, light, toward)
+        let between = candidates.between(from, light);
+        Some(if candidates.are_near(magnitude) {
+            candidates.not_passed_by(between.common(among), light, toward)
         } else {
             between
         })

@@ -129,7 +129,7 @@ impl Outlines {
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
             *others = scene.may_shade(self.receiver, index);
             for object in *others {
-                let Some((center, radius)) = scene.ball_around(object) else { continue };
+                let Some((center, radius)) = scene.ball_of_shadow(object, &light.source) else { continue };
                 let outline = Outline::of_shadow(center, radius, &light.source, plane, viewport);
                 let Some(place) = places.next() else { return };
                 *place = Shadow { light: index as u8, object: object as u8, outline };

@@ -242,6 +242,41 @@ fn eye() -> BoxedStrategy<Vec3> {
 }
 
 /// A bow tie is drawn as the two triangles that it encloses.
+/// A shadow ray begins a little beside a hit, and far out on a floor by as much as a small ball may be away from its lamp.
+#[test]
+fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
+    let white = Material::matte(LinearRgb::gray(0.8));
+    let materials = [Material { ambient: 0.3, ..white }, Material::matte(LinearRgb::new(0.9, 0.2, 0.1))];
+    let lamp = Vec3::new(0.0, 1.0, 0.0);
+    for (away, radius) in [(0.55, 0.5), (0.055, 0.05), (0.0055, 0.005), (0.0024, 0.002)] {
+        let middle = lamp + Vec3::new(0.2, 0.98, 0.0) * away;
+        for light in [
+            Light::Point { position: lamp, color: LinearRgb::gray(50.0) },
+            Light::Directional { direction: Vec3::new(-0.2, -0.98, 0.0), color: LinearRgb::WHITE },
+        ] {
+            let scene = Scene {
+                camera: Camera {
+                    eye: Vec3::new(0.0, 0.5, 5.0),
+                    target: Vec3::new(-1.0, 0.6, 0.0),
+                    up: Vec3::new(0.0, 1.0, 0.0),
+                    vertical_fov: 0.7,
+                },
+                background: Background::Solid(LinearRgb::gray(0.3)),
+                objects: &[
+                    Object::new(
+                        Shape::Plane(Plane::new(Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.08, 1.0, 0.0))),
+                        0,
+                    ),
+                    Object::new(Shape::Sphere(Sphere::new(middle, radius)), 1),
+                ],
+                materials: &materials,
+                lights: &[light],
+            };
+            assert_same_in_all_numbers(&scene, Settings::new(320, 240), (away, light));
+        }
+    }
+}
+
 #[test]
 fn a_bow_tie_is_two_triangles() {
     let place = |u: f32, v: f32| Vec3::new(0.9 * u, v + 0.2 * u, 0.3 * u - 0.4 * v);
