@@ -9,9 +9,12 @@
 //! number, so the sign of the difference is right or the difference is 0; and the triangle on the other side of the edge gets
 //! the same number with the opposite sign. As 0 is inside for both, one of the two is met, or both.
 //!
+//! Where a triangle is small and far from the ray, all three differences may be rounded to 0. So (0, 0) must also lie in the
+//! rectangle around the corners as they are seen, which comparisons tell without rounding.
+//!
 //! The paper shears space along the ray's largest coordinate, and decides with twice the digits where a difference is 0. Here
 //! vectors across the ray take the place of the shear, which cost two products more for a corner and no division and no
-//! exchange of coordinates; and there is nothing to decide, as it does no harm if both are met.
+//! exchange of coordinates; and there is nothing to decide, as it does no harm if both triangles of an edge are met.
 //!
 //! # In fixed point
 //! Corners lie within 8 units and rays begin within 59, so coordinates across a ray stay below 116, and the difference of two
@@ -67,6 +70,13 @@ impl<R: Real> Sight<R> {
         let from_front = at_a >= zero && at_b >= zero && at_c >= zero;
         let from_behind = at_a <= zero && at_b <= zero && at_c <= zero;
         if !from_front && !from_behind {
+            return None;
+        }
+        let holds_ray = |p: R, q: R, r: R| {
+            let zero = R::ZERO;
+            !(p > zero && q > zero && r > zero || p < zero && q < zero && r < zero)
+        };
+        if !(holds_ray(a.0, b.0, c.0) && holds_ray(a.1, b.1, c.1)) {
             return None;
         }
         let whole = at_a + at_b + at_c;

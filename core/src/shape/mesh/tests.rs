@@ -335,3 +335,23 @@ fn coordinates_are_weights_or_interpolated() {
     let bad = [[f32::NAN, 0.0]; 4];
     assert_eq!(refusal(Mesh { uvs: Some(&bad), ..RECTANGLE }), Fault::NotFinite);
 }
+
+#[test]
+fn small_triangles_far_from_a_ray_are_not_met() {
+    // Its area is a 1e11th of the products whose differences tell sides.
+    let size = 1e-6;
+    let vertices = [Vec3::ZERO, Vec3::new(size, 0.0, 0.0), Vec3::new(size, size, 0.3 * size)];
+    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 1, 2]], normals: None, uvs: None };
+    let mut random = Random(11);
+    with_prepared::<f32>(mesh, Vec3::ZERO, |scale, mesh| {
+        for _ in 0..100_000 {
+            let (origin, direction) = (random.vector() * 3.0, random.direction());
+            // Past it by an eighth of the distance at least.
+            let aside = origin - direction * origin.dot(direction);
+            if aside.length() > 0.125 * origin.length() {
+                let met = mesh.intersect(&ray(scale, origin, direction), Interval::AHEAD);
+                assert_eq!(met, None, "{origin:?} {direction:?}");
+            }
+        }
+    });
+}
