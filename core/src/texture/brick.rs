@@ -30,9 +30,13 @@ impl Brick {
 }
 
 impl<R: Real> Brick<R> {
-    pub(super) fn color(&self, [x, y, _]: [Cell<R>; 3]) -> LinearRgb<R> {
-        let [gap_x, gap_y] = self.gap;
-        let x = if y.index & 1 == 1 { x.plus(R::from_fraction(1 << 15)) } else { x };
+    /// The same place, in units of bricks.
+    pub(super) fn in_row([x, y, z]: [Cell<R>; 3]) -> [Cell<R>; 3] {
+        [if y.index & 1 == 1 { x.plus(R::from_fraction(1 << 15)) } else { x }, y, z]
+    }
+
+    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+        let ([gap_x, gap_y], [x, y, _]) = (self.gap, Self::in_row(at));
         if x.within < gap_x || y.within < gap_y { self.mortar } else { self.brick }
     }
 }

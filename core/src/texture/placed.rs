@@ -169,13 +169,17 @@ impl<R: Real> PreparedPlaced<'_, R> {
 
     /// See [`PreparedTexture::cell`](super::PreparedTexture::cell).
     pub(super) fn cell(&self, point: Vec3<R>, color: LinearRgb<R>, uv: impl FnOnce() -> [R; 2]) -> u32 {
-        match self.figure {
-            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => {
-                let cells = self.placement.coordinates(self.placement.place(point, uv));
-                mark(cells.map(|cell| cell.index)) ^ level_mark(color).rotate_left(16)
+        let cells = || self.placement.coordinates(self.placement.place(point, uv));
+        let cells = match self.figure {
+            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => cells(),
+            PreparedFigure::Brick(_) => {
+                let [x, y, _] = Brick::in_row(cells());
+                // Along z all is the same.
+                [x, y, Cell { index: 0, ..y }]
             }
-            _ => level_mark(color),
-        }
+            _ => return level_mark(color),
+        };
+        mark(cells.map(|cell| cell.index)) ^ level_mark(color).rotate_left(16)
     }
 }
 

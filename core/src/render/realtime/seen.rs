@@ -130,7 +130,11 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
             }
             Event::Hit { kind, hit, color, mirrored } if self.counts => {
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
-                self.path = fold(self.path, hit.object as u32 | refracted);
+                let surface = &hit.surface;
+                // Parts of one object have edges between them, unless its normals are those of something smooth.
+                let part =
+                    if surface.shading_normal == surface.normal { surface.part.rotate_left(17) } else { 0 };
+                self.path = fold(self.path, hit.object as u32 ^ refracted ^ part);
                 self.hit = None;
                 if let Some(material) = self.scene.material(hit.object) {
                     if let Some(cell) =
