@@ -103,7 +103,8 @@ pub(crate) struct Candidates<'m, R: Real> {
     /// Per object and light: what tells fast that a ball is not in the way.
     occluders: &'m [Occluder<R>],
     lights: usize,
-    /// The largest coordinate of any object that has bounds: for hits within, `occluders` hold, and outlines of shadows.
+    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, `occluders` hold, and outlines of
+    /// shadows. Not much is seen of what is farther off, on floors without end.
     reach: R,
 }
 
@@ -207,7 +208,8 @@ impl<'m, R: Real> Candidates<'m, R> {
             but_itself(set, receiver)
         })?;
         let bounds = objects.iter().filter_map(|object| object.shape.bounds());
-        let reach = bounds.fold(R::ZERO, |reach, bounds| reach.larger(bounds.magnitude()));
+        let largest = bounds.fold(R::ZERO, |largest, bounds| largest.larger(bounds.magnitude()));
+        let reach = largest * R::from_u16(15);
         let occluders = arena.store_with(pairs, |index| match pair(index) {
             (object, Some(light)) => objects
                 .get(object)

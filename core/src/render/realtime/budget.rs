@@ -75,7 +75,9 @@ impl Budget {
             self.most = (self.most / 2).max(LEAST);
         }
         let next = match self.detail {
-            Detail::Full | Detail::Coarse if self.spent / self.most > share => self.detail.coarser(),
+            Detail::Full | Detail::Coarse if self.spent > share.saturating_mul(self.most) => {
+                self.detail.coarser()
+            }
             Detail::Coarse | Detail::Grid if self.spent / 2 < share => self.detail.finer(),
             same => same,
         };
