@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::mem::MaybeUninit;
 use std::ops::Range;
+use std::path::Path;
 
+use bumpalo::Bump;
 use embedded_graphics::geometry::OriginDimensions;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::builtin::{CLASSIC, PRISM};
@@ -14,7 +16,7 @@ use rayline::{
     Pattern, PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample,
     Scene, Settings, Vec3,
 };
-use rayline_simulator::Orbit;
+use rayline_simulator::{LoadedScene, Orbit};
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
 
 /// Hands a renderer of the scene to `use_it`.
@@ -481,6 +483,21 @@ fn a_budget_of_a_tenth_more_than_a_frame_wants_costs_nothing() {
                     },
                 );
             }
+        });
+    }
+}
+
+/// Instances side by side are one object, and bricks of one color one texture: the edges between them were lost.
+#[test]
+fn parts_of_objects_and_of_textures_are_told_apart() {
+    for (name, least) in [("shape-instances", 39.0), ("texture-brick", 42.0), ("show-die", 42.0)] {
+        let arena = Bump::new();
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
+        let loaded = LoadedScene::open(&file, &arena).unwrap_or_else(|error| panic!("{error}"));
+        with_renderer::<f32, _>(&loaded.scene, Settings::new(320, 240), |renderer| {
+            let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut ()));
+            println!("{name}: {close:.1} dB");
+            assert!(close > least, "{name}: {close} dB");
         });
     }
 }

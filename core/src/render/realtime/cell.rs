@@ -196,25 +196,33 @@ impl Cell {
     /// A row of a square that a steep edge may cross, or a column for one that is not.
     fn fill_line(&mut self, edge: &Edge, (x, y): (usize, usize), i: usize, look: &mut impl Look) {
         let is_steep = edge.is_steep();
-        let (start, way) = if is_steep { ((x, y + i), Way::Right) } else { ((x + i, y), Way::Down) };
-        let at = |along: usize| if is_steep { edge.at(along, i) } else { edge.at(i, along) };
-        let mut line = Line::new(self, start, way);
-        let (from, to) = (line.get(0), line.get(4));
-        let ((begins, _), (ends, _)) = (at(0), at(4));
+        let place = |along: usize, across: usize| {
+            if is_steep { (x + along, y + across) } else { (x + across, y + along) }
+        };
+        let at = |along: usize, across: usize| {
+            if is_steep { edge.at(along, across) } else { edge.at(across, along) }
+        };
+        let get = |cell: &Self, (x, y): (usize, usize)| cell.get(x, y);
+        let (from, to) = (get(self, place(0, i)), get(self, place(4, i)));
+        let ((begins, _), (ends, _)) = (at(0, i), at(4, i));
         if begins == ends {
-            return line.interpolate(from, to, 4);
+            let (start, way) = (place(0, i), if is_steep { Way::Right } else { Way::Down });
+            return Line::new(self, start, way).interpolate(from, to, 4);
         }
-        for i in 1..4 {
-            let (side, distance) = at(i);
+        for along in 1..4 {
+            let (side, distance) = at(along, i);
+            let (x, y) = place(along, i);
             let point = if look.is_near(distance) {
-                let (x, y) = line.place(i);
                 look.choose(x, y, from, to, 2)
+            } else if at(along, 0).0 == side && at(along, 4).0 == side {
+                // Along the edge all is even: what changes does so on the way to it.
+                get(self, place(along, 0)).toward(get(self, place(along, 4)), i)
             } else if side == begins {
                 from.again()
             } else {
                 to.again()
             };
-            line.set(i, point);
+            self.set(x, y, point);
         }
     }
 

@@ -100,6 +100,16 @@ impl Sample {
         self.tone().differs(other.tone(), threshold)
     }
 
+    /// So many quarters of the way between two that do not differ.
+    pub(super) fn toward(self, other: Self, quarters: usize) -> Self {
+        let mut tone = self.tone();
+        let step = tone.step_toward(other.tone(), 2);
+        for _ in 0..quarters {
+            tone = tone.after(step);
+        }
+        self.like(tone)
+    }
+
     /// Halfway between two that do not differ.
     pub(super) fn middle(self, other: Self) -> Self {
         self.like(self.tone().middle(other.tone()))
