@@ -120,7 +120,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     }
 
     /// The light that pixel (x, y) receives, and the rays that it took: at most
-    /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on.
+    /// [`Settings::rays_per_pixel`]. Pixels outside the picture are defined too: the camera sees on (with [`Fixed`](crate::math::Fixed)
+    /// for 16 times the picture's width and height).
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
         self.light_at(x, y, Sight::among(self.scene.all()), probe)
     }

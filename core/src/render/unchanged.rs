@@ -11,7 +11,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
     /// True where nothing has changed at all: the very same prepared scene and the same settings; and where none of
     /// the objects can be seen on that line, neither now nor then, before the same background, which must be solid where
     /// the camera has moved. Where objects can be seen, is known with the feature `candidates` and of few objects. Else false, also
-    /// for lines that happen to be the same.
+    /// for lines that happen to be the same. In realtime quality it holds where no budget of rays ends too early.
     ///
     /// ```
     /// use rayline::builtin::CLASSIC;

@@ -78,6 +78,14 @@ impl<'a> Map<'a> {
                 texture: texture.prepare(scale, memory)?,
             })
         })?;
+        // All may turn a normal the same way.
+        let slopes = maps.iter().fold(R::Setup::ZERO, |sum, map| match map.onto {
+            Onto::Bump { height, step } => {
+                sum + (R::Setup::from_f32(height) / R::Setup::from_f32(step)).abs()
+            }
+            _ => sum,
+        });
+        check_held::<R>(slopes)?;
         Ok(PreparedMaps::new(prepared))
     }
 }
@@ -302,5 +310,19 @@ mod tests {
         assert_eq!(refusal(f32::NAN, 0.1), Some(Fault::NotFinite));
         assert_eq!(refusal(0.1, 1e-7), Some(Fault::TooSmall));
         assert_eq!(refusal(100.0, 0.1), Some(Fault::OutOfRange));
+    }
+
+    #[test]
+    #[cfg(feature = "textures")]
+    fn bumps_that_add_up_to_too_much_are_refused() {
+        fn refusal<R: Real>(count: usize) -> Option<Fault> {
+            let maps =
+                [Map { onto: Onto::Bump { height: 2.9, step: 0.1 }, texture: Texture::Placed(&RAMP) }; 3];
+            let mut memory = Workspace::<4096>::new();
+            Map::prepare_all::<R>(&maps[..count], Scale::ONE, &mut Arena::new(memory.lend())).err()
+        }
+        assert_eq!(refusal::<Fixed>(2), None);
+        assert_eq!(refusal::<Fixed>(3), Some(Fault::OutOfRange));
+        assert_eq!(refusal::<f32>(3), None);
     }
 }
