@@ -107,7 +107,7 @@ pub struct Realtime {
     /// Neighbors on the grid may differ by this much, in units of 1/65536 of what the display can show, without a look
     /// at what lies between them.
     pub threshold: u16,
-    /// The most rays for a frame; `u32::MAX`: as many as it takes. A tenth more than a frame takes costs it nothing; with less
+    /// The most rays for a frame; `u32::MAX`: as many as it takes. As a rule, a tenth more than a frame takes costs it nothing; with less
     /// than it takes, its lower part is drawn more coarsely. The pixel that is traced last may take more, no
     /// other. Where bands of lines take more than their share, those below are drawn more coarsely, so that the
     /// frame is done in time; and where there are too few rays even for the pixels of the grid, rows of these are
