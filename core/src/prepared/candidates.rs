@@ -209,6 +209,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         })?;
         let bounds = objects.iter().filter_map(|object| object.shape.bounds());
         let largest = bounds.fold(R::ZERO, |largest, bounds| largest.larger(bounds.magnitude()));
+        // In fixed point objects lie within 8 units, and 120 is still a number.
         let reach = largest * R::from_u16(15);
         let occluders = arena.store_with(pairs, |index| match pair(index) {
             (object, Some(light)) => objects

@@ -79,10 +79,8 @@ impl<'a> Map<'a> {
             })
         })?;
         // All may turn a normal the same way.
-        let slopes = maps.iter().fold(R::Setup::ZERO, |sum, map| match map.onto {
-            Onto::Bump { height, step } => {
-                sum + (R::Setup::from_f32(height) / R::Setup::from_f32(step)).abs()
-            }
+        let slopes = prepared.iter().fold(R::Setup::ZERO, |sum, map: &PreparedMap<R>| match map.onto {
+            PreparedOnto::Bump { slope, .. } => sum + slope.to_setup().abs(),
             _ => sum,
         });
         check_held::<R>(slopes)?;

@@ -241,7 +241,6 @@ fn eye() -> BoxedStrategy<Vec3> {
     vector().prop_map(|eye| eye * 2.0 + Vec3::new(0.1, 0.2, 0.3)).boxed()
 }
 
-/// A bow tie is drawn as the two triangles that it encloses.
 /// A shadow ray begins a little beside a hit, and far out on a floor by as much as a small ball may be away from its lamp.
 #[test]
 fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
@@ -277,6 +276,7 @@ fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
     }
 }
 
+/// A bow tie is drawn as the two triangles that it encloses.
 #[test]
 fn a_bow_tie_is_two_triangles() {
     let place = |u: f32, v: f32| Vec3::new(0.9 * u, v + 0.2 * u, 0.3 * u - 0.4 * v);
