@@ -10,7 +10,7 @@ use embedded_graphics::geometry::OriginDimensions;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
-use rayline::shape::{Cylinder, Shape, Sphere};
+use rayline::shape::{Cylinder, Plane, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object,
     Pattern, PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample,
@@ -485,6 +485,35 @@ fn a_budget_of_a_tenth_more_than_a_frame_wants_costs_nothing() {
             }
         });
     }
+}
+
+/// Beside an edge colors were those four pixels away: a horizon was dashed.
+#[test]
+fn a_level_horizon_is_even() {
+    let materials = [Material::matte(LinearRgb::gray(0.7))];
+    let scene = Scene {
+        camera: Camera {
+            eye: Vec3::new(0.3, 4.0, 9.0),
+            target: Vec3::new(0.0, 1.0, 0.0),
+            up: Vec3::new(0.0, 1.0, 0.0),
+            vertical_fov: 0.7,
+        },
+        background: Background::Solid(LinearRgb::new(0.2, 0.3, 0.5)),
+        objects: &[Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 0)],
+        materials: &materials,
+        lights: &[Light::Point { position: Vec3::new(4.0, 8.0, 5.0), color: LinearRgb::WHITE }],
+    };
+    with_renderer::<f32, _>(&scene, Settings::new(320, 240), |renderer| {
+        let (exact, close) = (exact(renderer, &mut ()), realtime(renderer, Realtime::new(), &mut ()));
+        // From the sky to where the floor is no longer black.
+        for (exact, close) in exact.pixels.chunks(320).zip(close.pixels.chunks(320)).take(40) {
+            for (pair, close) in exact.windows(2).zip(close.windows(2)) {
+                if pair[0] == pair[1] {
+                    assert!(close[0][0].abs_diff(close[1][0]) <= 2, "{close:?} where all is {pair:?}");
+                }
+            }
+        }
+    });
 }
 
 /// Instances side by side are one object, and bricks of one color one texture: the edges between them were lost.
