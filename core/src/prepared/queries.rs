@@ -9,7 +9,7 @@ use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, FourRays, Interval, Ray, Real, Vec3, choose};
-use crate::shape::{Form, Geometry, Intersect, Spine};
+use crate::shape::{Form, Geometry, Hull, Intersect};
 use crate::share::Share;
 use crate::surface::Surface;
 
@@ -111,9 +111,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The middle line of each object that has one.
-    pub(crate) fn spines(&self) -> impl Iterator<Item = Option<Spine<R>>> {
-        self.objects.iter().map(|object| object.shape.spine())
+    /// The hulls of an object.
+    pub(crate) fn hulls(&self, object: usize) -> impl Iterator<Item = Hull<R>> {
+        let shape = self.objects.get(object).map(|object| &object.shape);
+        (0..).map_while(move |part| shape?.hull(part))
     }
 
     /// Where on an object a surface is.

@@ -39,12 +39,17 @@ impl Span {
     }
 
     /// The pixels of both, and those between.
-    fn hull(self, other: Self) -> Self {
+    pub(super) fn hull(self, other: Self) -> Self {
         if other.start >= other.end {
             return self;
         }
         let end = if self.start < self.end { self.end.max(other.end) } else { other.end };
         Self { start: self.start.min(other.start), end }
+    }
+
+    /// Whether it holds any of the pixels from `left` to `right`, both included.
+    pub(super) fn reaches(self, left: u16, right: u16) -> bool {
+        self.start <= right && left < self.end
     }
 
     /// The pixels that are in both.

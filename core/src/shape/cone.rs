@@ -8,7 +8,7 @@
 //! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
 //! rings_s1.
 
-use super::{Geometry, Intersect, Spans, Spine, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Spans, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -314,12 +314,21 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Some(disc(R::ZERO).union(disc(self.length)).padded(R::offset(self.magnitude)))
     }
 
-    fn spine(&self) -> Option<Spine<R>> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if part > 0 {
+            return None;
+        }
         let top_radius = self.base_radius + self.slope * self.length;
-        Some(Spine {
-            from: self.base,
-            to: self.base + self.axis * self.length,
-            radius: self.base_radius.larger(top_radius),
+        let (half, radius) =
+            (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
+        let center = self.base + half;
+        Some(if self.length < radius {
+            // It may be seen from the edge.
+            let (u, v) = self.axis.around();
+            Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
+        } else {
+            Hull { center, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
         })
     }
 

@@ -1,7 +1,7 @@
 //! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
 
 use super::chord::Chord;
-use super::{Geometry, Intersect, Spans, uv};
+use super::{Geometry, Hull, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -136,6 +136,14 @@ impl<R: Real> PreparedCuboid<'_, R> {
         }
     }
 
+    /// Unit vectors along its edges.
+    #[inline(always)]
+    fn unit_axes(&self) -> [Vec3<R>; 3] {
+        let (one, none) = (R::ONE, R::ZERO);
+        let units = [Vec3::new(one, none, none), Vec3::new(none, one, none), Vec3::new(none, none, one)];
+        self.axes.copied().unwrap_or(units)
+    }
+
     #[inline(always)]
     fn chord(&self, ray: &Ray<R>) -> Chord<R> {
         let (o, d) = (self.turned(ray.origin - self.center), self.turned(ray.direction));
@@ -163,15 +171,19 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
+        (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
+    }
+
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.chord(ray).spans()
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let point = ray.at(t);
-        let (one, none) = (R::ONE, R::ZERO);
-        let units = [Vec3::new(one, none, none), Vec3::new(none, one, none), Vec3::new(none, none, one)];
-        let [a, b, c] = self.axes.copied().unwrap_or(units);
+        let [a, b, c] = self.unit_axes();
         let place = self.turned(point - self.center);
         // The hit belongs to the face that it is nearest to.
         let behind = |half: R, place: R| (half - place.abs()).abs();

@@ -1,10 +1,11 @@
 //! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Form, Geometry, Intersect, PreparedPlane, reach_across, uv};
+use super::hull::Circle;
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
-use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// A flat disc, or a ring.
@@ -91,6 +92,19 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn bounds(&self) -> Option<Aabb<R>> {
         let bounds = Aabb::around(self.center, reach_across(self.plane.normal) * self.radius);
         Some(bounds.padded(R::offset(bounds.magnitude())))
+    }
+
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let axis = self.plane.normal;
+        let hole = self.hole_squared.sqrt();
+        if hole > R::ZERO {
+            let half = (self.radius - hole) * R::from_f32(0.5);
+            return Hull::arc(&Circle { center: self.center, axis, radius: hole + half }, part, half);
+        }
+        let (u, v) = axis.around();
+        let axes = [u * self.radius, v * self.radius, Vec3::ZERO];
+        (part == 0).then_some(Hull { center: self.center, axes, radius: R::ZERO })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

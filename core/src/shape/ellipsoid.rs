@@ -1,7 +1,7 @@
 //! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
 
-use super::{Geometry, Intersect, Spans, Spine, uv};
+use super::{Geometry, Hull, Intersect, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -79,7 +79,7 @@ impl Geometry for Ellipsoid {
             radius: R::from_setup(longest),
             size: R::from_setup(size),
             reach: Vec3::from_setup(reach(axes)),
-            spine: spine(center, axes),
+            hull: hull(center, axes),
             magnitude: R::from_setup(center.magnitude() + size),
         };
         memory.store(body).map(PreparedEllipsoid)
@@ -102,8 +102,9 @@ fn farthest<R: Real>(axes: [Vec3<R>; 3]) -> R {
     axes.into_iter().map(sum).fold(R::ZERO, R::larger).sqrt()
 }
 
-/// Along the longest of the three; the other two make an ellipse, whose longer half axis is the radius.
-fn spine<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Spine<R> {
+/// Along the longest of the three; the other two make an ellipse, whose longer half axis is the radius. Of what is as flat as it is long,
+/// all three.
+fn hull<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Hull<R> {
     let [a, b, c] = axes;
     let (a_length, b_length, c_length) = (a.length(), b.length(), c.length());
     let (longest, b, c) = if a_length >= b_length && a_length >= c_length {
@@ -117,11 +118,10 @@ fn spine<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Spine<R>
     let (mean, difference) = ((b.dot(b) + c.dot(c)) * half, (b.dot(b) - c.dot(c)) * half);
     let common = b.dot(c);
     let radius = (mean + (difference * difference + common * common).sqrt()).sqrt();
-    Spine {
-        from: Vec3::from_setup(center - longest),
-        to: Vec3::from_setup(center + longest),
-        radius: R::from_setup(radius),
-    }
+    let is_flat = a_length + b_length + c_length < longest.length() + radius + radius * half;
+    let (axes, radius) =
+        if is_flat { ([longest, b, c], R::Setup::ZERO) } else { ([longest, Vec3::ZERO, Vec3::ZERO], radius) };
+    Hull { center: Vec3::from_setup(center), axes: axes.map(Vec3::from_setup), radius: R::from_setup(radius) }
 }
 
 /// An [`Ellipsoid`], prepared.
@@ -138,7 +138,7 @@ struct Body<R> {
     /// No point is farther from the center.
     size: R,
     reach: Vec3<R>,
-    spine: Spine<R>,
+    hull: Hull<R>,
     magnitude: R,
 }
 
@@ -178,8 +178,9 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
         Some(Aabb::around(self.0.center, self.0.reach).padded(R::offset(self.0.magnitude)))
     }
 
-    fn spine(&self) -> Option<Spine<R>> {
-        Some(self.0.spine)
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then_some(self.0.hull)
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

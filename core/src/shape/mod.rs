@@ -265,6 +265,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod ellipsoid;
+mod hull;
 mod implicit;
 mod instances;
 mod mesh;
@@ -293,6 +294,7 @@ pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
+pub use hull::Hull;
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
 pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
@@ -371,9 +373,14 @@ pub trait Intersect<R: Real> {
     /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
     fn bounds(&self) -> Option<Aabb<R>>;
 
-    /// The middle line of a long shape, so that one that is thin is known to be; `None` where there is none.
-    fn spine(&self) -> Option<Spine<R>> {
-        None
+    /// What holds the shape, so that what is thin is known to be. A shape of several parts, or one that no parallelepiped is close to, has
+    /// several hulls, numbered from 0 on, that hold it together; `None` for other numbers. Without one, its bounds do.
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        match self.form() {
+            _ if part > 0 => None,
+            Form::Ball { center, radius } => Some(Hull::ball(center, radius)),
+            _ => self.bounds().map(Hull::aligned),
+        }
     }
 
     /// The parts of a ray's whole line that lie inside, also behind its origin. A shape that is not
@@ -390,17 +397,6 @@ pub trait Intersect<R: Real> {
     /// no bounds gives lengths in units of the scene, of which there are `scale` to one of `surface`
     /// ([`Scale::unscaled`]).
     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2];
-}
-
-/// The middle line of a long shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spine<R> {
-    /// One end.
-    pub from: Vec3<R>,
-    /// The other end.
-    pub to: Vec3<R>,
-    /// No point of the shape is farther from the line between them.
-    pub radius: R,
 }
 
 /// What is known of a shape beforehand.

@@ -1,7 +1,7 @@
 //! A plane and two coordinates in it: what triangles and rectangles have in common. After Woop's affine triangle as
 //! Havel and Herout give it, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9.
 
-use super::PreparedPlane;
+use super::{Hull, PreparedPlane};
 use crate::math::{FourRays, Interval, Linear, Ray, Real, Scale, Vec3, each};
 
 /// A plane that two edges from a corner span. Along each edge one coordinate grows from 0 to 1, and the other is 0.
@@ -70,6 +70,12 @@ impl<R: Real> Patch<R> {
     /// The coordinates of a point of the plane.
     pub(super) fn coordinates(&self, point: Vec3<R>) -> (R, R) {
         (self.u.at(point), self.v.at(point))
+    }
+
+    /// The parallelogram of the two edges.
+    pub(super) fn hull(&self) -> Hull<R> {
+        let [corner, right, up] = self.edges().map(Vec3::from_setup);
+        Hull::edges(corner, [right, up, Vec3::ZERO])
     }
 
     /// The corner and the two edges.

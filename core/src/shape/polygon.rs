@@ -1,7 +1,7 @@
 //! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
 //! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Form, Geometry, Intersect, PreparedPlane, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -171,6 +171,10 @@ pub struct PreparedPolygon<'m, R> {
 }
 
 impl<R: Real> PreparedPolygon<'_, R> {
+    fn vertices(&self) -> impl Iterator<Item = Vec3<R>> {
+        self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane))
+    }
+
     /// Whether a point of the plane is inside the outline: the half-line toward +u crosses an odd number of
     /// edges. A vertex belongs to the edge above it, so that none is counted twice.
     fn encloses(&self, point: Vec3<R>) -> bool {
@@ -215,7 +219,29 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        bounds_of(self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane)))
+        bounds_of(self.vertices())
+    }
+
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if part > 0 {
+            return None;
+        }
+        // The rectangle along the way from the first vertex to the one that is farthest from it.
+        let first = self.vertices().next()?;
+        let mut along = Vec3::ZERO;
+        for vertex in self.vertices() {
+            let way = vertex - first;
+            along = if way.length() > along.length() { way } else { along };
+        }
+        let along = along.normalized()?;
+        let across = self.plane.normal.cross(along);
+        let place =
+            |vertex: Vec3<R>| Vec3::new(along.dot(vertex - first), across.dot(vertex - first), R::ZERO);
+        let Aabb { min, max } = bounds_of(self.vertices().map(place))?;
+        let size = max - min;
+        let edges = [along * size.x, across * size.y, Vec3::ZERO];
+        Some(Hull::edges(first + along * min.x + across * min.y, edges))
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

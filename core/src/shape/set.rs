@@ -115,10 +115,10 @@ macro_rules! shape_set {
                 }
             }
 
-            #[inline(always)]
-            fn spine(&self) -> Option<$crate::shape::Spine<R>> {
+            #[inline(never)]
+            fn hull(&self, part: usize) -> Option<$crate::shape::Hull<R>> {
                 match self {
-                    $(Self::$Variant(shape) => shape.spine()),+
+                    $(Self::$Variant(shape) => shape.hull(part)),+
                 }
             }
 

@@ -6,7 +6,8 @@
 //! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
 //! not lose a thin tube in its squares.
 
-use super::{Geometry, Intersect, Spans, reach_across, uv};
+use super::hull::Circle;
+use super::{Geometry, Hull, Intersect, Spans, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -173,6 +174,12 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         let tube = Vec3::new(self.minor, self.minor, self.minor);
         let reach = reach_across(self.axis) * self.major + tube;
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
+    }
+
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
+        Hull::arc(&circle, part, self.minor)
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

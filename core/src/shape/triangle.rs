@@ -1,7 +1,7 @@
 //! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Intersect, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
@@ -94,6 +94,11 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn bounds(&self) -> Option<Aabb<R>> {
         let [a, ab, ac] = self.patch.edges();
         bounds_of([a, a + ab, a + ac].into_iter().map(Vec3::from_setup))
+    }
+
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then(|| self.patch.hull())
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

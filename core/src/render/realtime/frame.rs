@@ -86,11 +86,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             return Err(LineError::SampleCount { given: buffer.samples.len(), needed });
         }
         let total = lines.end.saturating_sub(lines.start);
-        // What is as wide and high as two cells covers a point of the grid wherever it is.
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let thin = thin_objects(renderer, quality.grid.pixels() as u16 * 2);
+        let thin = thin_objects(renderer, quality.grid);
         Ok(Self {
             quality,
             buffer,
@@ -171,7 +170,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = self.lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, self.lines.end.saturating_sub(self.lines.start));
-        let strip = Strip::new(self.renderer, top as u16, bottom as u16);
+        let strip = Strip::new(self.renderer, top as u16, bottom as u16, self.thin, self.quality.grid);
         Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip }
     }
 
@@ -179,7 +178,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
     fn draw_cell(&mut self, band: &mut Band, probe: &mut impl Probe<R>) -> Spent {
         let side = self.quality.grid.pixels();
         let left = band.left as usize;
-        let shown = band.strip.as_ref().map(|strip| strip.between(band.left as u16, (left + side) as u16));
+        let (first, last) = (band.left as u16, (left + side) as u16);
+        let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
         // Candidates are not known beyond the picture's right end.
         let is_inside = band.left + (side as u32) < self.renderer.width();
         let among = shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all());
@@ -240,7 +240,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = tracer.differ(corners.top_left, corners.top_right, side);
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);
         let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
-        let thin = detail != Detail::Grid && shown.is_some_and(|shown| shown.intersects(self.thin));
+        let is_thin = |strip: &Strip| strip.is_thin(first, last);
+        let thin = detail != Detail::Grid && band.strip.as_ref().is_some_and(is_thin);
         if !(top || right || bottom || band.rough_left || thin) {
             paint.smooth(self.buffer.colors, &corners);
             self.finish_smooth(band, corners, side);

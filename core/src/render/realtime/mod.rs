@@ -22,9 +22,8 @@
 //! after its curve, which only traced pixels go through.
 //!
 //! Two kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
-//! - *Thin objects.* Where each object can be seen is known before the first ray, as for exact lines. Cells that an
-//!   object less than two cells wide or high can reach are traced in full. This ends at 32 objects, and it knows
-//!   the whole of each: of what lies aslant only where it has a middle line, of thin parts of large things nothing.
+//! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
+//!   less than a cell wide, or less than two wide and high, are traced in full. This ends at 32 objects.
 //! - *Small highlights.* A pixel near one differs from every other: as near as two pixels of a grid of four can be from
 //!   it on a ball of 30 pixels, and twice as near for a grid of eight.
 //!
@@ -92,8 +91,9 @@ use crate::shape::Geometry;
 /// Every fourth or eighth pixel of every fourth or eighth line is traced; what lies between them is interpolated where they saw the
 /// same, and looked at where they did not. So what lies between them and leaves no mark on any can be lost, in one frame and not in the
 /// next:
-/// - *thin things*, but balls, cylinders, cones and ellipsoids thinner than two cells, which are always traced (in scenes of up to 32
-///   objects, with one sample a pixel): thin boxes, slivers, rims, wires of a mesh;
+/// - *thin things that are parts of something larger*, as a slat of a mesh, the tip of a triangle or a star's ray: what is thin as a whole is
+///   always traced, and so are parts of tori, rings, instances and what is put together (in scenes of up to 32 objects, with one sample a
+///   pixel);
 /// - *the shadows of thin things*, and those seen in mirrors or through glass;
 /// - *texels and bumps* smaller than a cell, in images and maps;
 /// - *the sharpest highlights*: on a ball of 100 pixels those of a shininess above a thousand, on smaller ones of some hundreds.

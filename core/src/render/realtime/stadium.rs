@@ -1,35 +1,87 @@
-//! The outline of a long shape in the picture: all places within some distance of a line.
+//! The outline of a hull in the picture: all places within some distance of a line.
 
+use super::Grid;
 use crate::camera::Viewport;
-use crate::math::Real;
-use crate::shape::Spine;
+use crate::math::{Real, Vec3};
+use crate::shape::Hull;
 
 /// The places of the picture within `radius` of the line between two places, in pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stadium<N> {
     from: (N, N),
     to: (N, N),
-    pub(super) radius: N,
+    radius: N,
 }
 
+/// A hull has so many corners at most.
+const CORNERS: usize = 8;
+
 impl<N: Real<Setup = N>> Stadium<N> {
-    /// What holds everything that is seen of a shape; `None` where it is not well in front of the camera.
+    /// What holds everything that is seen of a hull: the line lies along one of its axes, that for which the radius is least. `None`
+    /// where it is not well in front of the camera.
     ///
     /// A point is seen at f · c / c_z. One that is δ away is seen elsewhere by f · (δ c_z - c δ_z) / (c_z (c_z + δ_z)),
-    /// which is at most f · r |c| / (c_z (c_z - r)): largest at one of the ends.
-    pub(super) fn new<R: Real<Setup = N>>(viewport: &Viewport<R>, spine: &Spine<R>) -> Option<Self> {
-        let radius = spine.radius.to_setup();
-        let (from, to) = (spine.from.to_setup(), spine.to.to_setup());
-        let ends = (viewport.project(from)?, viewport.project(to)?);
-        let slant = |depth: N, distance: N| distance / depth;
-        let (depth, distance) = viewport.depth(from);
-        let (other_depth, other_distance) = viewport.depth(to);
-        let slant = slant(depth, distance).larger(slant(other_depth, other_distance));
-        let nearest = if depth < other_depth { depth } else { other_depth } - radius;
+    /// which is at most f · r |c| / (c_z (c_z - r)): largest at one of the corners.
+    #[inline(never)]
+    pub(super) fn new<R: Real<Setup = N>>(viewport: &Viewport<R>, hull: &Hull<R>) -> Option<Self> {
+        let radius = hull.radius.to_setup();
+        let (mut places, mut count) = ([(N::ZERO, N::ZERO); CORNERS], 0);
+        let (mut slant, mut nearest) = (N::ZERO, N::FARTHEST);
+        for (corner, place) in hull.corners().zip(&mut places) {
+            let corner = corner.to_setup();
+            *place = viewport.project(corner)?;
+            let (depth, distance) = viewport.depth(corner);
+            slant = slant.larger(distance / depth);
+            nearest = if depth < nearest { depth } else { nearest };
+            count += 1;
+        }
+        nearest = nearest - radius;
         if !(nearest > radius) {
             return None;
         }
-        Some(Self { from: ends.0, to: ends.1, radius: radius * slant / (nearest * viewport.pixel()) })
+        let around = radius * slant / (nearest * viewport.pixel());
+        let places = places.get(..count)?;
+        let mut narrowest: Option<Self> = None;
+        for axis in &hull.axes {
+            // Where all are none, it is a point.
+            if *axis == Vec3::ZERO && narrowest.is_some() {
+                continue;
+            }
+            let end = |end: Vec3<R>| viewport.project(end.to_setup());
+            let (from, to) = (end(hull.center - *axis)?, end(hull.center + *axis)?);
+            let stadium = Self::along(from, to, places);
+            if narrowest.is_none_or(|narrowest| stadium.radius < narrowest.radius) {
+                narrowest = Some(stadium);
+            }
+        }
+        narrowest.map(|stadium| Self { radius: stadium.radius + around, ..stadium })
+    }
+
+    /// What holds some places, along the line between two.
+    #[inline(never)]
+    fn along(from: (N, N), to: (N, N), places: &[(N, N)]) -> Self {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let length = (x * x + y * y).sqrt();
+        // Seen from its end, any direction will do.
+        let (x, y) = if length > N::from_f32(1e-3) { (x / length, y / length) } else { (N::ONE, N::ZERO) };
+        let (mut begin, mut end, mut radius) = (N::ZERO, N::ZERO, N::ZERO);
+        for place in places {
+            let (right, down) = (place.0 - from.0, place.1 - from.1);
+            let along = right * x + down * y;
+            begin = if along < begin { along } else { begin };
+            end = end.larger(along);
+            radius = radius.larger((down * x - right * y).abs());
+        }
+        let at = |along: N| (from.0 + x * along, from.1 + y * along);
+        Self { from: at(begin), to: at(end), radius }
+    }
+
+    /// Whether it could hide between the points of a grid. What is as wide as a cell does not cross a side between two of them, enter and
+    /// leave; what is as wide and high as two cells covers one wherever it is.
+    pub(super) fn is_thin(&self, grid: Grid) -> bool {
+        let (side, width) = (N::from_u16(grid.pixels() as u16), self.radius + self.radius);
+        let (x, y) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
+        width < side || (x * x + y * y).sqrt() + width < side + side
     }
 
     /// Its leftmost and rightmost place between two heights, or a little more; `None` where it is not there.

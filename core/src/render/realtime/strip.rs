@@ -1,89 +1,130 @@
-//! Which objects the cells of a few neighboring lines can show, and which of them are so thin that they could hide
-//! between the points of the grid.
+//! What the cells of a few neighboring lines can show, and where something is so thin that it could hide between the points
+//! of the grid.
 
 use super::super::Renderer;
 use super::super::line_candidates::Span;
 use super::super::outline::pixel;
+use super::Grid;
 use super::stadium::Stadium;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
-use crate::prepared::queries::Enclosure;
 use crate::shape::Geometry;
 
-/// The objects that each place of a strip of lines can show.
+/// What each place of a strip of lines can show.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strip {
     spans: [Span; ObjectSet::CAPACITY],
     objects: usize,
+    thin: Places,
 }
 
 impl Strip {
     /// The candidates for the pixel centers of the lines from `top` to `bottom`, both included; `None` where they
-    /// are not known.
+    /// are not known. Some of the hulls of `thin` objects are thin.
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         top: u16,
         bottom: u16,
+        thin: ObjectSet,
+        grid: Grid,
     ) -> Option<Self> {
+        let known = renderer.outlines.strip(top, bottom)?;
+        let mut strip = Self { spans: [Span::NOWHERE; ObjectSet::CAPACITY], objects: 0, thin: Places::NONE };
         // A pixel of room for rounding.
         let half = R::Setup::from_f32(0.5);
         let (upper, lower) =
             (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE);
-        let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
-        let mut objects = 0;
-        let known = renderer.outlines.strip(top, bottom)?;
-        for ((span, known), spine) in spans.iter_mut().zip(known).zip(renderer.scene.spines()) {
+        for (index, (span, known)) in strip.spans.iter_mut().zip(known).enumerate() {
             *span = known;
-            if let Some(stadium) = spine.and_then(|spine| Stadium::new(&renderer.viewport, &spine)) {
-                *span = match stadium.extent(upper, lower) {
-                    Some((left, right)) => span.common(Span { start: pixel(left, -1), end: pixel(right, 2) }),
-                    None => Span::NOWHERE,
-                };
+            if ObjectSet::NONE.with(index).intersects(thin) {
+                let mut all = Span::NOWHERE;
+                for hull in renderer.scene.hulls(index) {
+                    let Some(stadium) = Stadium::new(&renderer.viewport, &hull) else {
+                        all = Span::EVERYWHERE;
+                        continue;
+                    };
+                    if let Some((left, right)) = stadium.extent(upper, lower) {
+                        let place = known.common(Span { start: pixel(left, -1), end: pixel(right, 2) });
+                        all = all.hull(place);
+                        if stadium.is_thin(grid) {
+                            strip.thin.add(place);
+                        }
+                    }
+                }
+                *span = known.common(all);
             }
-            objects += 1;
+            strip.objects += 1;
         }
-        Some(Self { spans, objects })
+        Some(strip)
     }
 
     /// The objects that the pixels from `left` to `right`, both included, can show.
     pub(super) fn between(&self, left: u16, right: u16) -> ObjectSet {
         let mut set = ObjectSet::NONE;
         for (index, span) in self.spans.iter().take(self.objects).enumerate() {
-            if span.start <= right && left < span.end {
+            if span.reaches(left, right) {
                 set = set.with(index);
             }
         }
         set
     }
+
+    /// Whether one of these pixels can show something thin.
+    pub(super) fn is_thin(&self, left: u16, right: u16) -> bool {
+        self.thin.reach(left, right)
+    }
 }
 
-/// The objects that are less than `pixels` wide or high in the picture.
-pub(super) fn thin_objects<R: Real, S: Geometry>(
-    renderer: &Renderer<'_, '_, R, S>,
-    pixels: u16,
-) -> ObjectSet {
+/// The objects of which a hull is thin.
+pub(super) fn thin_objects<R: Real, S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> ObjectSet {
     let mut thin = ObjectSet::NONE;
-    let Some(enclosures) = renderer.scene.enclosures() else { return thin };
-    let (viewport, limit) = (&renderer.viewport, R::Setup::from_u16(pixels));
-    for (index, (enclosure, spine)) in enclosures.zip(renderer.scene.spines()).enumerate() {
-        let is_small = match enclosure {
-            Enclosure::Ball { center, radius } => {
-                let distance = (center.to_setup() - viewport.eye().to_setup()).length();
-                let radius = radius.to_setup();
-                radius + radius < distance * viewport.pixel() * limit
-            }
-            Enclosure::Box(bounds) => viewport
-                .frame(bounds.to_setup())
-                .is_some_and(|frame| frame.right - frame.left < limit || frame.bottom - frame.top < limit),
-            Enclosure::Everywhere => false,
-        };
-        let is_narrow = || {
-            let stadium = spine.and_then(|spine| Stadium::new(viewport, &spine));
-            stadium.is_some_and(|stadium| stadium.radius + stadium.radius < limit)
-        };
-        if is_small || is_narrow() {
+    // Where there are no sets, none is known.
+    if renderer.scene.enclosures().is_none() {
+        return thin;
+    }
+    for index in renderer.scene.all() {
+        let is_thin = renderer.scene.hulls(index).any(|hull| {
+            let stadium = Stadium::new(&renderer.viewport, &hull);
+            stadium.is_some_and(|stadium| stadium.is_thin(grid))
+        });
+        if is_thin {
             thin = thin.with(index);
         }
     }
     thin
+}
+
+/// How many places of a strip are known apart from each other.
+const PLACES: usize = 12;
+
+/// Some places of a strip.
+#[derive(Clone, Copy, Debug)]
+struct Places {
+    spans: [Span; PLACES],
+    count: usize,
+}
+
+impl Places {
+    const NONE: Self = Self { spans: [Span::NOWHERE; PLACES], count: 0 };
+
+    /// Adds one; of too many, the last become one.
+    fn add(&mut self, place: Span) {
+        if place.start >= place.end {
+            return;
+        }
+        let spans = self.spans.get_mut(..self.count).unwrap_or_default();
+        // Next to one that is known, it makes that longer.
+        if let Some(near) = spans.iter_mut().find(|span| span.reaches(place.start, place.end)) {
+            *near = near.hull(place);
+        } else if let Some(free) = self.spans.get_mut(self.count) {
+            *free = place;
+            self.count += 1;
+        } else if let Some(last) = self.spans.last_mut() {
+            *last = last.hull(place);
+        }
+    }
+
+    fn reach(&self, left: u16, right: u16) -> bool {
+        self.spans.iter().take(self.count).any(|span| span.reaches(left, right))
+    }
 }

@@ -20,7 +20,7 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Geometry, Intersect, Solid};
+use super::{Geometry, Hull, Intersect, Solid};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -266,6 +266,14 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
 
     fn bounds(&self) -> Option<Aabb<R>> {
         self.body.bounds
+    }
+
+    /// That of the whole, then those of its solids: of two that are thick, a thin part may be left, and of several that are far apart
+    /// each may be thin.
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let Some(part) = part.checked_sub(1) else { return self.body.bounds.map(Hull::aligned) };
+        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
     }
 
     #[inline(never)]

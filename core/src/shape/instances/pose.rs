@@ -1,6 +1,6 @@
 //! Where an instance stands, and how it is turned.
 
-use super::super::{Spine, bounds_of};
+use super::super::{Hull, bounds_of};
 use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
@@ -104,9 +104,8 @@ impl<R: Real> PreparedPose<R> {
         bounds_of(around.corners().map(|corner| self.point(corner)))
     }
 
-    pub(super) fn spine(&self, spine: Spine<R>) -> Spine<R> {
-        let (from, to) = (self.point(spine.from), self.point(spine.to));
-        let rounding = R::offset(from.magnitude().larger(to.magnitude()));
-        Spine { from, to, radius: spine.radius + rounding }
+    pub(super) fn hull(&self, hull: Hull<R>) -> Hull<R> {
+        let axes = hull.axes.map(|axis| self.rotation.turn(axis));
+        Hull { center: self.point(hull.center), axes, ..hull }
     }
 }

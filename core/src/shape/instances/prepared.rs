@@ -1,6 +1,6 @@
 //! How a ray meets instances: it is brought to where the model is, and its hit back.
 
-use super::super::{Intersect, Spans, Spine};
+use super::super::{Hull, Intersect, Spans};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale};
@@ -83,8 +83,11 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         self.group.bounds
     }
 
-    fn spine(&self) -> Option<Spine<R>> {
-        Some(self.only()?.spine(self.model.spine()?))
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let parts = (0..).take_while(|part| self.model.hull(*part).is_some()).count();
+        let pose = self.group.poses.get(part.checked_div(parts)?)?;
+        Some(pose.hull(self.model.hull(part.checked_rem(parts)?)?))
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

@@ -208,13 +208,15 @@ fn parts_tell_the_instance_and_the_part_of_the_model() {
 }
 
 #[test]
-fn the_spine_is_turned_too() {
+fn the_hull_is_turned_too() {
     let top = Vec3::new(0.0, 4.0, 0.0);
     let pole = Cylinder { base: Vec3::ZERO, top, radius: 0.25, capped: true };
     let mut memory = Memory::new();
     let prepared = prepared::<_, f64>(Instances::new(&pole, &ASIDE), &mut memory).unwrap();
-    let spine = prepared.spine().unwrap();
-    assert!((spine.to - Vec3::new(-1.0, 0.0, 1.0)).magnitude() < 1e-6 && spine.radius > 0.25);
+    let hull = prepared.hull(0).unwrap();
+    let top = hull.center + hull.axes[0];
+    assert!((top - Vec3::new(-1.0, 0.0, 1.0)).magnitude() < 1e-6 && hull.radius == 0.25);
+    assert_eq!(prepared.hull(1), None);
 }
 
 #[test]

@@ -1,0 +1,105 @@
+//! What holds a shape, so that what is thin in a picture is known to be.
+
+use crate::math::{Aabb, Real, Vec3};
+
+/// A parallelepiped, and all that is no farther from it than some distance: what holds a shape, or a part of it.
+///
+/// Axes of no length make it a rectangle, a line or a point: a ball is what is around a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hull<R> {
+    /// The middle.
+    pub center: Vec3<R>,
+    /// From there to the middles of three faces.
+    pub axes: [Vec3<R>; 3],
+    /// How far it reaches around that.
+    pub radius: R,
+}
+
+impl<R: Real> Hull<R> {
+    /// A ball.
+    pub const fn ball(center: Vec3<R>, radius: R) -> Self {
+        Self { center, axes: [Vec3::ZERO; 3], radius }
+    }
+
+    /// What is around the line between two points.
+    pub fn line(from: Vec3<R>, to: Vec3<R>, radius: R) -> Self {
+        let half = (to - from) * R::from_f32(0.5);
+        Self { center: from + half, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
+    }
+
+    /// What two or three edges from a corner span.
+    #[inline(never)]
+    pub fn edges(corner: Vec3<R>, edges: [Vec3<R>; 3]) -> Self {
+        let axes = edges.map(|edge| edge * R::from_f32(0.5));
+        let [a, b, c] = axes;
+        Self { center: corner + a + b + c, axes, radius: R::ZERO }
+    }
+
+    /// A box along the coordinate axes.
+    #[inline(never)]
+    pub fn aligned(bounds: Aabb<R>) -> Self {
+        let (Vec3 { x, y, z }, none) = (bounds.max - bounds.min, R::ZERO);
+        Self::edges(
+            bounds.min,
+            [Vec3::new(x, none, none), Vec3::new(none, y, none), Vec3::new(none, none, z)],
+        )
+    }
+
+    /// One part of so many of what is no farther from a circle than some distance: all together hold it.
+    #[inline(never)]
+    pub(crate) fn arc(circle: &Circle<R>, part: usize, distance: R) -> Option<Self> {
+        let (from, to) = (circle.at(part)?, circle.at((part + 1) % ARCS)?);
+        Some(Self::line(from, to, distance + circle.radius * R::from_f32(SAGITTA)))
+    }
+
+    /// The corners of the parallelepiped, each once.
+    pub fn corners(&self) -> impl Iterator<Item = Vec3<R>> {
+        (0..8).filter_map(|number| self.corner(number))
+    }
+
+    /// A corner, by a number that has a bit for each axis; one that has no length has only the lower ends.
+    #[inline(never)]
+    fn corner(&self, number: u32) -> Option<Vec3<R>> {
+        let mut place = self.center;
+        for (bit, axis) in (0..).zip(&self.axes) {
+            let is_upper = number >> bit & 1 != 0;
+            if is_upper && *axis == Vec3::ZERO {
+                return None;
+            }
+            place = if is_upper { place + *axis } else { place - *axis };
+        }
+        Some(place)
+    }
+}
+
+/// A circle around a unit vector.
+pub(crate) struct Circle<R> {
+    pub(crate) center: Vec3<R>,
+    pub(crate) axis: Vec3<R>,
+    pub(crate) radius: R,
+}
+
+/// A circle is held by so many parts.
+const ARCS: usize = 16;
+/// How far it is from the lines between their ends, in radii: 1 - cos(π/16).
+const SAGITTA: f32 = 0.0193;
+
+impl<R: Real> Circle<R> {
+    /// Where a part begins.
+    fn at(&self, part: usize) -> Option<Vec3<R>> {
+        // The cosines of a quarter's parts.
+        const COSINES: [f32; ARCS / 4 + 1] = [1.0, 0.923_88, 0.707_107, 0.382_683, 0.0];
+        let (quarter, rest) = (part / (ARCS / 4), part % (ARCS / 4));
+        let cosine = |i: usize| COSINES.get(i).copied().map(|share| self.radius * R::from_f32(share));
+        let (cosine, sine) = (cosine(rest)?, cosine(ARCS / 4 - rest)?);
+        let (u, v) = self.axis.around();
+        let (along, across) = match quarter {
+            0 => (cosine, sine),
+            1 => (-sine, cosine),
+            2 => (-cosine, -sine),
+            3 => (sine, -cosine),
+            _ => return None,
+        };
+        Some(self.center + u * along + v * across)
+    }
+}
