@@ -203,6 +203,11 @@ pub trait Real:
     fn larger(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
+
+    /// The smaller of two.
+    fn smaller(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
 }
 
 /// A sum of products before it is rounded to `R`: for floating point, a number like any other.

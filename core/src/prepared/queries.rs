@@ -88,10 +88,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The plane that an object lies in: its unit normal, and its distance from the origin along that.
     pub(crate) fn plane_of(&self, object: usize) -> Option<(Vec3<R::Setup>, R::Setup)> {
-        match self.objects.get(object)?.shape.form() {
+        match self.form(object)? {
             Form::Flat { normal, distance } => Some((normal.to_setup(), distance.to_setup())),
             _ => None,
         }
+    }
+
+    /// What is known of an object beforehand.
+    pub(crate) fn form(&self, object: usize) -> Option<Form<R>> {
+        self.objects.get(object).map(|object| object.shape.form())
     }
 
     /// A ball that no ray from a hit near enough, toward a light, misses where it meets the object.
@@ -109,6 +114,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.candidates().map_or(ObjectSet::ALL, |candidates| {
             candidates.between(Departure { object: receiver, outward: true }, light)
         })
+    }
+
+    /// The objects for which that is so; none, where the scene has no sets.
+    pub(crate) fn objects_where(&self, is_so: impl Fn(usize) -> bool) -> ObjectSet {
+        let all = self.candidates().map_or(ObjectSet::NONE, Candidates::all);
+        all.filter(|object| is_so(*object)).fold(ObjectSet::NONE, ObjectSet::with)
     }
 
     /// The hulls of an object.

@@ -145,7 +145,7 @@ impl Outlines {
 
     /// Of how many objects outlines are known: without the feature, the compiler sees that it is none.
     #[inline(always)]
-    fn count(&self) -> Option<usize> {
+    pub(super) fn count(&self) -> Option<usize> {
         if cfg!(feature = "candidates") { self.count } else { None }
     }
 

@@ -1,5 +1,7 @@
 //! What holds a shape, so that what is thin in a picture is known to be.
 
+use core::f32::consts::FRAC_1_SQRT_2;
+
 use crate::math::{Aabb, Real, Vec3};
 
 /// A parallelepiped, and all that is no farther from it than some distance: what holds a shape, or a part of it.
@@ -88,7 +90,7 @@ impl<R: Real> Circle<R> {
     /// Where a part begins.
     fn at(&self, part: usize) -> Option<Vec3<R>> {
         // The cosines of a quarter's parts.
-        const COSINES: [f32; ARCS / 4 + 1] = [1.0, 0.923_88, 0.707_107, 0.382_683, 0.0];
+        const COSINES: [f32; ARCS / 4 + 1] = [1.0, 0.923_88, FRAC_1_SQRT_2, 0.382_683, 0.0];
         let (quarter, rest) = (part / (ARCS / 4), part % (ARCS / 4));
         let cosine = |i: usize| COSINES.get(i).copied().map(|share| self.radius * R::from_f32(share));
         let (cosine, sine) = (cosine(rest)?, cosine(ARCS / 4 - rest)?);

@@ -257,29 +257,35 @@ fn thin_shapes(center: Vec3, along: Vec3, radius: f32) -> [(&'static str, Shape<
 
 #[test]
 fn glints_are_shown_in_every_frame() {
-    // A mirror as far away as that of `classic`, and a highlight of a few pixels that moves over it.
-    let glossy =
-        Material { diffuse: 0.0, specular: 1.0, shininess: 1425.0, ..Material::matte(LinearRgb::WHITE) };
-    let ball = [Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 3.0)), 0)];
-    for frame in 0..60 {
-        let angle = frame as f32 * 0.011;
-        let position = Vec3::new(30.0 * angle.sin(), 7.0, 30.0 * angle.cos());
-        let lights = [Light::Point { position, color: LinearRgb::WHITE }];
-        let scene = Scene { lights: &lights, ..bright(&ball, core::slice::from_ref(&glossy)) };
-        with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
-            let light =
-                |picture: &Picture| picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum::<u32>();
-            let exact = light(&exact(renderer, &mut ()));
-            // On a grid of eight pixels, a pixel on the flank of a highlight may be interpolated.
-            for (quality, part) in QUALITIES.into_iter().zip([6, 12]) {
-                let close = light(&realtime(renderer, quality, &mut ()));
-                let off = exact.abs_diff(close);
-                assert!(
-                    exact > 500 && off * part < exact,
-                    "{close} of {exact} in frame {frame}, {quality:?}"
-                );
-            }
-        });
+    // A mirror as far away as that of `classic`, and smaller ones; and a highlight of a few pixels that moves over it.
+    for (radius, shininess, least) in [(3.0, 1425.0, 500), (1.1, 800.0, 0), (1.5, 1425.0, 0), (0.8, 800.0, 0)]
+    {
+        let glossy = Material { diffuse: 0.0, specular: 1.0, shininess, ..Material::matte(LinearRgb::WHITE) };
+        let ball = [Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, 0.0), radius)), 0)];
+        let mut sum = 0;
+        for frame in 0..60 {
+            let angle = frame as f32 * 0.011;
+            let position = Vec3::new(30.0 * angle.sin(), 7.0, 30.0 * angle.cos());
+            let lights = [Light::Point { position, color: LinearRgb::WHITE }];
+            let scene = Scene { lights: &lights, ..bright(&ball, core::slice::from_ref(&glossy)) };
+            with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
+                let light =
+                    |picture: &Picture| picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum::<u32>();
+                let exact = light(&exact(renderer, &mut ()));
+                sum += exact;
+                // On a grid of eight pixels, a pixel on the flank of a highlight may be interpolated.
+                for (quality, part) in QUALITIES.into_iter().zip([6, 12]) {
+                    let close = light(&realtime(renderer, quality, &mut ()));
+                    let off = exact.abs_diff(close);
+                    assert!(
+                        exact >= least && off * part <= exact,
+                        "{close} of {exact} in frame {frame}, {shininess}, {quality:?}"
+                    );
+                }
+            });
+        }
+        // The smallest are often less than a pixel.
+        assert!(sum > 60 * 20, "{sum} of {shininess}");
     }
 }
 
@@ -692,4 +698,97 @@ fn lines_that_are_told_unchanged_are() {
         });
     }
     assert!(skipped > 60, "{skipped} lines");
+}
+
+/// How many pixels something changes that the second scene is without, how many of these are off by more than half of that, and the share
+/// of pixels that are traced.
+fn lost(with: &Scene, without: &Scene, settings: Settings, quality: Realtime) -> (usize, usize, f64) {
+    let draw = |scene: &Scene| with_renderer::<f32, _>(scene, settings, |renderer| exact(renderer, &mut ()));
+    let (there, plain) = (draw(with), draw(without));
+    let mut rays = RayCounts::default();
+    let close = with_renderer::<f32, _>(with, settings, |renderer| realtime(renderer, quality, &mut rays));
+    let off = |a: &[u8; 3], b: &[u8; 3]| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+    let (mut all, mut lost) = (0, 0);
+    for ((there, plain), close) in there.pixels.iter().zip(&plain.pixels).zip(&close.pixels) {
+        if off(there, plain) > 24 {
+            all += 1;
+            lost += usize::from(off(there, close) > off(there, plain) / 2);
+        }
+    }
+    (all, lost, rays.camera as f64 / there.pixels.len() as f64)
+}
+
+#[test]
+fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
+    let materials = [
+        Material::matte(LinearRgb::gray(0.8)),
+        Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
+        Material::matte(LinearRgb::new(0.9, 0.1, 0.1)),
+    ];
+    let lights = [Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }];
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let pole = |x: f32, z: f32, radius: f32| {
+        let (base, top) = (Vec3::new(x, 0.0, z), Vec3::new(x, 3.0, z));
+        Object::new(Shape::Cylinder(Cylinder { base, top, radius, capped: true }), 2)
+    };
+    let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, up)), 0);
+    let wall = Object::new(
+        Shape::Rectangle(Rectangle::new(Vec3::new(-3.0, 0.0, -3.0), Vec3::new(6.0, 0.0, 0.0), up * 4.0)),
+        1,
+    );
+    let ball = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 0);
+    let mirror = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 1);
+    for (name, objects) in [
+        ("floor", vec![floor]),
+        ("wall", vec![floor, wall]),
+        ("ball", vec![floor, ball]),
+        ("mirror", vec![floor, mirror]),
+    ] {
+        for radius in [0.02, 0.04, 0.08] {
+            let poles = [pole(-1.7, 1.2, radius), pole(2.1, 1.0, radius), pole(-0.6, 2.4, radius)];
+            let all = [&objects[..], &poles].concat();
+            for quality in QUALITIES {
+                let (mut sum, mut gone, mut most, mut traced) = (0, 0, 0, 0.0);
+                for frame in 0..12 {
+                    let angle = frame as f32 * 0.1 - 0.6;
+                    let eye = Vec3::new(10.0 * angle.sin(), 4.0, 10.0 * angle.cos());
+                    let camera = Camera { eye, target: up, up, vertical_fov: 0.7 };
+                    let plain = Scene {
+                        camera,
+                        background: LinearRgb::new(0.3, 0.4, 0.6).into(),
+                        objects: &objects,
+                        materials: &materials,
+                        lights: &lights,
+                    };
+                    let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
+                    let (there, lost, share) =
+                        lost(&Scene { objects: &all, ..plain }, &plain, settings, quality);
+                    (sum, gone, most, traced) =
+                        (sum + there, gone + lost, most.max(lost), traced + share / 12.0);
+                }
+                let what =
+                    format!("{name}, {radius}, {:?}: {gone} of {sum} lost, {traced} traced", quality.grid);
+                assert!(sum > 1900 && gone <= 2 && most <= 1, "{what}");
+                assert!(traced < 0.33, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_thin_is_shown_whole_with_several_samples() {
+    let settings = Settings { samples_per_pixel: 4, ..Settings::new(160, 120) };
+    let bead = Object::new(Shape::Sphere(Sphere::new(Vec3::new(-4.0, 3.0, 0.0), 0.1)), 0);
+    for angle in [0.1f32, 0.8, 1.4, 2.3] {
+        let along = Vec3::new(3.5 * angle.cos(), 3.5 * angle.sin(), 0.0);
+        let needle = Cylinder { base: -along, top: along, radius: 0.06, capped: true };
+        let objects = [Object::new(Shape::Cylinder(needle), 0), bead];
+        let scene = bright(&objects, &[GLOWING]);
+        let plain = bright(&[], &[GLOWING]);
+        for quality in QUALITIES {
+            let (there, lost, traced) = lost(&scene, &plain, settings, quality);
+            // Every sample is counted.
+            assert!(there > 100 && lost == 0 && traced < 4.0 * 0.4, "{lost} of {there}, {traced} traced");
+        }
+    }
 }

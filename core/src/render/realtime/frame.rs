@@ -13,6 +13,7 @@ use super::limits::Limits;
 use super::paint::Paint;
 use super::seen::Marks;
 use super::strip::{Strip, thin_objects};
+use super::tiny::{Tiny, Watch};
 use super::tracer::Tracer;
 use super::{Realtime, RealtimeBuffer, Sample};
 use crate::integrator::Bounds;
@@ -52,6 +53,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     /// A pixel that sees nothing, where all such pixels look alike.
     nothing: Option<Sample>,
     marks: Marks<R>,
+    /// What could hide, and where it is not known.
+    tiny: Option<Tiny<R>>,
     cell: Cell,
     budget: Budget,
 }
@@ -89,6 +92,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
+        let marks = Marks::new(quality.grid);
         let thin = thin_objects(renderer, quality.grid);
         Ok(Self {
             quality,
@@ -102,7 +106,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             bounds: Bounds { cutoff, ..renderer.bounds },
             unlit,
             renderer,
-            marks: Marks::new(quality.grid),
+            tiny: Tiny::new(renderer, quality.grid, marks.near),
+            marks,
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, total),
         })
@@ -194,6 +199,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             limits: Limits::new(self.quality.threshold, detail),
             allowed: self.budget.left(),
             marks: self.marks,
+            watch: self.tiny.map(Watch::new),
             color: PhantomData::<C>,
             probe,
             rays: 0,

@@ -2,9 +2,10 @@
 
 use super::super::Tone;
 use super::sample::Path;
+use super::tiny::Watch;
 use super::{Grid, Sample};
 use crate::material::PreparedMaterial;
-use crate::math::{Real, Vec3};
+use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -17,7 +18,7 @@ pub(super) struct Marks<R> {
     faint: R,
     /// How far from its middle a small highlight shows, and is near, see [`Shininess::shows`](crate::material::Shininess).
     shows: R,
-    near: R,
+    pub(super) near: R,
     /// The least cosine to the middle of a highlight that is near: those of more than 17° are not small.
     beside: R,
 }
@@ -45,11 +46,15 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     /// Bounces before the current ray.
     bounces: u32,
     near_glint: bool,
+    /// Watches for what is tiny, where there is any.
+    watch: Option<&'p mut Watch<R>>,
     marks: Marks<R>,
     /// Whether small highlights are looked for that lie beside what is seen.
     searches: bool,
     /// Whether what the current ray sees counts.
     counts: bool,
+    /// Origin of the current ray.
+    origin: Vec3<R>,
     /// Direction of the current ray, mirrored after it has hit something with a small highlight.
     direction: Vec3<R>,
     /// The material that it hit.
@@ -61,6 +66,7 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
         scene: &'s PreparedScene<'m, R, S>,
         marks: Marks<R>,
         searches: bool,
+        watch: Option<&'p mut Watch<R>>,
         probe: &'p mut P,
     ) -> Self {
         Self {
@@ -70,10 +76,12 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
             shade: 0,
             bounces: 0,
             near_glint: false,
+            watch,
             marks,
             searches,
             counts: true,
-            direction: Vec3::new(R::ZERO, R::ZERO, R::ZERO),
+            origin: Vec3::ZERO,
+            direction: Vec3::ZERO,
             hit: None,
         }
     }
@@ -101,8 +109,15 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
         normal.into_iter().chain(shares).fold(0, |digest, share| fold(digest, share.to_q16() >> 12))
     }
 
-    /// The pixel, whose tone is known in the end.
-    pub(super) fn sample(&self, tone: Tone) -> Sample {
+    /// This pixel, whose tone is known in the end. Beside something tiny it is like no other.
+    pub(super) fn sample(&mut self, tone: Tone, (x, y): (u16, u16)) -> Sample {
+        if let Some(watch) = &mut self.watch
+            && core::mem::take(&mut watch.is_near)
+        {
+            self.path = fold(self.path, u32::from(x) << 16 | u32::from(y));
+            self.shade = fold(self.shade, self.path);
+            self.near_glint = true;
+        }
         Sample::traced(tone, self.path(), self.shade, self.near_glint)
     }
 
@@ -127,8 +142,14 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                 self.bounces = u32::from(bounces);
                 self.counts = throughput > self.marks.faint;
                 self.direction = ray.direction;
+                self.origin = ray.origin;
             }
             Event::Hit { kind, hit, color, mirrored } if self.counts => {
+                if let Some(watch) = &mut self.watch {
+                    let ray = (Ray { origin: self.origin, direction: self.direction }, self.bounces == 0);
+                    // By value: it may stay in registers for what comes.
+                    watch.hit(self.scene, ray, hit, mirrored);
+                }
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
                 let surface = &hit.surface;
                 // Parts of one object have edges between them, unless its normals are those of something smooth.
@@ -173,6 +194,10 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
             Event::Miss { color } if self.counts => {
                 let mark = self.scene.background.mark(self.direction, color);
                 self.path = fold(self.path, 1 << 25 ^ mark);
+                if let Some(watch) = &mut self.watch {
+                    let ray = (Ray { origin: self.origin, direction: self.direction }, self.bounces == 0);
+                    watch.miss(self.scene, ray);
+                }
             }
             Event::Hit { .. } | Event::Light { .. } | Event::Miss { .. } | Event::Cut(_) => {}
         }

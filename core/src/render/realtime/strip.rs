@@ -8,7 +8,7 @@ use super::Grid;
 use super::stadium::Stadium;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Hull};
 
 /// What each place of a strip of lines can show.
 #[derive(Clone, Copy, Debug)]
@@ -75,23 +75,11 @@ impl Strip {
     }
 }
 
-/// The objects of which a hull is thin.
+/// The objects of which a hull is thin where it is seen.
 pub(super) fn thin_objects<R: Real, S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> ObjectSet {
-    let mut thin = ObjectSet::NONE;
-    // Where there are no sets, none is known.
-    if renderer.scene.enclosures().is_none() {
-        return thin;
-    }
-    for index in renderer.scene.all() {
-        let is_thin = renderer.scene.hulls(index).any(|hull| {
-            let stadium = Stadium::new(&renderer.viewport, &hull);
-            stadium.is_some_and(|stadium| stadium.is_thin(grid))
-        });
-        if is_thin {
-            thin = thin.with(index);
-        }
-    }
-    thin
+    let is_thin =
+        |hull: Hull<R>| Stadium::new(&renderer.viewport, &hull).is_some_and(|stadium| stadium.is_thin(grid));
+    renderer.scene.objects_where(|object| renderer.scene.hulls(object).any(is_thin))
 }
 
 /// How many places of a strip are known apart from each other.

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use super::cell::Look;
 use super::limits::Limits;
 use super::seen::{Marks, Seen};
+use super::tiny::Watch;
 use super::{Grid, Sample};
 use crate::integrator::{Bounds, Sight};
 use crate::math::Real;
@@ -28,6 +29,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) top: u32,
     pub(super) limits: Limits,
     pub(super) marks: Marks<R>,
+    pub(super) watch: Option<Watch<R>>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
@@ -40,10 +42,10 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
     pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Option<Sample> {
         let color = renderer.scene.background.solid()?;
         let mut probe = ();
-        let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, &mut probe);
+        let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, None, &mut probe);
         seen.record(Event::Miss { color });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
-        Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
+        Some(seen.sample(C::tone(Light16::new(color), &quantizer), (0, 0)))
     }
 }
 
@@ -68,7 +70,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         // The camera sees on beyond the picture.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
         let scene = if is_lit { self.renderer.scene } else { self.unlit };
-        let mut seen = Seen::new(scene, self.marks, searches, self.probe);
+        let mut seen = Seen::new(scene, self.marks, searches, self.watch.as_mut(), self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
@@ -76,7 +78,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         if self.rays >= self.allowed {
             self.limits = Limits::NONE;
         }
-        seen.sample(C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer)))
+        let quantizer = Quantizer::nearest(self.renderer.settings.transfer);
+        seen.sample(C::tone(Light16::new(light), &quantizer), (x, y))
     }
 }
 

@@ -1,0 +1,131 @@
+//! The rays around a traced one, as far as that stands for them: a cone (Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984).
+//!
+//! What a traced ray passes by within its cone may be met by a ray beside it: something thin that is mirrored, or that is in the way to
+//! a light. Where thin things are seen directly is known better ([`Strip`](super::strip::Strip)), unless a pixel has several samples.
+//!
+//! The cone holds every ray up to half the diagonal of a cell away. Mirrors that are balls open it, as two places of them have normals of
+//! other directions; others are taken to be flat. On a surface the cone leaves an ellipse, longer the more the surface is slanted, and a
+//! shadow ray stands for those of the whole ellipse.
+
+use super::Grid;
+use crate::camera::Viewport;
+use crate::math::{Ray, Real, Vec3};
+use crate::shape::Hull;
+
+/// The cone around a ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cone<R> {
+    /// Its radius where the ray begins, and by how much it grows with each unit.
+    radius: R,
+    spread: R,
+}
+
+impl<R: Real> Cone<R> {
+    /// That of a ray from the eye.
+    pub(super) fn new(viewport: &Viewport<R>, grid: Grid) -> Self {
+        let half_diagonal = R::Setup::from_u16(grid.pixels() as u16) * R::Setup::from_f32(0.71);
+        Self { radius: R::ZERO, spread: R::from_setup(half_diagonal * viewport.pixel()).smaller(R::ONE) }
+    }
+
+    /// After so many units.
+    pub(super) fn after(self, distance: R) -> Self {
+        Self { radius: self.radius_at(distance), ..self }
+    }
+
+    /// Mirrored or bent by a ball of this radius.
+    pub(super) fn opened(self, ball_radius: R) -> Self {
+        let turn = (self.radius + self.radius).smaller(ball_radius) / ball_radius;
+        Self { spread: (self.spread + turn).smaller(R::ONE), ..self }
+    }
+
+    /// The least cosine between the direction of one of its rays and the middle one: about 1 less half the angle's square.
+    pub(super) fn least_cosine(self) -> R {
+        R::ONE - self.spread * self.spread * R::from_f32(0.5)
+    }
+
+    /// Whether it is wider than a hull, where that is narrowest.
+    pub(super) fn is_wider(self, hull: &Hull<R>) -> bool {
+        Stick::new(hull).radius < self.radius
+    }
+
+    fn radius_at(&self, distance: R) -> R {
+        self.radius + self.spread * distance
+    }
+
+    /// Whether a ray beside this one can meet something thin in a hull that this one passes by before so many units.
+    #[inline(never)]
+    pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hull: &Hull<R>) -> bool {
+        let stick = Stick::new(hull);
+        let (t, across) = stick.nearest(ray);
+        // Nothing is seen of what lies behind, whichever end of it is there.
+        t > R::ZERO && t < distance && stick.is_thin_and_near(across.length(), self.radius_at(t))
+    }
+
+    /// The same for a shadow ray from a surface of this normal, where the cone's ray has this direction.
+    #[inline(never)]
+    pub(super) fn can_be_shaded(
+        &self,
+        shadow: &Ray<R>,
+        direction: Vec3<R>,
+        normal: Vec3<R>,
+        hull: &Hull<R>,
+    ) -> bool {
+        let stick = Stick::new(hull);
+        let (t, across) = stick.nearest(shadow);
+        let (toward, distance) = across.polar();
+        // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
+        let slant = direction.dot(normal).abs().larger(R::from_f32(MOST_SLANTED));
+        let step = toward
+            - normal * (direction.dot(toward) / if direction.dot(normal) < R::ZERO { -slant } else { slant });
+        t > R::ZERO && stick.is_thin_and_near(distance, self.radius * step.length())
+    }
+}
+
+/// The least cosine between a ray and the normal of a surface that counts.
+const MOST_SLANTED: f32 = 1.0 / 16.0;
+
+/// A hull that is taken for a line with something around it.
+struct Stick<R> {
+    center: Vec3<R>,
+    /// Unit vector along the longest axis; none of what is around a point.
+    along: Vec3<R>,
+    half_length: R,
+    radius: R,
+}
+
+impl<R: Real> Stick<R> {
+    fn new(hull: &Hull<R>) -> Self {
+        let (mut along, mut half_length, mut lengths) = (Vec3::ZERO, R::ZERO, R::ZERO);
+        for axis in &hull.axes {
+            if let Some((unit, length)) = Some(axis.polar()).filter(|(_, length)| *length > R::ZERO) {
+                lengths = lengths + length;
+                if length > half_length {
+                    (along, half_length) = (unit, length);
+                }
+            }
+        }
+        Self { center: hull.center, along, half_length, radius: hull.radius + (lengths - half_length) }
+    }
+
+    /// Where on a ray its line is the nearest, and the way from there to it.
+    fn nearest(&self, ray: &Ray<R>) -> (R, Vec3<R>) {
+        let toward = self.center - ray.origin;
+        let cosine = self.along.dot(ray.direction);
+        let sine_squared = R::ONE - cosine * cosine;
+        // Of parallel lines, any two places are as near.
+        let place = if sine_squared > R::from_f32(1e-3) {
+            (cosine * toward.dot(ray.direction) - self.along.dot(toward)) / sine_squared
+        } else {
+            R::ZERO
+        };
+        let place = place.larger(-self.half_length).smaller(self.half_length);
+        let toward = toward + self.along * place;
+        let t = toward.dot(ray.direction);
+        (t, toward - ray.direction * t)
+    }
+
+    /// Whether it is thin beside a cone of this radius, and the cone reaches it at this distance.
+    fn is_thin_and_near(&self, distance: R, radius: R) -> bool {
+        self.radius < radius && distance < self.radius + radius
+    }
+}

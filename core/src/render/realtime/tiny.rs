@@ -1,0 +1,122 @@
+//! What is so small that it could hide between the points of the grid, where that is not known before the first ray: thin things that are
+//! mirrored or refracted, or stand in the way to a light, and the smallest highlights.
+//!
+//! A pixel that is traced stands for those up to half the diagonal of a cell away. Where one of these could see something tiny, as the
+//! [`Cone`] around the ray tells, the pixel is like no other, and so all around it is traced.
+
+use super::super::Renderer;
+use super::Grid;
+use super::cone::Cone;
+use crate::math::{Ray, Real, Vec3};
+use crate::prepared::candidates::ObjectSet;
+use crate::prepared::{Hit, PreparedScene};
+use crate::shape::{Form, Geometry, Hull};
+
+/// The objects that could hide, where there are any.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tiny<R> {
+    /// Of a ray from the eye.
+    cone: Cone<R>,
+    /// Thin ones, beside a ray that is mirrored or goes to a light; and beside one from the eye.
+    thin: ObjectSet,
+    thin_at_first: ObjectSet,
+    /// Balls, for their highlights.
+    glossy: ObjectSet,
+}
+
+impl<R: Real> Tiny<R> {
+    /// `near`: so many times as far as a highlight shows, it is looked for in any case.
+    pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid, near: R) -> Option<Self> {
+        let (scene, eye) = (renderer.scene, renderer.viewport.eye());
+        let cone = Cone::new(&renderer.viewport, grid);
+        let distance = |center: Vec3<R>| (center - eye).length();
+        // What is mirrored is seen from farther away.
+        let can_be_thin =
+            |hull: Hull<R>| cone.after(distance(hull.center)).after(distance(hull.center)).is_wider(&hull);
+        let is_glossy = |object: usize| match (scene.form(object), scene.material(object)) {
+            (Some(Form::Ball { center, radius }), Some(material)) if material.specular > R::ZERO => {
+                let cosine = cone.after(distance(center)).opened(radius).least_cosine();
+                // Near a larger one there is a point of the grid.
+                !material.shininess.shows(cosine, near * R::from_u16(4))
+            }
+            _ => false,
+        };
+        let thin = scene.objects_where(|object| scene.hulls(object).any(can_be_thin));
+        let glossy = scene.objects_where(is_glossy);
+        let thin_at_first = if renderer.outlines.count().is_some() { ObjectSet::NONE } else { thin };
+        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { cone, thin, thin_at_first, glossy })
+    }
+}
+
+/// Watches the rays of one pixel after the other for what is tiny beside them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watch<R> {
+    tiny: Tiny<R>,
+    /// Around what leaves the last hit.
+    cone: Cone<R>,
+    /// Whether something tiny is near.
+    pub(super) is_near: bool,
+}
+
+/// A ray, and whether it is from the eye.
+type Watched<R> = (Ray<R>, bool);
+
+impl<R: Real> Watch<R> {
+    pub(super) fn new(tiny: Tiny<R>) -> Self {
+        Self { tiny, cone: tiny.cone, is_near: false }
+    }
+
+    /// A ray hits something, and would be mirrored this way.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn hit<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        watched: Watched<R>,
+        hit: Hit<R>,
+        mirrored: Vec3<R>,
+    ) {
+        let cone = self.look(scene, watched, hit.t);
+        let (direction, point, normal) = (watched.0.direction, hit.surface.point, hit.surface.normal);
+        let is_shaded = |toward: Vec3<R>| {
+            let shadow = Ray { origin: point, direction: toward };
+            let can_be_shaded = |hull: Hull<R>| cone.can_be_shaded(&shadow, direction, normal, &hull);
+            self.tiny.thin.into_iter().any(|object| scene.hulls(object).any(can_be_shaded))
+        };
+        let lights =
+            |normal: Vec3<R>| scene.lights.iter().filter_map(move |light| light.seen_from(point, normal));
+        let (facing, ..) = normal.facing(direction);
+        self.is_near |= lights(facing).any(|(toward, ..)| is_shaded(toward));
+        self.cone = match scene.form(hit.object) {
+            Some(Form::Ball { radius, .. }) => cone.opened(radius),
+            _ => cone,
+        };
+        if self.tiny.glossy.intersects(ObjectSet::NONE.with(hit.object)) {
+            let least = self.cone.least_cosine();
+            self.is_near |= lights(mirrored).any(|(.., cosine)| cosine > least);
+        }
+    }
+
+    /// A ray hits nothing.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn miss<S: Geometry>(&mut self, scene: &PreparedScene<'_, R, S>, watched: Watched<R>) {
+        self.look(scene, watched, R::FARTHEST);
+    }
+
+    /// Looks for thin things beside a ray up to this distance; the cone there. A ray that leaves a hit later than another one does begins
+    /// with what that has left: with more than its own.
+    #[inline(never)]
+    fn look<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        (ray, is_first): Watched<R>,
+        distance: R,
+    ) -> Cone<R> {
+        let (thin, cone) =
+            if is_first { (self.tiny.thin_at_first, self.tiny.cone) } else { (self.tiny.thin, self.cone) };
+        let can_see = |hull: Hull<R>| cone.can_see(&ray, distance, &hull);
+        self.is_near |= thin.into_iter().any(|object| scene.hulls(object).any(can_see));
+        cone.after(distance)
+    }
+}
