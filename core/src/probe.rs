@@ -60,6 +60,11 @@ pub enum Event<R> {
         /// The color of that in the ray's direction.
         color: LinearRgb<R>,
     },
+    /// What leaves that hit along the ray whatever the lights there send: told once for each hit, before its lights.
+    Surface {
+        /// What the surface shows of ambient light, and its own.
+        shown: LinearRgb<R>,
+    },
     /// A shadow ray was traced from that hit.
     Light {
         /// Position of the light in [`Scene::lights`](crate::Scene::lights).
@@ -141,7 +146,7 @@ impl<R: Real> Probe<R> for RayCounts {
             Event::Cut(Cut::Throughput) => &mut self.cut_throughput,
             Event::Cut(Cut::Rays) => &mut self.cut_rays,
             Event::Cut(Cut::ShadowLayers) => &mut self.cut_shadow_layers,
-            Event::Hit { .. } | Event::Miss { .. } => return,
+            Event::Hit { .. } | Event::Surface { .. } | Event::Miss { .. } => return,
         };
         *count = count.saturating_add(1);
     }

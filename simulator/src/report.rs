@@ -178,6 +178,12 @@ impl<R: Real> Probe<R> for Tree<'_> {
                 let background = color(background.to_f32());
                 self.line(self.depth + 1, format_args!("hits nothing, sees the background {background}"));
             }
+            // Many surfaces show none.
+            Event::Surface { shown } if shown == LinearRgb::BLACK => {}
+            Event::Surface { shown } => {
+                let shown = color(shown.to_f32());
+                self.line(self.depth + 1, format_args!("ambient light and light of its own: adds {shown}"));
+            }
             Event::Light { light, toward, through, shown } => {
                 let (toward, through, shown) =
                     (vector(toward.to_f32()), number(through.to_f32() * 100.0), color(shown.to_f32()));

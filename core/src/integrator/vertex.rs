@@ -109,6 +109,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         if let Some(optics) = optics {
             ambient = ambient + optics.emission;
         }
+        probe.record(Event::Surface { shown: ambient });
         let (diffuses, shines) = (material.diffuse > R::ZERO, material.specular > R::ZERO);
         if !(diffuses || shines) {
             return ambient;

@@ -54,6 +54,24 @@ fn objects_of_files_are_named_with_their_line() {
     assert!(report.contains("hits nothing, sees the background (0.1, 0.2, 0.3)"), "{report}");
 }
 
+/// Of the light of this pixel the report left out a sixth.
+#[test]
+fn what_is_ambient_is_told_beside_the_lights() {
+    let report = Bench::new().output(&["pixel", "whitted", "320,400"]);
+    let colors = |text: &str| -> Vec<f64> {
+        let color = text.rsplit_once("adds (").unwrap().1.trim_end_matches(')');
+        color.split(", ").map(|channel| channel.parse().unwrap()).collect()
+    };
+    let surface = report.lines().find(|line| line.contains("ambient light and light of its own")).unwrap();
+    assert!(colors(surface).iter().sum::<f64>() > 0.1, "{report}");
+    let parts = report.lines().filter(|line| line.contains("adds (")).map(colors);
+    let sum = parts.reduce(|a, b| a.iter().zip(b).map(|(a, b)| a + b).collect()).unwrap();
+    let seen = report.rsplit_once("light (").unwrap().1.split_once(')').unwrap().0.split(", ");
+    for (part, seen) in sum.iter().zip(seen) {
+        assert!((part - seen.parse::<f64>().unwrap()).abs() < 1e-3, "{report}");
+    }
+}
+
 #[test]
 fn scenes_are_listed_a_line_each_and_can_be_rendered() {
     let bench = Bench::new();

@@ -4,8 +4,8 @@ use std::mem::MaybeUninit;
 
 use rayline::shape::{Plane, Polygon, Shape, Sphere};
 use rayline::{
-    Background, Camera, Event, Light, LinearRgb, Material, Object, PreparedScene, Probe, RayCounts, RayKind,
-    Real, Renderer, Scene, Settings, Vec3,
+    Background, Camera, Event, Light, LinearRgb, Material, Object, Optics, PreparedScene, Probe, RayCounts,
+    RayKind, Real, Renderer, Scene, Settings, Vec3,
 };
 
 /// Looks down the negative z axis from (0, 0, 5).
@@ -91,6 +91,37 @@ fn nothing_is_the_background() {
 fn without_lights_only_ambient_is_seen() {
     let material = Material { ambient: 0.25, ..Material::matte(LinearRgb::gray(0.5)) };
     assert_sees(&scene(&[ball(0)], &[material], &[]), 0.125);
+}
+
+/// The sum of all that hits are said to add.
+#[derive(Default)]
+struct Parts([f64; 3]);
+
+impl<R: Real> Probe<R> for Parts {
+    fn record(&mut self, event: Event<R>) {
+        if let Event::Surface { shown } | Event::Light { shown, .. } = event {
+            let LinearRgb { r, g, b } = shown.to_f32();
+            self.0.iter_mut().zip([r, g, b]).for_each(|(sum, part)| *sum += f64::from(part));
+        }
+    }
+}
+
+/// Probes were told what lights bring, but not what is ambient and what surfaces emit.
+#[test]
+fn what_a_hit_is_said_to_add_is_what_is_seen() {
+    let glowing = Optics { emission: LinearRgb::new(0.3, 0.2, 0.1), ..Optics::PLAIN };
+    let matte = Material { ambient: 0.25, ..Material::matte(LinearRgb::new(0.5, 0.25, 1.0)) };
+    let shiny = Material { specular: 0.5, shininess: 3.0, optics: Some(&glowing), ..matte };
+    let dim = Light::Ambient { color: LinearRgb::new(1.0, 0.5, 0.5) };
+    let unlit = Material { optics: Some(&glowing), ..DARK };
+    for material in [matte, shiny, unlit] {
+        let lights = [point_light(1.0, 0.0, 4.0), dim, point_light(-1.0, 2.0, 5.0)];
+        let objects = [ball(0)];
+        let (light, Parts(sum)) = look::<f64, Parts>(&scene(&objects, &[material], &lights), ONE_PIXEL);
+        for (seen, said) in [light.r, light.g, light.b].map(f64::from).into_iter().zip(sum) {
+            assert!((seen - said).abs() < 1e-6 && said > 0.0, "{light:?}, said to be {sum:?}");
+        }
+    }
 }
 
 #[test]

@@ -199,7 +199,11 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     watch.miss(self.scene, ray);
                 }
             }
-            Event::Hit { .. } | Event::Light { .. } | Event::Miss { .. } | Event::Cut(_) => {}
+            Event::Hit { .. }
+            | Event::Surface { .. }
+            | Event::Light { .. }
+            | Event::Miss { .. }
+            | Event::Cut(_) => {}
         }
     }
 }
