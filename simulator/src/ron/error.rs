@@ -4,6 +4,9 @@ use core::fmt;
 use std::io;
 use std::path::PathBuf;
 
+use rayline::read::Fields;
+use rayline::shape::Mesh;
+use rayline::{Image, Material};
 use ron::error::SpannedError;
 
 use crate::nearest::{DidYouMean, nearest};
@@ -53,6 +56,23 @@ pub enum RonFault {
         /// What there is: the one with a name that is alike, or all.
         known: Vec<String>,
     },
+    /// A field is not there that has no usual value. Add it.
+    MissingField {
+        /// What it is to be in, if that is known.
+        what: Option<String>,
+        /// The field.
+        field: &'static str,
+    },
+    /// A field is there twice. Leave one out.
+    SameField {
+        /// The field.
+        field: &'static str,
+    },
+    /// An object names a preset, which the file's own list of materials does not have. Name it there first.
+    PresetInObject {
+        /// The preset.
+        name: String,
+    },
     /// What a name stands for cannot be read. Mend what it says.
     Named {
         /// What it was called.
@@ -90,12 +110,27 @@ impl RonFault {
                 Self::unknown(&of("variant", outer), &found, expected)
             }
             ron::Error::NoSuchStructField { expected, found, outer } => {
+                let outer = named_in_place_of(expected).map(str::to_owned).or(outer);
                 Self::unknown(&of("field", outer), &found, expected)
             }
+            ron::Error::MissingStructField { field, outer } => Self::MissingField { what: outer, field },
+            // It may name what the struct is in, as above; here its place in the file tells enough.
+            ron::Error::DuplicateStructField { field, .. } => Self::SameField { field },
             error => Self::Syntax(error),
         });
         (error.span.start.into(), fault)
     }
+}
+
+/// The struct with these fields, if it is one that a name may stand in place of: as it is read as whatever comes, its format does
+/// not know what it is, and takes its fields for those of what it is in.
+fn named_in_place_of(fields: &[&str]) -> Option<&'static str> {
+    fn name_and_fields<T: Fields<'static>>() -> (&'static str, &'static [&'static str]) {
+        (T::NAME, T::FIELDS)
+    }
+    let known =
+        [name_and_fields::<Material<'_>>(), name_and_fields::<Mesh<'_>>(), name_and_fields::<Image<'_>>()];
+    known.into_iter().find(|(_, known)| *known == fields).map(|(name, _)| name)
 }
 
 impl fmt::Display for RonError {
@@ -123,6 +158,15 @@ impl fmt::Display for RonFault {
                     known => write!(f, "; there are `{}`", known.join("`, `")),
                 }
             }
+            Self::MissingField { what: Some(what), field } => {
+                write!(f, "the field `{field}` of {what} is missing; add it")
+            }
+            Self::MissingField { what: None, field } => write!(f, "the field `{field}` is missing; add it"),
+            Self::SameField { field } => write!(f, "the field `{field}` is there twice; leave one out"),
+            Self::PresetInObject { name } => write!(
+                f,
+                "there is no material in this file `{name}`; it is a preset: name it in `materials` first, as in `\"{name}\": \"{name}\"`"
+            ),
             Self::Named { name, reason } => write!(f, "`{}`: {reason}", name.escape_debug()),
             Self::SameName { name } => write!(f, "two are called `{}`; rename one", name.escape_debug()),
         }

@@ -79,15 +79,16 @@ impl<'a> Known<'a> {
 
     fn own_material(&self, name: &str) -> Result<&'a [u8], RonFault> {
         let number = self.materials.iter().position(|known| *known == name);
-        let number =
-            number.ok_or_else(|| RonFault::unknown("material in this file", name, self.materials))?;
+        let number = number.ok_or_else(|| match preset(name) {
+            Some(_) => RonFault::PresetInObject { name: name.to_owned() },
+            None => RonFault::unknown("material in this file", name, self.materials),
+        })?;
         self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
     }
 
     fn preset(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let preset = PRESETS.iter().find(|(known, _)| *known == name);
         let names = PRESETS.map(|(name, _)| name);
-        let (_, preset) = preset.ok_or_else(|| RonFault::unknown("preset for a material", name, &names))?;
+        let preset = preset(name).ok_or_else(|| RonFault::unknown("preset for a material", name, &names))?;
         self.bytes(name, preset)
     }
 
@@ -130,6 +131,11 @@ impl<'a> Known<'a> {
         let bytes = postcard::to_allocvec(value).map_err(|error| failed(name, error))?;
         Ok(self.arena.alloc_slice_copy(&bytes))
     }
+}
+
+/// The preset of this name.
+fn preset(name: &str) -> Option<&'static Material<'static>> {
+    PRESETS.iter().find(|(known, _)| *known == name).map(|(_, preset)| preset)
 }
 
 fn failed(name: &str, reason: impl ToString) -> RonFault {

@@ -294,7 +294,7 @@ fn mistakes_are_told_where_they_are() {
         (12, 18, "there is no preset for a material `glod`; did you mean `gold`?"),
         (7, 76, "there is no material in this file `xyz`; there are `floor`, `ball`, `glass`"),
         (13, 18, "two are called `floor`; rename one"),
-        (8, 53, "Unexpected missing field named `radius` in `Sphere`"),
+        (8, 53, "the field `radius` of Sphere is missing; add it"),
     ];
     assert_eq!(found, expected.map(|(line, column, reason)| (line, column, reason.to_owned())));
     let (line, _, reason) = refusal("(4, 6, 5)", "(4, 6)");
@@ -306,6 +306,47 @@ fn mistakes_are_told_where_they_are() {
     let (_, _, reason) =
         refusal("    camera: (eye: (0, 2, 6), target: (0, 1, 0), up: (0, 1, 0), vertical_fov: 0.7),\n", "");
     assert!(reason.contains("camera"), "{reason}");
+}
+
+/// A material's fields were taken for those of the scene, as a name may stand in its place.
+#[test]
+fn fields_of_what_may_be_named_are_told_as_its_own() {
+    let glass = "(reflectance: 0.1, transmittance: 0.9, optics: (fresnel: Exact))";
+    let found = |text: &str| refusal(glass, text).2;
+    assert_eq!(
+        found("(reflectence: 0.1)"),
+        "there is no field of Material `reflectence`; did you mean `reflectance`?"
+    );
+    assert_eq!(
+        found("(optics: (fresnal: Exact))"),
+        "there is no field of Optics `fresnal`; did you mean `fresnel`?"
+    );
+    assert_eq!(found("(ior: 1, ior: 2)"), "the field `ior` is there twice; leave one out");
+    let image = "(color: Placed(figure: Image(width: 1, hight: 1, pixels: Rgb888([0, 0, 0]))))";
+    assert_eq!(found(image), "there is no field of Image `hight`; did you mean `height`?");
+    let around = "    lights: [";
+    let background =
+        "    background: Image(image: (width: 1, hight: 1, pixels: Rgb888([0, 0, 0]))), lights: [";
+    let (line, _, reason) = refusal(around, background);
+    assert_eq!((line, &*reason), (15, "there is no field of Image `hight`; did you mean `height`?"));
+    let (line, _, reason) = refusal("    lights: [", "    light: [");
+    assert_eq!((line, &*reason), (15, "there is no field of Scene `light`; did you mean `lights`?"));
+}
+
+/// Presets stand in place of descriptions, and objects name descriptions.
+#[test]
+fn a_preset_in_an_object_is_to_be_named_first() {
+    let told = refusal("material: \"ball\"", "material: \"silver\"");
+    let hint = "there is no material in this file `silver`; it is a preset: name it in `materials` first, as in `\"silver\": \"silver\"`";
+    assert_eq!(told, (7, 76, hint.to_owned()));
+    // As it says.
+    let text = SMALL.replace("material: \"ball\"", "material: \"silver\"");
+    let text = text.replace("    materials: {", "    materials: {\n\"silver\": \"silver\",");
+    assert!(parsed(&Bump::new(), &text).is_ok());
+    let nothing =
+        "(camera: (eye: (0, 0, 9), target: (0, 0, 0), up: (0, 1, 0), vertical_fov: 1), objects: [])";
+    let (_, fault) = parsed(&Bump::new(), nothing).unwrap_err();
+    assert_eq!(fault.to_string(), "the field `materials` of Scene is missing; add it");
 }
 
 #[test]
