@@ -10,8 +10,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
 use rayline_simulator::{
     BOARDS, Bench, Demand, Demands, Gallery, LoadedScene, Picture, PictureFile, RenderError, RenderOptions,
-    ReportError, SceneFile, Stats, check, check_writable, half_blocks, render_watched, report_pixel,
-    write_file,
+    ReportError, SceneFile, Stats, check, check_apart, check_writable, half_blocks, render_watched,
+    report_pixel, write_file,
 };
 
 use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
@@ -104,6 +104,8 @@ fn pixel(arguments: &Pixel) -> Outcome {
 
 fn convert(arguments: &Convert) -> Outcome {
     let file = SceneFile::new(&arguments.output, arguments.number)?;
+    // Names and comments would be lost.
+    check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
@@ -181,6 +183,8 @@ fn window(arguments: &Window) -> Outcome {
     let mut save = |seen: &rayline::Scene<'_>| -> Outcome {
         let start = Instant::now();
         let picture = rayline_simulator::render(seen, &options)?;
+        // Nobody was asked for a name, or whether a picture may be overwritten.
+        let file = file.untaken();
         file.write(&picture)?;
         say(&file, &picture, start.elapsed())
     };

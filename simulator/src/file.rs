@@ -2,7 +2,8 @@
 
 use core::fmt;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::iter;
+use std::path::{Component, Path, PathBuf};
 
 use image::ImageEncoder;
 use image::codecs::png::PngEncoder;
@@ -60,6 +61,19 @@ impl PictureFile {
         &self.path
     }
 
+    /// The same, or where there is such a file already, one with a number after its name that there is not: from 2 on.
+    pub fn untaken(&self) -> Self {
+        let numbered = |number: u32| {
+            let [name, extension] = [self.path.file_stem(), self.path.extension()];
+            let [name, extension] = [name, extension].map(|part| part.unwrap_or_default().to_string_lossy());
+            self.path.with_file_name(format!("{name}-{number}.{extension}"))
+        };
+        let names = iter::once(self.path.clone()).chain((2..).map(numbered));
+        let is_free = |path: &PathBuf| path.symlink_metadata().is_err();
+        let path = { names }.find(is_free).unwrap_or_else(|| self.path.clone());
+        Self { path, ..*self }
+    }
+
     /// Writes the picture.
     ///
     /// # Errors
@@ -96,12 +110,34 @@ pub fn check_writable(path: &Path) -> Result<(), FileError> {
     if path.is_dir() {
         return refuse(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory; name a file"));
     }
-    let directory = directory_of(path);
-    if directory.is_dir() {
-        return Ok(());
-    }
-    let reason = format!("there is no directory {}; make it first", directory.display());
+    let Some(missing) = missing_part_of(directory_of(path)) else { return Ok(()) };
+    let reason = format!("there is no directory {}; make it first", missing.display());
     refuse(io::Error::new(io::ErrorKind::NotFound, reason))
+}
+
+/// How much of the name of a directory is to be made, if anything: all of it, unless it goes on by `..` from what is not there.
+fn missing_part_of(directory: &Path) -> Option<&Path> {
+    let first =
+        directory.ancestors().take_while(|part| !part.as_os_str().is_empty() && !part.is_dir()).last()?;
+    let is_straight = |part: &&Path| {
+        part.strip_prefix(first).is_ok_and(|rest| !rest.components().any(|step| step == Component::ParentDir))
+    };
+    directory.ancestors().find(is_straight)
+}
+
+/// Refuses a file that is another by another name, before that is overwritten with what is made of it.
+///
+/// # Errors
+/// Both are the same file.
+pub fn check_apart(path: &Path, source: &Path) -> Result<(), FileError> {
+    match (path.canonicalize(), source.canonicalize()) {
+        (Ok(file), Ok(source)) if file == source => {
+            let reason = "the scene itself is read from there; name another file";
+            let error = io::Error::new(io::ErrorKind::AlreadyExists, reason);
+            Err(FileError::Io { path: path.to_owned(), error })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn directory_of(path: &Path) -> &Path {
@@ -146,5 +182,38 @@ impl core::error::Error for FileError {
             Self::Extension(_) => None,
             Self::Io { error, .. } => Some(error),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_are_taken_get_a_number() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = PictureFile::new(&folder.path().join("a ball.png")).unwrap();
+        for expected in ["a ball.png", "a ball-2.png", "a ball-3.png"] {
+            let path = file.untaken().path().to_owned();
+            assert_eq!(path, folder.path().join(expected));
+            std::fs::write(path, "a picture").unwrap();
+        }
+    }
+
+    /// Of `x/..` nobody knows what it is as long as there is no `x`.
+    #[test]
+    fn what_is_missing_is_a_directory_that_can_be_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = |name: &str| {
+            let directory = folder.path().join(name);
+            missing_part_of(&directory).map(|part| part.strip_prefix(folder.path()).unwrap().to_owned())
+        };
+        for (name, expected) in [("x/..", "x"), ("x/y/../z", "x/y"), ("x/y", "x/y"), ("x", "x")] {
+            assert_eq!(missing(name), Some(PathBuf::from(expected)), "{name}");
+        }
+        assert_eq!(missing("."), None);
+        std::fs::create_dir(folder.path().join("x")).unwrap();
+        assert_eq!(missing("x/.."), None);
+        assert_eq!(missing("x/../y"), Some(PathBuf::from("x/../y")));
     }
 }

@@ -43,7 +43,7 @@ pub use bench::{Bench, BenchError};
 pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
-pub use file::{FileError, PictureFile, check_writable, write_file};
+pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
 pub use gallery::{Gallery, GalleryError};
 pub use loaded::{LoadError, LoadedScene};
 pub use options::{Mode, Number, RenderOptions};

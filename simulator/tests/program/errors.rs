@@ -85,6 +85,29 @@ fn what_cannot_be_written_is_refused_before_rendering() {
     assert_eq!(bench.files(), ["directory.png"]);
 }
 
+/// It lost its names and comments, without a word.
+#[test]
+fn a_scene_is_not_overwritten_with_itself() {
+    let bench = Bench::new();
+    bench.output(&["convert", "classic", "a.ron"]);
+    let before = std::fs::read(bench.path("a.ron")).unwrap();
+    std::fs::create_dir(bench.path("x")).unwrap();
+    for output in ["a.ron", "./a.ron", "x/../a.ron"] {
+        let error = bench.error(&["convert", "a.ron", output]);
+        let expected =
+            format!("cannot write {output}: the scene itself is read from there; name another file");
+        assert_eq!(error, expected);
+    }
+    assert_eq!(std::fs::read(bench.path("a.ron")).unwrap(), before);
+    bench.output(&["convert", "a.ron", "b.ron"]);
+    // Another that is there already was named on purpose.
+    bench.output(&["convert", "a.ron", "b.ron"]);
+    assert_eq!(
+        bench.error(&["convert", "a.ron", "y/../b.ron"]),
+        "cannot write y/../b.ron: there is no directory y; make it first"
+    );
+}
+
 #[test]
 fn places_outside_the_picture() {
     let bench = Bench::new();
