@@ -1,6 +1,5 @@
 //! The arguments of `rayline`.
 
-use std::num::NonZero;
 use std::ops::Range;
 use std::path::PathBuf;
 
@@ -183,14 +182,14 @@ pub(crate) struct Look {
     #[arg(long, value_name = "CURVE", default_value = "srgb", value_parser = transfer())]
     transfer: Transfer,
     /// How many places of each pixel are looked at; more make edges smooth
-    #[arg(long, value_name = "N", default_value = "1")]
-    samples: NonZero<u16>,
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u16).range(1..=i64::from(u16::MAX)))]
+    samples: u16,
     /// Where in the pixel the places lie; changes nothing unless --samples is above 1
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u32,
     /// The most rays that one pixel may spend, shadow rays included
-    #[arg(long, value_name = "N", default_value = "4096")]
-    rays_per_pixel: NonZero<u32>,
+    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = value_parser!(u32).range(1..=i64::from(u32::MAX)))]
+    rays_per_pixel: u32,
     /// Leave out rays that bring a smaller share of their light to the pixel, 0 to 1 [default: 1/256]
     #[arg(long, value_name = "SHARE", value_parser = share)]
     cutoff: Option<f32>,
@@ -205,9 +204,9 @@ impl Look {
             width,
             height,
             bounces: self.bounces.unwrap_or(scene.bounces),
-            rays_per_pixel: self.rays_per_pixel.get(),
+            rays_per_pixel: self.rays_per_pixel,
             cutoff: self.cutoff.unwrap_or(meant.settings.cutoff),
-            samples_per_pixel: self.samples.get(),
+            samples_per_pixel: self.samples,
             seed: self.seed,
             transfer: self.transfer,
             dither: self.dither,

@@ -133,11 +133,11 @@ fn arguments_that_make_no_sense_are_usage_errors() {
         (&["--color", "cmyk"], "possible values: rgb888, rgb565, gray8, gray4, mono"),
         (&["--dither", "noise"], "possible values: none, ordered"),
         (&["--transfer", "gamma"], "possible values: srgb, linear"),
-        (&["--samples", "0"], "zero"),
+        (&["--samples", "0"], "0 is not in 1..=65535"),
         (&["--threads", "0"], "0 is not in 1..=1024"),
         (&["--lines", "9..3"], "expected the first line and the one after the last, such as 0..120"),
         (&["--cutoff", "2"], "expected a number from 0 to 1"),
-        (&["--rays-per-pixel", "0"], "zero"),
+        (&["--rays-per-pixel", "0"], "0 is not in 1..=4294967295"),
         (&["--seed", "x"], "invalid digit"),
     ] {
         let output = bench.run(&[&["render", "classic"], arguments].concat());
