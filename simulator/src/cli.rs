@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
@@ -87,8 +88,9 @@ pub(crate) struct Pixel {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     /// The pixel, counted from 0,0 in the upper left corner
-    #[arg(value_name = "X,Y", value_parser = pixel)]
-    pub(crate) pixel: (u32, u32),
+    // What is left of the picture is to be told so, and not taken for an option.
+    #[arg(value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
+    pub(crate) pixel: (i64, i64),
     #[command(flatten)]
     pub(crate) look: Look,
 }
@@ -230,7 +232,7 @@ fn transfer() -> impl TypedValueParser<Value = Transfer> {
 }
 
 /// Two whole numbers with something between them.
-fn pair(text: &str, separator: &str) -> Option<(u32, u32)> {
+fn pair<T: FromStr>(text: &str, separator: &str) -> Option<(T, T)> {
     let (first, second) = text.split_once(separator)?;
     Some((first.parse().ok()?, second.parse().ok()?))
 }
@@ -242,7 +244,8 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
 }
 
-fn pixel(text: &str) -> Result<(u32, u32), &'static str> {
+/// Any: only with the size of the picture it is known whether there is such a pixel.
+fn pixel(text: &str) -> Result<(i64, i64), &'static str> {
     pair(text, ",").ok_or("expected a column and a line, such as 160,120")
 }
 
@@ -279,7 +282,8 @@ mod tests {
             assert!(lines(bad).is_err(), "{bad}");
         }
         assert_eq!(pixel("0,7"), Ok((0, 7)));
-        for bad in ["7", "-1,0", "1,2,3"] {
+        assert_eq!(pixel("-1,0"), Ok((-1, 0)));
+        for bad in ["7", "--x", "1,2,3"] {
             assert!(pixel(bad).is_err(), "{bad}");
         }
         assert_eq!(share("0.25"), Ok(0.25));

@@ -16,7 +16,7 @@ pub enum ReportError {
     /// The pixel is outside the picture. Choose one inside.
     Outside {
         /// Its place.
-        pixel: (u32, u32),
+        pixel: (i64, i64),
         /// Width and height of the picture.
         size: (u32, u32),
     },
@@ -24,7 +24,7 @@ pub enum ReportError {
     Render(RenderError),
 }
 
-/// Tells everything that happened to pixel (x, y): each ray, what it hit, the lights there, and the color in the
+/// Tells everything that happened to a pixel, given by its column and line: each ray, what it hit, the lights there, and the color in the
 /// end. Rays that a hit sends out are indented below it.
 ///
 /// # Errors
@@ -32,19 +32,19 @@ pub enum ReportError {
 pub fn report_pixel(
     scene: &LoadedScene<'_>,
     options: &RenderOptions,
-    (x, y): (u32, u32),
+    pixel: (i64, i64),
 ) -> Result<String, ReportError> {
     match options.number {
-        Number::F32 => report_in::<f32>(scene, options, (x, y)),
-        Number::Fixed => report_in::<Fixed>(scene, options, (x, y)),
-        Number::F64 => report_in::<f64>(scene, options, (x, y)),
+        Number::F32 => report_in::<f32>(scene, options, pixel),
+        Number::Fixed => report_in::<Fixed>(scene, options, pixel),
+        Number::F64 => report_in::<f64>(scene, options, pixel),
     }
 }
 
 fn report_in<R: Real>(
     loaded: &LoadedScene<'_>,
     options: &RenderOptions,
-    pixel: (u32, u32),
+    pixel: (i64, i64),
 ) -> Result<String, ReportError> {
     let mut memory = memory_for::<R>(&loaded.scene);
     let prepared = PreparedScene::<R, _>::new(&loaded.scene, &mut memory).map_err(RenderError::Scene)?;
@@ -52,7 +52,7 @@ fn report_in<R: Real>(
     let size = (renderer.width(), renderer.height());
     let outside = ReportError::Outside { pixel, size };
     let (Ok(x), Ok(y)) = (u16::try_from(pixel.0), u16::try_from(pixel.1)) else { return Err(outside) };
-    if pixel.0 >= size.0 || pixel.1 >= size.1 {
+    if u32::from(x) >= size.0 || u32::from(y) >= size.1 {
         return Err(outside);
     }
 
@@ -64,7 +64,7 @@ fn report_in<R: Real>(
     let mut text = tree.text;
 
     // The display's color comes from the same path as in a picture.
-    let line = Some(pixel.1..pixel.1 + 1);
+    let line = Some(u32::from(y)..u32::from(y) + 1);
     let line = render(&loaded.scene, &RenderOptions { lines: line, ..options.clone() })?;
     let shown: String =
         line.rgb.iter().skip(usize::from(x) * 3).take(3).map(|level| format!("{level:02x}")).collect();

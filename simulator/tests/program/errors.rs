@@ -120,6 +120,16 @@ fn places_outside_the_picture() {
         "there is no pixel 640,0: the picture is 640x480, counted from 0,0"
     );
     assert!(bench.error(&["pixel", "classic", "70000,0"]).starts_with("there is no pixel 70000,0"));
+    // Which was taken for an option.
+    assert_eq!(
+        bench.error(&["pixel", "classic", "-1,2"]),
+        "there is no pixel -1,2: the picture is 640x480, counted from 0,0"
+    );
+    for arguments in
+        [&["pixel", "classic", "--bounces", "0", "-1,2"], &["pixel", "classic", "-1,2", "--size", "9x9"]]
+    {
+        assert!(bench.error(arguments).starts_with("there is no pixel -1,2"));
+    }
 }
 
 #[test]
