@@ -39,8 +39,8 @@ pub(crate) enum Command {
     Bake(Convert),
     /// Tell whether a scene can be drawn, and whether it fits boards: flash, RAM, rays and time
     ///
-    /// Memory for the scene and rays are computed. Flash and time are estimated from instructions that were counted on emulated
-    /// boards; `cargo boards --scene FILE.rayline` tells them exactly.
+    /// Memory for the scene and rays are computed. Flash and time are estimated from instructions and cycles that were counted on
+    /// emulated boards; `cargo boards --scene FILE.rayline` tells them exactly.
     Check(CheckArgs),
     /// Render all .ron scenes of a directory, and write a page that shows them
     ///

@@ -1,8 +1,9 @@
 //! What was counted on emulated boards.
 
-use rayline::Scene;
+use rayline::builtin::{CLASSIC, FLAKE, FLAKE_10, FLAKE_820};
 use rayline::limits::FEW_OBJECTS;
 use rayline::shape::{Model, Shape};
+use rayline::{Object, Scene};
 use serde::Deserialize;
 
 use super::boards::Core;
@@ -23,6 +24,8 @@ struct Count {
     small: bool,
     rays: u64,
     instructions: u64,
+    /// Of a frame, where the emulator counts them: those of one core, while all work.
+    cycles: Option<u64>,
     text_bytes: u64,
     stack_bytes: u64,
 }
@@ -39,6 +42,19 @@ pub(super) struct Counted {
     csg: Figures,
     mesh: Figures,
     many: Figures,
+    /// How many times the instructions of an M4F a ray takes.
+    slowness: f64,
+    /// Instructions of a ray on an M4F among more and more balls, from the fewest to the most.
+    growth: [Growth; 4],
+    /// Cycles of an instruction.
+    cycles: f64,
+}
+
+/// What a ray takes among so many objects.
+#[derive(Clone, Copy)]
+struct Growth {
+    objects: f64,
+    per_ray: f64,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -65,6 +81,10 @@ impl Counted {
                 stack: count.stack_bytes as f64,
             })
         };
+        let growth = |scene: &str, objects: &[Object<Shape<'_>>]| Growth {
+            objects: objects.len() as f64,
+            per_ray: figures(M4F, scene).per_ray,
+        };
         let board = match core {
             Core::M0 => "microbit",
             Core::M3 => "mps2-an385",
@@ -79,6 +99,16 @@ impl Counted {
             csg: figures(M4F, "csg"),
             mesh: figures(M4F, "mesh"),
             many: figures(M4F, "flake-91"),
+            slowness: classic.per_ray / figures(M4F, "classic").per_ray,
+            growth: [
+                growth("classic", CLASSIC.objects),
+                growth("flake-10", FLAKE_10.objects),
+                growth("flake-91", FLAKE.objects),
+                growth("flake-820", FLAKE_820.objects),
+            ],
+            cycles: find(PICO, "classic").map_or(1.0, |count| {
+                (PICO_CORES * count.cycles.unwrap_or(count.instructions)) as f64 / count.instructions as f64
+            }),
         }
     }
 
@@ -116,15 +146,30 @@ impl Counted {
         (self.classic.stack * dearest.fold(1.0, f64::max)) as u64
     }
 
-    /// Instructions of a ray, about: those of `classic`, and as many times more as the scene's dearest kind of shape takes.
-    pub(super) fn instructions_per_ray(&self, scene: &Scene<'_>) -> f64 {
-        let dearest =
-            self.kinds(scene).map(|figures| figures.per_ray / self.spheres.per_ray).fold(1.0, f64::max);
-        self.classic.per_ray * dearest
+    /// Cycles of a ray, about: those among as many balls, or for the scene's dearest kind of shape, whichever are more.
+    pub(super) fn cycles_per_ray(&self, scene: &Scene<'_>) -> f64 {
+        let kinds = self.kinds(scene).map(|figures| figures.per_ray);
+        kinds.fold(self.per_ray_among(scene.objects.len() as f64), f64::max) * self.slowness * self.cycles
+    }
+
+    /// Instructions of a ray among so many balls on an M4F: a power of their number, between those that were measured and beyond.
+    fn per_ray_among(&self, objects: f64) -> f64 {
+        let [fewest, few, more, most] = self.growth;
+        let (from, to) = match objects {
+            _ if objects < few.objects => (fewest, few),
+            _ if objects < more.objects => (few, more),
+            _ => (more, most),
+        };
+        let power = (to.per_ray / from.per_ray).ln() / (to.objects / from.objects).ln();
+        from.per_ray * (objects.max(fewest.objects) / from.objects).powf(power)
     }
 }
 
 const M4F: &str = "mps2-an386";
+
+/// The board whose cycles are counted, and not its instructions alone: an instruction is taken to be as long on the others.
+const PICO: &str = "pico-dual";
+const PICO_CORES: u64 = 2;
 
 #[cfg(test)]
 mod tests {
@@ -134,11 +179,28 @@ mod tests {
     fn the_table_has_what_is_asked_for() {
         for core in [Core::M0, Core::M3, Core::M4F] {
             let counted = Counted::new(core);
-            let Counted { classic, spheres, torus, csg, mesh, many, length } = counted;
+            let Counted { classic, spheres, torus, csg, mesh, many, length, slowness, growth, cycles } =
+                counted;
             for figures in [classic, spheres, torus, csg, mesh, many] {
                 assert!(figures.text > 8192.0 && figures.per_ray > 50.0 && figures.stack > 1024.0);
             }
-            assert!(length >= 1.0);
+            assert!(length >= 1.0 && slowness >= 1.0);
+            // Balls, and what they lie on.
+            assert_eq!(growth.map(|growth| growth.objects), [5.0, 11.0, 92.0, 821.0]);
+            assert!(growth.is_sorted_by(|a, b| a.per_ray < b.per_ray));
+            assert!((1.2..1.6).contains(&cycles), "{cycles}");
         }
+    }
+
+    #[test]
+    fn rays_take_what_was_measured_among_as_many_objects() {
+        let counted = Counted::new(Core::M4F);
+        for Growth { objects, per_ray } in counted.growth {
+            assert!((counted.per_ray_among(objects) / per_ray - 1.0).abs() < 1e-9);
+        }
+        // No less among fewer, and more among more.
+        let among = |objects| counted.per_ray_among(objects);
+        assert_eq!(among(1.0), among(5.0));
+        assert!(among(50.0) > among(11.0) && among(50.0) < among(92.0) && among(5000.0) > among(821.0));
     }
 }
