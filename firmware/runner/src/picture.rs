@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::str::FromStr;
 
-use anyhow::{Context, Error, Result};
+use anyhow::{Context, Error, Result, ensure};
 use rayline::builtin::{self, Builtin};
 use rayline::{Scene, Settings};
 
@@ -96,6 +96,12 @@ impl Source {
         if source.ends_with(".rayline") {
             return Self::read(Path::new(source));
         }
+        let path = Path::new(source);
+        ensure!(
+            path.extension().is_none(),
+            "boards take the bytes of scenes: write them with `rayline convert {source} {bytes}`, and name {bytes}",
+            bytes = path.with_extension("rayline").display()
+        );
         let Builtin { name, scene, bounces, .. } =
             *builtin::all().find(|builtin| builtin.name == source).with_context(|| {
                 let names: Vec<&str> = builtin::ALL.iter().map(|builtin| builtin.name).collect();
@@ -189,5 +195,21 @@ impl Picture {
     pub(crate) fn settings(&self) -> Settings {
         let Size { width, height } = self.size;
         Settings { bounces: self.bounces, ..Settings::new(width.into(), height.into()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_that_are_no_bytes_are_answered_with_how_to_make_them() {
+        let error = |source: &str| Source::open(source).unwrap_err().to_string();
+        assert_eq!(
+            error("a/ball.ron"),
+            "boards take the bytes of scenes: write them with `rayline convert a/ball.ron a/ball.rayline`, and name a/ball.rayline"
+        );
+        assert!(error("clasic").starts_with("no built-in scene is called \"clasic\": there are classic"));
+        assert!(Source::open("classic").is_ok());
     }
 }
