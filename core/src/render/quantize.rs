@@ -27,6 +27,8 @@ pub enum Dither {
 }
 
 /// Light at a pixel, clamped to what a display can show: 0 is black, 65536 full light in a channel.
+///
+/// All that a renderer makes is within these bounds, whatever the light; in one of your own, what is more counts as full light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Light16 {
     /// Red, 0 to 65536.
@@ -45,8 +47,10 @@ impl Light16 {
 
     /// The luminance, 0 to 65536 (ITU-R BT.709: 0.2126 R + 0.7152 G + 0.0722 B).
     pub fn luminance(&self) -> u32 {
+        // Known of what a renderer makes, and then no instruction remains.
+        let [r, g, b] = [self.r, self.g, self.b].map(|channel| channel.min(65536));
         // The weights in units of 1/32768, so that the sum fits in 32 bits: they add up to 32768.
-        (self.r * 6966 + self.g * 23436 + self.b * 2366 + 0x4000) >> 15
+        (r * 6966 + g * 23436 + b * 2366 + 0x4000) >> 15
     }
 }
 
@@ -240,5 +244,17 @@ mod tests {
     fn luminance_of_white_is_full() {
         assert_eq!(Light16 { r: 65536, g: 65536, b: 65536 }.luminance(), 65536);
         assert_eq!(Light16 { r: 0, g: 65536, b: 0 }.luminance(), 46872);
+    }
+
+    /// The sum went beyond 32 bits.
+    #[test]
+    fn more_than_full_light_is_full() {
+        assert_eq!(Light16 { r: u32::MAX, g: 65537, b: 1 << 20 }.luminance(), 65536);
+        assert_eq!(Light16 { r: 0, g: 1 << 24, b: 0 }.luminance(), 46872);
+        // A renderer makes no such light.
+        let of = |r| Light16::new(LinearRgb { r, g: 0.5, b: -1.0 });
+        for (red, expected) in [(f32::INFINITY, 65536), (1e30, 65536), (1.0, 65536), (f32::NAN, 0)] {
+            assert_eq!(of(red), Light16 { r: expected, g: 32768, b: 0 });
+        }
     }
 }
