@@ -38,7 +38,8 @@ pub struct Placement {
     /// By which angles it is turned about the x axis, then about y, then about z; in radians, counterclockwise as seen
     /// from the axis' end. Over a surface, only the last has a meaning.
     pub rotation: Vec3,
-    /// Where the pattern's origin lies.
+    /// Where the pattern's origin lies. In fixed point, each coordinate lies within ±59: in the scene, ±59 divided by its scale, see
+    /// [`Fixed`](crate::math::Fixed).
     pub origin: Vec3,
 }
 
@@ -176,5 +177,13 @@ mod tests {
         assert_eq!(refusal(good.turned(Vec3::new(0.0, f32::INFINITY, 0.0))), Some(Fault::NotFinite));
         let far = good.at(Vec3::new(1e5, 0.0, 0.0));
         assert_eq!(far.prepare::<Fixed>(Scale::ONE).err(), Some(Fault::OutOfRange));
+        // In the scene its scale counts, and on a surface it does not.
+        let scale = Scale::new::<Fixed>(Extent::solid(8.0), Vec3::ZERO);
+        let unit = 1.0 / scale.to_f32();
+        assert!(unit > 1.0);
+        for (placement, most) in [(good, 59.0 * unit), (Placement::SURFACE, 59.0)] {
+            let refusal = |x| placement.at(Vec3::new(x, 0.0, 0.0)).prepare::<Fixed>(scale).err();
+            assert_eq!((refusal(most), refusal(most * 1.001)), (None, Some(Fault::OutOfRange)));
+        }
     }
 }

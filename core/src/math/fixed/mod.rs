@@ -108,7 +108,8 @@ const FRACTION: u32 = 24;
 /// - Indices of refraction lie between 0.14 and 7.6.
 /// - The radii of a cone differ by 7.6 times its length or less. An ellipsoid is at most 59 times as long as
 ///   it is thick. A bump is at most 59 times as high as its step is wide. The strengths of blobs add up to 59 or less, whatever their sign.
-/// - Coordinates of textures that the vertices of a mesh have, and origins of patterns on a surface, are within ±59.
+/// - Coordinates of textures that the vertices of a mesh have, and origins of patterns on a surface, are within ±59; origins of patterns
+///   in the scene ([`Space::Scene`](crate::Space::Scene)) within ±59 divided by the scale.
 ///
 /// # Accuracy
 /// The built-in scenes are 43 to 61 dB from `f64`, as `f32` is: all but a few pixels, at edges, are within 1 of 255. Directions are
