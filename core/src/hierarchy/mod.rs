@@ -106,6 +106,40 @@ impl<R> Node<R> {
         }
         true
     }
+
+    /// Whether each lies in one other at most, and in no more than the builder allows, so that a walk visits it once and there is room
+    /// for what waits.
+    #[allow(clippy::indexing_slicing)] // Below the lengths.
+    pub(crate) const fn are_shallow(nodes: &[Self]) -> bool {
+        if nodes.is_empty() {
+            return true;
+        }
+        // The nodes around the one that is looked at, and how many places of each were looked at.
+        let mut path = [(0, 0); MAX_HIERARCHY_DEPTH];
+        let (mut last, mut visited) = (0, 1);
+        loop {
+            let (index, place) = path[last];
+            if place == NARROW {
+                if last == 0 {
+                    return true;
+                }
+                last -= 1;
+                continue;
+            }
+            path[last].1 += 1;
+            let node: &Self = &nodes[index];
+            let next = node.first[place] as usize;
+            // What is not there is not visited.
+            if node.count[place] == NODE && next < nodes.len() {
+                last += 1;
+                visited += 1;
+                if last == MAX_HIERARCHY_DEPTH || visited > nodes.len() {
+                    return false;
+                }
+                path[last] = (next, 0);
+            }
+        }
+    }
 }
 
 #[cfg(feature = "bake")]

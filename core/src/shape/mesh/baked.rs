@@ -45,11 +45,13 @@ impl<N: Real> BakedMesh<N> {
     /// Puts a mesh together when the program is compiled.
     ///
     /// # Panics
-    /// A node leads back to one before it: rays would never come to an end.
+    /// A node leads back to one before it: rays would never come to an end. Or nodes lie in more than
+    /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH) others, or one in several: rays have no room to remember so many.
     pub const fn new(baked: BakedParts<'static, N>) -> Self {
         let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
             baked;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
+        assert!(Node::are_shallow(nodes), "the nodes of a baked mesh lie in too many others");
         let hierarchy = Hierarchy::baked(nodes, order);
         let bounds = Aabb { min, max };
         Self { parts: Parts { triangles, vertices, normals, uvs, hierarchy, bounds }, scale, extent }

@@ -9,6 +9,8 @@ use std::vec::Vec;
 
 use super::super::testing::*;
 use super::*;
+use crate::hierarchy::Node;
+use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::Fixed;
 
 /// In the plane z = 1, counterclockwise from above, cut from (0, 0) to (4, 3).
@@ -354,4 +356,46 @@ fn small_triangles_far_from_a_ray_are_not_met() {
             }
         }
     });
+}
+
+/// Boxes in boxes, so deep: each holds a triangle three times, and the next.
+fn nested(depth: u16) -> BakedMesh<f32> {
+    let node = |index: u16| {
+        let last = if index + 1 == depth { (Some(1), 0) } else { (None, index + 1) };
+        let leaf = (Some(1), 0);
+        Node::new([[0.0; 4]; 3], [[4.0; 4]; 3], [leaf, leaf, leaf, last])
+    };
+    BakedMesh::new(BakedParts {
+        triangles: RECTANGLE.triangles,
+        uvs: &[],
+        vertices: RECTANGLE.vertices,
+        normals: &[],
+        order: &[0],
+        nodes: (0..depth).map(node).collect::<Vec<_>>().leak(),
+        bounds: [Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 3.0, 1.0)],
+        scale: 1.0,
+        extent: 4.0,
+    })
+}
+
+/// Rays left out what they had no room to remember.
+#[test]
+fn baked_meshes_are_no_deeper_than_rays_can_go() {
+    let meet = |mesh: BakedMesh<f32>| {
+        let mesh: &'static BakedMesh<f32> = std::boxed::Box::leak(std::boxed::Box::new(mesh));
+        let prepared = mesh.prepare::<f32>(Scale::ONE, &mut Arena::new(&mut [])).unwrap();
+        prepared.intersect(&Ray { origin: Vec3::new(3.0, 1.0, 5.0), direction: DOWN }, Interval::AHEAD)
+    };
+    assert_eq!(meet(nested(1)), Some(4.0));
+    assert_eq!(meet(nested(MAX_HIERARCHY_DEPTH as u16)), Some(4.0));
+    for depth in [MAX_HIERARCHY_DEPTH as u16 + 1, 60] {
+        assert!(std::panic::catch_unwind(|| nested(depth)).is_err(), "{depth}");
+    }
+    // Each twice in the one before: rays would visit the last a million times.
+    let leaf = (Some(1), 0);
+    let twice = |index: u16| if index < 20 { (None, index) } else { leaf };
+    let nodes = (1..21)
+        .map(|next| Node::<f32>::new([[0.0; 4]; 3], [[4.0; 4]; 3], [leaf, twice(next), leaf, twice(next)]));
+    assert!(!Node::are_shallow(&nodes.collect::<Vec<_>>()));
+    assert!(Node::<f32>::are_shallow(&[]));
 }
