@@ -203,7 +203,7 @@ mod tests {
         assert!(demand(&FLAKE_820, "pico").fits());
     }
 
-    /// What the README's tables have was taken for as little as half of that.
+    /// What the README's tables have was taken for as little as a quarter of that.
     #[test]
     fn time_is_what_was_measured() {
         let cycles = |scene: &Scene<'_>, bounces, board| {
