@@ -211,8 +211,6 @@ impl<R: Real> Viewport<R> {
     }
 
     /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.
-    // In preparation size counts more than time.
-    #[inline(never)]
     pub(crate) fn project(&self, point: Vec3<R::Setup>) -> Option<(R::Setup, R::Setup)> {
         let camera = &self.camera;
         let toward = point - camera.eye.to_setup();

@@ -29,7 +29,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
         let (mut slant, mut nearest) = (N::ZERO, N::FARTHEST);
         for (corner, place) in hull.corners().zip(&mut places) {
             let corner = corner.to_setup();
-            *place = viewport.project(corner)?;
+            *place = place_of(viewport, corner)?;
             let (depth, distance) = viewport.depth(corner);
             slant = slant.larger(distance / depth);
             nearest = if depth < nearest { depth } else { nearest };
@@ -47,7 +47,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
             if *axis == Vec3::ZERO && narrowest.is_some() {
                 continue;
             }
-            let end = |end: Vec3<R>| viewport.project(end.to_setup());
+            let end = |end: Vec3<R>| place_of(viewport, end.to_setup());
             let (from, to) = (end(hull.center - *axis)?, end(hull.center + *axis)?);
             let stadium = Self::along(from, to, places);
             if narrowest.is_none_or(|narrowest| stadium.radius < narrowest.radius) {
@@ -99,6 +99,15 @@ impl<N: Real<Setup = N>> Stadium<N> {
         let (left, right) = if upper < lower { (upper, lower) } else { (lower, upper) };
         Some((left - self.radius, right + self.radius))
     }
+}
+
+/// [`Viewport::project`], once in a program's code for all three places that need it.
+#[inline(never)]
+fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
+    viewport: &Viewport<R>,
+    point: Vec3<N>,
+) -> Option<(N, N)> {
+    viewport.project(point)
 }
 
 #[cfg(test)]
