@@ -702,11 +702,16 @@ fn lines_that_are_told_unchanged_are() {
 
 /// How many pixels something changes that the second scene is without, how many of these are off by more than half of that, and the share
 /// of pixels that are traced.
-fn lost(with: &Scene, without: &Scene, settings: Settings, quality: Realtime) -> (usize, usize, f64) {
-    let draw = |scene: &Scene| with_renderer::<f32, _>(scene, settings, |renderer| exact(renderer, &mut ()));
+fn lost<R: Real>(
+    with: &Scene,
+    without: &Scene,
+    settings: Settings,
+    quality: Realtime,
+) -> (usize, usize, f64) {
+    let draw = |scene: &Scene| with_renderer::<R, _>(scene, settings, |renderer| exact(renderer, &mut ()));
     let (there, plain) = (draw(with), draw(without));
     let mut rays = RayCounts::default();
-    let close = with_renderer::<f32, _>(with, settings, |renderer| realtime(renderer, quality, &mut rays));
+    let close = with_renderer::<R, _>(with, settings, |renderer| realtime(renderer, quality, &mut rays));
     let off = |a: &[u8; 3], b: &[u8; 3]| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
     let (mut all, mut lost) = (0, 0);
     for ((there, plain), close) in there.pixels.iter().zip(&plain.pixels).zip(&close.pixels) {
@@ -761,8 +766,12 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
                         lights: &lights,
                     };
                     let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
-                    let (there, lost, share) =
-                        lost(&Scene { objects: &all, ..plain }, &plain, settings, quality);
+                    let with = Scene { objects: &all, ..plain };
+                    let (there, lost, share) = if frame % 3 == 0 {
+                        lost::<Fixed>(&with, &plain, settings, quality)
+                    } else {
+                        lost::<f32>(&with, &plain, settings, quality)
+                    };
                     (sum, gone, most, traced) =
                         (sum + there, gone + lost, most.max(lost), traced + share / 12.0);
                 }
@@ -786,7 +795,7 @@ fn what_is_thin_is_shown_whole_with_several_samples() {
         let scene = bright(&objects, &[GLOWING]);
         let plain = bright(&[], &[GLOWING]);
         for quality in QUALITIES {
-            let (there, lost, traced) = lost(&scene, &plain, settings, quality);
+            let (there, lost, traced) = lost::<f32>(&scene, &plain, settings, quality);
             // Every sample is counted.
             assert!(there > 100 && lost == 0 && traced < 4.0 * 0.4, "{lost} of {there}, {traced} traced");
         }
