@@ -5,6 +5,8 @@ use super::edge::Edge;
 
 /// The largest side of a cell, in pixels.
 pub(super) const LARGEST_SIDE: usize = 8;
+/// The side of the squares that are looked at one by one.
+pub(super) const SQUARE: usize = 4;
 /// Points along a side: both corners belong to the cell.
 const POINTS: usize = LARGEST_SIDE + 1;
 
@@ -153,16 +155,30 @@ impl Cell {
 
     /// All points inside, where the sides are known.
     pub(super) fn refine(&mut self, side: usize, look: &mut impl Look) {
-        if side < 4 {
-            return self.fill_two((0, 0), look);
-        }
-        if side > 4 {
+        if side > SQUARE {
             self.quarter((0, 0), side, look);
         }
-        for y in (0..side).step_by(4) {
-            for x in (0..side).step_by(4) {
-                self.fill_four((x, y), look);
+        let square = side.min(SQUARE);
+        for y in (0..side).step_by(square) {
+            for x in (0..side).step_by(square) {
+                if self.is_near_tiny((x, y), square) {
+                    // What there are no rays for is interpolated.
+                    self.interpolate((x, y), square);
+                    self.trace_all((x, y), square, look);
+                } else if square < SQUARE {
+                    self.fill_two((x, y), look);
+                } else {
+                    self.fill_four((x, y), look);
+                }
             }
+        }
+    }
+
+    /// Fills a square whose sides are known and do not differ.
+    fn interpolate(&mut self, (x, y): (usize, usize), side: usize) {
+        for y in y + 1..y + side {
+            let (from, to) = (self.get(x, y), self.get(x + side, y));
+            Line::new(self, (x, y), Way::Right).interpolate(from, to, side);
         }
     }
 
@@ -186,11 +202,7 @@ impl Cell {
             }
             return;
         }
-        for y in y + 1..y + 4 {
-            let (from, to) = (self.get(x, y), self.get(x + 4, y));
-            let mut line = Line::new(self, (x, y), Way::Right);
-            line.interpolate(from, to, 4);
-        }
+        self.interpolate((x, y), SQUARE);
     }
 
     /// A row of a square that a steep edge may cross, or a column for one that is not.
@@ -258,10 +270,17 @@ impl Cell {
         self.look_along((x + half, y + half), Way::Down, half, look);
     }
 
-    /// Traces every pixel that is not yet traced.
-    pub(super) fn trace_all(&mut self, side: usize, look: &mut impl Look) {
-        for y in 0..side {
-            for x in 0..side {
+    /// Whether something tiny is near a corner of a square.
+    fn is_near_tiny(&self, (x, y): (usize, usize), side: usize) -> bool {
+        let corners =
+            [self.get(x, y), self.get(x + side, y), self.get(x, y + side), self.get(x + side, y + side)];
+        corners.into_iter().any(Sample::is_near_tiny)
+    }
+
+    /// Traces every pixel of a square that is not yet traced.
+    pub(super) fn trace_all(&mut self, (left, top): (usize, usize), side: usize, look: &mut impl Look) {
+        for y in top..top + side {
+            for x in left..left + side {
                 if !self.get(x, y).is_traced() && look.may_trace() {
                     let point = look.trace(x, y);
                     self.set(x, y, point);

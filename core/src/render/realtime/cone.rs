@@ -27,6 +27,12 @@ impl<R: Real> Cone<R> {
         Self { radius: R::ZERO, spread: R::from_setup(half_diagonal * viewport.pixel()).smaller(R::ONE) }
     }
 
+    /// Half as wide.
+    pub(super) fn halved(self) -> Self {
+        let half = R::from_f32(0.5);
+        Self { radius: self.radius * half, spread: self.spread * half }
+    }
+
     /// After so many units.
     pub(super) fn after(self, distance: R) -> Self {
         Self { radius: self.radius_at(distance), ..self }

@@ -270,7 +270,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         }
         cell.refine(side, &mut tracer);
         if thin {
-            cell.trace_all(side, &mut tracer);
+            cell.trace_all((0, 0), side, &mut tracer);
         }
         paint.refined(self.buffer.colors, cell);
         let all = tracer.rays;

@@ -33,17 +33,28 @@ impl Path {
     }
 }
 
+/// What a pixel is near, that interpolation could lose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Near {
+    Nothing,
+    /// A small highlight.
+    Glint,
+    /// Something that may lie between all pixels of a grid: what this pixel stands for is to be traced in full.
+    Tiny,
+}
+
 impl Sample {
     /// Nothing known: to fill memory that is lent.
     pub const BLANK: Self = Self { pair: 0, rest: 0 };
 
     /// A traced pixel that met this.
-    pub(super) fn traced(tone: Tone, path: Path, shade: u32, near_glint: bool) -> Self {
-        let glint = if near_glint { GLINT } else { 0 };
-        Self {
-            pair: tone.pair(),
-            rest: TRACED | glint | shade >> 2 & SHADE | path.0 | u32::from(tone.third()),
-        }
+    pub(super) fn traced(tone: Tone, path: Path, shade: u32, near: Near) -> Self {
+        let marks = match near {
+            Near::Nothing => shade >> 2 & SHADE,
+            Near::Glint => GLINT | shade >> 2 & SHADE,
+            Near::Tiny => GLINT | SHADE,
+        };
+        Self { pair: tone.pair(), rest: TRACED | marks | path.0 | u32::from(tone.third()) }
     }
 
     /// A pixel that was not traced, seen as this one.
@@ -92,6 +103,11 @@ impl Sample {
     #[inline(always)]
     pub(super) fn is_near_glint(self, other: Self) -> bool {
         (self.rest | other.rest) & GLINT != 0
+    }
+
+    /// Whether something tiny may be near; one near a small highlight in 128 says so too.
+    pub(super) fn is_near_tiny(self) -> bool {
+        self.rest & (GLINT | SHADE) == GLINT | SHADE
     }
 
     /// Whether the two are of different color.

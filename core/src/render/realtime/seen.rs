@@ -1,7 +1,7 @@
 //! A digest of what a pixel saw: pixels that saw the same have the same.
 
 use super::super::Tone;
-use super::sample::Path;
+use super::sample::{Near, Path};
 use super::tiny::Watch;
 use super::{Grid, Sample};
 use crate::material::PreparedMaterial;
@@ -109,16 +109,14 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
         normal.into_iter().chain(shares).fold(0, |digest, share| fold(digest, share.to_q16() >> 12))
     }
 
-    /// This pixel, whose tone is known in the end. Beside something tiny it is like no other.
-    pub(super) fn sample(&mut self, tone: Tone, (x, y): (u16, u16)) -> Sample {
-        if let Some(watch) = &mut self.watch
-            && core::mem::take(&mut watch.is_near)
-        {
-            self.path = fold(self.path, u32::from(x) << 16 | u32::from(y));
-            self.shade = fold(self.shade, self.path);
-            self.near_glint = true;
-        }
-        Sample::traced(tone, self.path(), self.shade, self.near_glint)
+    /// The pixel, whose tone is known in the end.
+    pub(super) fn sample(&self, tone: Tone) -> Sample {
+        let near = match &self.watch {
+            Some(watch) if watch.is_near => Near::Tiny,
+            _ if self.near_glint => Near::Glint,
+            _ => Near::Nothing,
+        };
+        Sample::traced(tone, self.path(), self.shade, near)
     }
 
     /// What was met.

@@ -6,6 +6,7 @@
 
 use super::super::Renderer;
 use super::Grid;
+use super::cell::SQUARE;
 use super::cone::Cone;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::ObjectSet;
@@ -15,6 +16,7 @@ use crate::shape::{Form, Geometry, Hull};
 /// The objects that could hide, where there are any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tiny<R> {
+    grid: Grid,
     /// Of a ray from the eye.
     cone: Cone<R>,
     /// Thin ones, beside a ray that is mirrored or goes to a light; and beside one from the eye.
@@ -44,7 +46,7 @@ impl<R: Real> Tiny<R> {
         let thin = scene.objects_where(|object| scene.hulls(object).any(can_be_thin));
         let glossy = scene.objects_where(is_glossy);
         let thin_at_first = if renderer.outlines.count().is_some() { ObjectSet::NONE } else { thin };
-        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { cone, thin, thin_at_first, glossy })
+        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { grid, cone, thin, thin_at_first, glossy })
     }
 }
 
@@ -52,7 +54,8 @@ impl<R: Real> Tiny<R> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watch<R> {
     tiny: Tiny<R>,
-    /// Around what leaves the last hit.
+    /// Around a ray from the eye, and around what leaves the last hit.
+    first: Cone<R>,
     cone: Cone<R>,
     /// Whether something tiny is near.
     pub(super) is_near: bool,
@@ -63,7 +66,22 @@ type Watched<R> = (Ray<R>, bool);
 
 impl<R: Real> Watch<R> {
     pub(super) fn new(tiny: Tiny<R>) -> Self {
-        Self { tiny, cone: tiny.cone, is_near: false }
+        Self { tiny, first: tiny.cone, cone: tiny.cone, is_near: false }
+    }
+
+    /// For the rays of one point of a cell, if that stands for others: a corner for all up to half the cell's diagonal away, and in cells
+    /// of eight pixels each fourth for half of that.
+    pub(super) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
+        let (place, side) = (x | y, self.tiny.grid.pixels());
+        self.first = if place % side == 0 {
+            self.tiny.cone
+        } else if place % SQUARE == 0 {
+            self.tiny.cone.halved()
+        } else {
+            return None;
+        };
+        self.is_near = false;
+        Some(self)
     }
 
     /// A ray hits something, and would be mirrored this way.
@@ -114,7 +132,7 @@ impl<R: Real> Watch<R> {
         distance: R,
     ) -> Cone<R> {
         let (thin, cone) =
-            if is_first { (self.tiny.thin_at_first, self.tiny.cone) } else { (self.tiny.thin, self.cone) };
+            if is_first { (self.tiny.thin_at_first, self.first) } else { (self.tiny.thin, self.cone) };
         let can_see = |hull: Hull<R>| cone.can_see(&ray, distance, &hull);
         self.is_near |= thin.into_iter().any(|object| scene.hulls(object).any(can_see));
         cone.after(distance)

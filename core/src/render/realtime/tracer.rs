@@ -45,7 +45,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
         let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, None, &mut probe);
         seen.record(Event::Miss { color });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
-        Some(seen.sample(C::tone(Light16::new(color), &quantizer), (0, 0)))
+        Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
     }
 }
 
@@ -70,7 +70,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         // The camera sees on beyond the picture.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
         let scene = if is_lit { self.renderer.scene } else { self.unlit };
-        let mut seen = Seen::new(scene, self.marks, searches, self.watch.as_mut(), self.probe);
+        let watch = self.watch.as_mut().and_then(|watch| watch.stand_for(x, y));
+        let mut seen = Seen::new(scene, self.marks, searches, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
@@ -79,7 +80,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
             self.limits = Limits::NONE;
         }
         let quantizer = Quantizer::nearest(self.renderer.settings.transfer);
-        seen.sample(C::tone(Light16::new(light), &quantizer), (x, y))
+        seen.sample(C::tone(Light16::new(light), &quantizer))
     }
 }
 
