@@ -8,7 +8,7 @@
 //!
 //! Beams around 8 rays that begin or point up to 1/100 apart meet 448 of the boxes in a cube where the rays meet 440.
 
-use super::slabs::{both, smaller};
+use super::slabs::both;
 use super::{BoxTest, Node, slots};
 use crate::math::{Aabb, Ray, Real, Vec3};
 
@@ -83,7 +83,7 @@ impl<R: Real> Hull<R> {
     #[inline(always)]
     fn with(self, Self(low, high): Self) -> Self {
         Self(
-            Vec3::new(smaller(self.0.x, low.x), smaller(self.0.y, low.y), smaller(self.0.z, low.z)),
+            Vec3::new(self.0.x.smaller(low.x), self.0.y.smaller(low.y), self.0.z.smaller(low.z)),
             Vec3::new(self.1.x.larger(high.x), self.1.y.larger(high.y), self.1.z.larger(high.z)),
         )
     }
@@ -99,7 +99,7 @@ impl<R: Real> Beam<R> {
             let (start, per_unit) = lines.lower;
             let crossed = highest.map(|plane| (plane - start) * per_unit);
             if per_unit > R::ZERO {
-                far = both(far, crossed, smaller);
+                far = both(far, crossed, R::smaller);
             } else {
                 near = both(near, crossed, R::larger);
             }
@@ -108,7 +108,7 @@ impl<R: Real> Beam<R> {
             if per_unit > R::ZERO {
                 near = both(near, crossed, R::larger);
             } else {
-                far = both(far, crossed, smaller);
+                far = both(far, crossed, R::smaller);
             }
         }
         R::no_larger(&near, &far)

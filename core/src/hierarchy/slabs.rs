@@ -65,7 +65,7 @@ impl<R: Real> Slabs<R> {
         for (i, Along { nearer, near, far, per_unit }) in self.axes.iter().enumerate() {
             let [near_planes, far_planes] = [nearer & 1, !nearer & 1].map(|side| node.planes[i][side]);
             nears = both(nears, near_planes.map(|plane| (plane - *near) * *per_unit), R::larger);
-            fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), smaller);
+            fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), R::smaller);
         }
         // There is a way through a box where it begins no later than it ends.
         (R::no_larger(&nears, &fars), nears)
@@ -76,7 +76,7 @@ impl<R: Real> Slabs<R> {
     pub(super) fn enters<const W: usize>(&self, node: &Node<R, W>, slot: usize) -> Option<R> {
         let ([x, y, z], [along_x, along_y, along_z]) = (&self.axes, &node.planes);
         let between = |(begin, end): (R, R), (near, far): (R, R)| {
-            let (begin, end) = (begin.larger(near), smaller(end, far));
+            let (begin, end) = (begin.larger(near), end.smaller(far));
             (begin <= end).then_some((begin, end))
         };
         let range = between((R::ZERO, self.max), x.crossings(along_x, slot))?;
@@ -142,9 +142,4 @@ impl<R: Real, const W: usize> RayTest<R, W> for Slabs<R> {
 #[allow(clippy::indexing_slicing)] // Below the lengths.
 pub(super) fn both<A: Copy, const W: usize>(a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
     core::array::from_fn(|i| f(a[i], b[i]))
-}
-
-#[inline(always)]
-pub(super) fn smaller<R: Real>(a: R, b: R) -> R {
-    if a < b { a } else { b }
 }

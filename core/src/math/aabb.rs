@@ -32,10 +32,9 @@ impl<R: Real> Aabb<R> {
     /// The same, where time counts.
     #[inline(always)]
     pub(crate) fn joined(self, other: Self) -> Self {
-        let smaller = |a: R, b: R| if b < a { b } else { a };
         let (a, b) = (self, other);
         Self {
-            min: Vec3::new(smaller(a.min.x, b.min.x), smaller(a.min.y, b.min.y), smaller(a.min.z, b.min.z)),
+            min: Vec3::new(b.min.x.smaller(a.min.x), b.min.y.smaller(a.min.y), b.min.z.smaller(a.min.z)),
             max: Vec3::new(a.max.x.larger(b.max.x), a.max.y.larger(b.max.y), a.max.z.larger(b.max.z)),
         }
     }

@@ -204,7 +204,7 @@ pub trait Real:
         if self > other { self } else { other }
     }
 
-    /// The smaller of two.
+    /// The smaller of two: as [`larger`](Self::larger).
     fn smaller(self, other: Self) -> Self {
         if self < other { self } else { other }
     }

@@ -41,9 +41,8 @@ impl ObjectSet {
         Self(self.0 & other.0)
     }
 
-    /// Whether an object is in both.
-    pub(crate) const fn intersects(self, other: Self) -> bool {
-        self.0 & other.0 != 0
+    pub(crate) const fn contains(self, object: usize) -> bool {
+        !self.common(Self::NONE.with(object)).is_empty()
     }
 
     pub(crate) const fn with(self, object: usize) -> Self {

@@ -56,7 +56,7 @@ mod tests {
     use crate::picture::Request;
 
     fn quality(number: Number, mode: Mode) -> Quality {
-        let size = Some("96x72".parse().unwrap());
+        let size = Some("32x24".parse().unwrap());
         let request = Request { size, number, mode, ..Request::new("classic").unwrap() };
         Quality::of(&request.on(&BOARDS[1])).unwrap()
     }
@@ -75,7 +75,7 @@ mod tests {
     fn each_mode_has_its_measure() {
         let exact = quality(Number::F32, Mode::Exact);
         assert_eq!(exact.psnr_db, None);
-        assert!(exact.rays >= 96 * 72);
+        assert!(exact.rays >= 32 * 24);
         let fixed = quality(Number::Fixed, Mode::Exact).psnr_db.unwrap();
         assert!((35.0..99.0).contains(&fixed), "{fixed}");
         let realtime = quality(Number::F32, Mode::Realtime);

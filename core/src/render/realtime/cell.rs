@@ -174,7 +174,7 @@ impl Cell {
         }
     }
 
-    /// Fills a square whose sides are known and do not differ.
+    /// Fills a square with what is between its left and its right side.
     fn interpolate(&mut self, (x, y): (usize, usize), side: usize) {
         for y in y + 1..y + side {
             let (from, to) = (self.get(x, y), self.get(x + side, y));

@@ -23,7 +23,7 @@
 //!
 //! Three kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
-//!   less than a cell wide, or less than two wide and high, are traced in full. This ends at 32 objects.
+//!   less than two cells wide or high, or aslant less than one, are traced in full. This ends at 32 objects.
 //! - *Their shadows and mirror images*, and the smallest highlights. Around the ray of a point of the grid is the cone of those that it
 //!   stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
 //!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %.
@@ -47,8 +47,8 @@
 //! Of 24 frames around `classic` the worst has 40.6 dB, around `prism` 36.1 dB; at 160×120, where everything is smaller,
 //! the fine ones 38.5 and 34.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 278 instead of 559 on Cortex-M4F in `f32`, 407 instead of 951 on
-//! Cortex-M3 and 859 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 278 instead of 559 on Cortex-M4F in `f32`, 408 instead of 951 on
+//! Cortex-M3 and 860 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
@@ -99,7 +99,8 @@ use crate::shape::Geometry;
 /// - *thin things that are parts of something larger*, as a slat of a mesh, the tip of a triangle or a star's ray, and all thin things
 ///   in scenes of more than 32 objects. Else what is thin as a whole is always traced, and so are parts of tori, rings, instances and
 ///   what is put together, their shadows and mirror images;
-/// - *the shadows of plates that stand edgewise to a light*, and what is thin in curved mirrors other than balls;
+/// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
+///   what is thin in curved mirrors other than balls;
 /// - *texels and bumps* smaller than a cell, in images and maps.
 ///
 /// Draw such scenes exactly, or with a finer grid. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay

@@ -32,7 +32,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
             *place = place_of(viewport, corner)?;
             let (depth, distance) = viewport.depth(corner);
             slant = slant.larger(distance / depth);
-            nearest = if depth < nearest { depth } else { nearest };
+            nearest = nearest.smaller(depth);
             count += 1;
         }
         nearest = nearest - radius;
@@ -68,7 +68,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
         for place in places {
             let (right, down) = (place.0 - from.0, place.1 - from.1);
             let along = right * x + down * y;
-            begin = if along < begin { along } else { begin };
+            begin = begin.smaller(along);
             end = end.larger(along);
             radius = radius.larger((down * x - right * y).abs());
         }
@@ -76,12 +76,12 @@ impl<N: Real<Setup = N>> Stadium<N> {
         Self { from: at(begin), to: at(end), radius }
     }
 
-    /// Whether it could hide between the points of a grid. What is as wide as a cell does not cross a side between two of them, enter and
-    /// leave; what is as wide and high as two cells covers one wherever it is.
+    /// Whether it could hide between the points of a grid: it is less than two cells wide or high, or aslant less than one. What is as wide
+    /// as a cell does not cross a side between two points, enter and leave.
     pub(super) fn is_thin(&self, grid: Grid) -> bool {
         let (side, width) = (N::from_u16(grid.pixels() as u16), self.radius + self.radius);
-        let (x, y) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
-        width < side || (x * x + y * y).sqrt() + width < side + side
+        let (x, y) = ((self.to.0 - self.from.0).abs(), (self.to.1 - self.from.1).abs());
+        width < side || x.smaller(y) + width < side + side
     }
 
     /// Its leftmost and rightmost place between two heights, or a little more; `None` where it is not there.

@@ -36,7 +36,7 @@ impl Strip {
             (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE);
         for (index, (span, known)) in strip.spans.iter_mut().zip(known).enumerate() {
             *span = known;
-            if ObjectSet::NONE.with(index).intersects(thin) {
+            if thin.contains(index) {
                 let mut all = Span::NOWHERE;
                 for hull in renderer.scene.hulls(index) {
                     let Some(stadium) = Stadium::new(&renderer.viewport, &hull) else {

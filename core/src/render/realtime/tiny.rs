@@ -33,9 +33,11 @@ impl<R: Real> Tiny<R> {
         let (scene, eye) = (renderer.scene, renderer.viewport.eye());
         let cone = Cone::new(&renderer.viewport, grid);
         let distance = |center: Vec3<R>| (center - eye).length();
-        // What is mirrored is seen from farther away.
-        let can_be_thin =
-            |hull: Hull<R>| cone.after(distance(hull.center)).after(distance(hull.center)).is_wider(&hull);
+        let can_be_thin = |hull: Hull<R>| {
+            // What is mirrored is seen from farther away.
+            let distance = distance(hull.center);
+            cone.after(distance + distance).is_wider(&hull)
+        };
         let is_glossy = |object: usize| match (scene.form(object), scene.material(object)) {
             (Some(Form::Ball { center, radius }), Some(material)) if material.specular > R::ZERO => {
                 let cosine = cone.after(distance(center)).opened(radius).least_cosine();
@@ -110,7 +112,7 @@ impl<R: Real> Watch<R> {
             Some(Form::Ball { radius, .. }) => cone.opened(radius),
             _ => cone,
         };
-        if self.tiny.glossy.intersects(ObjectSet::NONE.with(hit.object)) {
+        if self.tiny.glossy.contains(hit.object) {
             let least = self.cone.least_cosine();
             self.is_near |= lights(mirrored).any(|(.., cosine)| cosine > least);
         }

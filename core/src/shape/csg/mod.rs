@@ -187,9 +187,8 @@ fn bounds<R: Real, S, P: Intersect<R>>(steps: &[CsgStep<S>], solids: &[P]) -> Re
 
 /// What two boxes have in common; a box without room where that is nothing.
 fn common<R: Real>(a: Aabb<R>, b: Aabb<R>) -> Aabb<R> {
-    let smaller = |a: R, b: R| if b < a { b } else { a };
     let min = Vec3::new(a.min.x.larger(b.min.x), a.min.y.larger(b.min.y), a.min.z.larger(b.min.z));
-    let max = Vec3::new(smaller(a.max.x, b.max.x), smaller(a.max.y, b.max.y), smaller(a.max.z, b.max.z));
+    let max = Vec3::new(b.max.x.smaller(a.max.x), b.max.y.smaller(a.max.y), b.max.z.smaller(a.max.z));
     Aabb { min, max: Vec3::new(max.x.larger(min.x), max.y.larger(min.y), max.z.larger(min.z)) }
 }
 

@@ -155,7 +155,7 @@ impl<R: Real> Body<R> {
             let (one, other) = ((-half - at) / along, (half - at) / along);
             let (enters, leaves) = if one < other { (one, other) } else { (other, one) };
             inside.min = inside.min.larger(enters);
-            inside.max = smaller(inside.max, leaves);
+            inside.max = leaves.smaller(inside.max);
         }
         (inside.min < inside.max).then_some(inside)
     }
@@ -176,10 +176,10 @@ impl<R: Real> Body<R> {
             Roots::AllInside => push(min, max),
             Roots::AllOutside => {}
             Roots::Enters(at) => push(at.larger(min), max),
-            Roots::Leaves(at) => push(min, smaller(at, max)),
-            Roots::Inside(near, far) => push(near.larger(min), smaller(far, max)),
+            Roots::Leaves(at) => push(min, max.smaller(at)),
+            Roots::Inside(near, far) => push(near.larger(min), max.smaller(far)),
             Roots::Outside(near, far) => {
-                push(min, smaller(near, max));
+                push(min, max.smaller(near));
                 push(far.larger(min), max);
             }
         }
@@ -200,10 +200,6 @@ impl<R: Real> Body<R> {
             .map(|at| advance + at * self.unit)
             .find(|t| range.contains(*t))
     }
-}
-
-fn smaller<R: Real>(a: R, b: R) -> R {
-    if b < a { b } else { a }
 }
 
 impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
