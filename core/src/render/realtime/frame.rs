@@ -37,8 +37,9 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     renderer: &'p Renderer<'p, 'm, R, S>,
     /// When rays are no longer followed.
     bounds: Bounds<R>,
-    /// The scene without its lights.
+    /// The scene without its lights, and when rays are no longer followed there: those that leave no mark are not.
     unlit: PreparedScene<'m, R, S>,
+    unlit_bounds: Bounds<R>,
     quality: Realtime,
     buffer: RealtimeBuffer<'b, C>,
     /// The lines that are not yet on the display.
@@ -105,6 +106,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             nothing: Tracer::<R, S, C, ()>::nothing(renderer),
             bounds: Bounds { cutoff, ..renderer.bounds },
             unlit,
+            unlit_bounds: Bounds { cutoff: cutoff.larger(marks.faint), ..renderer.bounds },
             renderer,
             tiny: Tiny::new(renderer, quality.grid, marks.near),
             marks,
@@ -193,6 +195,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             renderer: self.renderer,
             bounds: &self.bounds,
             unlit: &self.unlit,
+            unlit_bounds: &self.unlit_bounds,
             among,
             left: band.left,
             top: band.top,

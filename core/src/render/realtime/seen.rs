@@ -15,7 +15,7 @@ use crate::shape::Geometry;
 pub(super) struct Marks<R> {
     /// Rays that bring less of their light to the pixel than this leave none: their edges are faint, and there are
     /// many of them.
-    faint: R,
+    pub(super) faint: R,
     /// How far from its middle a small highlight shows, and is near, see [`Shininess::shows`](crate::material::Shininess).
     shows: R,
     pub(super) near: R,

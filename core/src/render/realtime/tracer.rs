@@ -23,6 +23,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) renderer: &'r Renderer<'p, 'm, R, S>,
     pub(super) bounds: &'r Bounds<R>,
     pub(super) unlit: &'r PreparedScene<'m, R, S>,
+    pub(super) unlit_bounds: &'r Bounds<R>,
     pub(super) among: ObjectSet,
     /// The cell's upper left pixel.
     pub(super) left: u32,
@@ -69,12 +70,13 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
     fn look(&mut self, is_lit: bool, searches: bool, x: usize, y: usize) -> Sample {
         // The camera sees on beyond the picture.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
-        let scene = if is_lit { self.renderer.scene } else { self.unlit };
+        let (scene, bounds) =
+            if is_lit { (self.renderer.scene, self.bounds) } else { (self.unlit, self.unlit_bounds) };
         let watch = self.watch.as_mut().and_then(|watch| watch.stand_for(x, y));
         let mut seen = Seen::new(scene, self.marks, searches, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
-        let (light, rays) = self.renderer.light_in(scene, self.bounds, (x, y), sight, &mut seen);
+        let (light, rays) = self.renderer.light_in(scene, bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         if self.rays >= self.allowed {
             self.limits = Limits::NONE;
