@@ -162,8 +162,6 @@ impl Cell {
         for y in (0..side).step_by(square) {
             for x in (0..side).step_by(square) {
                 if self.is_near_tiny((x, y), square) {
-                    // What there are no rays for is interpolated.
-                    self.interpolate((x, y), square);
                     self.trace_all((x, y), square, look);
                 } else if square < SQUARE {
                     self.fill_two((x, y), look);
@@ -277,8 +275,9 @@ impl Cell {
         corners.into_iter().any(Sample::is_near_tiny)
     }
 
-    /// Traces every pixel of a square that is not yet traced.
+    /// Traces every pixel of a square that is not yet traced; what there are no rays for is interpolated.
     pub(super) fn trace_all(&mut self, (left, top): (usize, usize), side: usize, look: &mut impl Look) {
+        self.interpolate((left, top), side);
         for y in top..top + side {
             for x in left..left + side {
                 if !self.get(x, y).is_traced() && look.may_trace() {

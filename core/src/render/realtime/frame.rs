@@ -271,9 +271,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         if !band.rough_left {
             cell.look_along((0, 0), Way::Down, side, &mut tracer);
         }
-        cell.refine(side, &mut tracer);
         if thin {
             cell.trace_all((0, 0), side, &mut tracer);
+        } else {
+            cell.refine(side, &mut tracer);
         }
         paint.refined(self.buffer.colors, cell);
         let all = tracer.rays;
