@@ -210,6 +210,15 @@ impl<R: Real> Viewport<R> {
         Some(frame)
     }
 
+    /// What is seen between two heights of the picture lies on the positive sides of two planes through the eye: their unit normals.
+    pub(crate) fn between(&self, top: R::Setup, bottom: R::Setup) -> [Vec3<R>; 2] {
+        let camera = &self.camera;
+        let (_, half_height) = self.middle;
+        // As in `project`, multiplied by the depth.
+        let below = |height: R::Setup| camera.forward * ((half_height - height) * self.pixel()) - camera.up;
+        [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.polar().0))
+    }
+
     /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.
     pub(crate) fn project(&self, point: Vec3<R::Setup>) -> Option<(R::Setup, R::Setup)> {
         let camera = &self.camera;

@@ -10,7 +10,8 @@
 //!
 //! To sort all boxes of a node by distance visits fewer, but takes 5 % longer than to go on with the nearest and to let the others wait
 //! as they come. Two nodes of four boxes at a time take as long as one. How it is built: see [`build`]. How boxes are tested: see
-//! [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, and [`beam`] for many rays at once.
+//! [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, [`beam`] for many rays at once, and [`wedge`]
+//! for some lines of a picture.
 //!
 //! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
 //! the same distance the lowest position counts, whichever box is visited first.
@@ -23,6 +24,7 @@ mod segment;
 mod slabs;
 #[cfg(all(test, feature = "hierarchy"))]
 mod tests;
+mod wedge;
 
 use heapless::Vec;
 
@@ -35,6 +37,7 @@ pub(crate) use beam::Beam;
 use place::Place;
 use segment::Segment;
 use slabs::Slabs;
+pub(crate) use wedge::Wedge;
 
 /// Objects, by where they are, in nodes of so many boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -287,6 +290,12 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     #[inline]
     pub(crate) fn any_in_beam(&self, beam: &Beam<R>, test: impl FnMut(usize) -> bool) -> bool {
         self.any_in_boxes(beam, test)
+    }
+
+    /// The same for all objects that reach between two planes.
+    #[inline]
+    pub(crate) fn any_between(&self, wedge: &Wedge<R>, test: impl FnMut(usize) -> bool) -> bool {
+        self.any_in_boxes(wedge, test)
     }
 
     /// Calls `visit` for all objects that a point may lie on: a point that was computed, off by less than `margin`.

@@ -4,7 +4,7 @@ use super::candidates::{Ball, Candidates, Departure, ObjectSet};
 use super::objects::PreparedObject;
 use super::{Hit, PreparedScene};
 use crate::color::LinearRgb;
-use crate::hierarchy::{Hierarchy, WIDE};
+use crate::hierarchy::{Hierarchy, WIDE, Wedge};
 use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
@@ -116,10 +116,25 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The objects for which that is so; none, where the scene has no sets.
-    pub(crate) fn objects_where(&self, is_so: impl Fn(usize) -> bool) -> ObjectSet {
-        let all = self.candidates().map_or(ObjectSet::NONE, Candidates::all);
-        all.filter(|object| is_so(*object)).fold(ObjectSet::NONE, ObjectSet::with)
+    /// The objects for which that is so; `None`, where the scene has no sets.
+    pub(crate) fn objects_where(&self, is_so: impl Fn(usize) -> bool) -> Option<ObjectSet> {
+        let all = self.candidates()?.all();
+        Some(all.filter(|object| is_so(*object)).fold(ObjectSet::NONE, ObjectSet::with))
+    }
+
+    /// Calls `test` for these objects, or where there is no set, for all that may reach between two planes, until it says `true`. Returns
+    /// whether it did.
+    pub(crate) fn any_between(
+        &self,
+        wedge: &Wedge<R>,
+        among: Option<ObjectSet>,
+        mut test: impl FnMut(usize) -> bool,
+    ) -> bool {
+        match (among, self.hierarchy()) {
+            (Some(some), _) => some.into_iter().any(test),
+            (None, Some(hierarchy)) => hierarchy.any_between(wedge, test),
+            (None, None) => (0..self.objects.len()).any(&mut test),
+        }
     }
 
     /// The hulls of an object.

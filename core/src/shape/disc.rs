@@ -98,13 +98,16 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let axis = self.plane.normal;
         let hole = self.hole_squared.sqrt();
-        if hole > R::ZERO {
-            let half = (self.radius - hole) * R::from_f32(0.5);
-            return Hull::arc(&Circle { center: self.center, axis, radius: hole + half }, part, half);
-        }
-        let (u, v) = axis.around();
-        let axes = [u * self.radius, v * self.radius, Vec3::ZERO];
-        (part == 0).then_some(Hull { center: self.center, axes, radius: R::ZERO })
+        let half = (self.radius - hole) * R::from_f32(0.5);
+        // Without a hole, there is no need of parts.
+        let (circle, distance) = if hole > R::ZERO {
+            (Circle { center: self.center, axis, radius: hole + half }, half)
+        } else if part == 0 {
+            (Circle { center: self.center, axis, radius: self.radius }, R::ZERO)
+        } else {
+            return None;
+        };
+        circle.hull(part, distance)
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -47,13 +47,6 @@ impl<R: Real> Hull<R> {
         )
     }
 
-    /// One part of so many of what is no farther from a circle than some distance: all together hold it.
-    #[inline(never)]
-    pub(crate) fn arc(circle: &Circle<R>, part: usize, distance: R) -> Option<Self> {
-        let (from, to) = (circle.at(part)?, circle.at((part + 1) % ARCS)?);
-        Some(Self::line(from, to, distance + circle.radius * R::from_f32(SAGITTA)))
-    }
-
     /// The corners of the parallelepiped, each once.
     pub fn corners(&self) -> impl Iterator<Item = Vec3<R>> {
         (0..8).filter_map(|number| self.corner(number))
@@ -87,21 +80,35 @@ const ARCS: usize = 16;
 const SAGITTA: f32 = 0.0193;
 
 impl<R: Real> Circle<R> {
-    /// Where a part begins.
-    fn at(&self, part: usize) -> Option<Vec3<R>> {
+    /// What is no farther from the circle than some distance: with number 0, the whole disc; the others, from 1 on, hold it together.
+    #[inline(never)]
+    pub(crate) fn hull(&self, part: usize, distance: R) -> Option<Hull<R>> {
+        let (u, v) = self.axis.around();
+        let Some(part) = part.checked_sub(1) else {
+            let axes = [u * self.radius, v * self.radius, Vec3::ZERO];
+            return Some(Hull { center: self.center, axes, radius: distance });
+        };
+        let at = |part: usize| {
+            let (along, across) = self.place(part)?;
+            Some(self.center + u * along + v * across)
+        };
+        let (from, to) = (at(part)?, at((part + 1) % ARCS)?);
+        Some(Hull::line(from, to, distance + self.radius * R::from_f32(SAGITTA)))
+    }
+
+    /// Where a part begins, in the plane of the circle.
+    fn place(&self, part: usize) -> Option<(R, R)> {
         // The cosines of a quarter's parts.
         const COSINES: [f32; ARCS / 4 + 1] = [1.0, 0.923_88, FRAC_1_SQRT_2, 0.382_683, 0.0];
         let (quarter, rest) = (part / (ARCS / 4), part % (ARCS / 4));
         let cosine = |i: usize| COSINES.get(i).copied().map(|share| self.radius * R::from_f32(share));
         let (cosine, sine) = (cosine(rest)?, cosine(ARCS / 4 - rest)?);
-        let (u, v) = self.axis.around();
-        let (along, across) = match quarter {
-            0 => (cosine, sine),
-            1 => (-sine, cosine),
-            2 => (-cosine, -sine),
-            3 => (sine, -cosine),
-            _ => return None,
-        };
-        Some(self.center + u * along + v * across)
+        match quarter {
+            0 => Some((cosine, sine)),
+            1 => Some((-sine, cosine)),
+            2 => Some((-cosine, -sine)),
+            3 => Some((sine, -cosine)),
+            _ => None,
+        }
     }
 }

@@ -373,8 +373,9 @@ pub trait Intersect<R: Real> {
     /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
     fn bounds(&self) -> Option<Aabb<R>>;
 
-    /// What holds the shape, so that what is thin is known to be. A shape of several parts, or one that no parallelepiped is close to, has
-    /// several hulls, numbered from 0 on, that hold it together; `None` for other numbers. Without one, its bounds do.
+    /// What holds the shape, so that what is thin is known to be: by number 0 the whole of it. A shape of several parts, or one that no
+    /// parallelepiped is close to, has more, numbered from 1 on, that hold it together; `None` for other numbers. Where a shape says
+    /// nothing, its bounds hold it.
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         match self.form() {
             _ if part > 0 => None,

@@ -179,7 +179,7 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
-        Hull::arc(&circle, part, self.minor)
+        circle.hull(part, self.minor)
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

@@ -803,3 +803,43 @@ fn what_is_thin_is_shown_whole_with_several_samples() {
         }
     }
 }
+
+/// A scene of more than 32 objects has no sets of them: what is narrow is found by the hierarchy, or one object after the other.
+#[test]
+fn what_is_narrow_among_many_is_shown_whole() {
+    fn check<R: Real>(scene: &Scene) {
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+        let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
+        for prepared in [prepared.without_acceleration(), prepared] {
+            let renderer = Renderer::new(&prepared, Settings::new(160, 120)).expect("legal settings");
+            let exact = exact(&renderer, &mut ());
+            for quality in QUALITIES {
+                let mut rays = RayCounts::default();
+                assert!(realtime(&renderer, quality, &mut rays) == exact, "{quality:?}");
+                assert!(rays.camera < 160 * 120 / 2, "{} pixels", rays.camera);
+            }
+        }
+    }
+    for angle in [0.0f32, 0.3, 0.7, 1.2, 1.5] {
+        // Bars aslant, and beads on a line beside them.
+        let (along, across) =
+            (Vec3::new(angle.cos(), angle.sin(), 0.1), Vec3::new(-angle.sin(), angle.cos(), 0.0));
+        let objects: Vec<_> = (0..40)
+            .map(|i| {
+                let place = across * ((i % 20) as f32 * 0.1 - 1.0);
+                Object::new(
+                    if i < 20 {
+                        let (base, top) = (place - along * 3.0, place + along);
+                        Shape::Cylinder(Cylinder { base, top, radius: 0.02, capped: true })
+                    } else {
+                        Shape::Sphere(Sphere::new(place + along * 2.0, 0.02))
+                    },
+                    0,
+                )
+            })
+            .collect();
+        let scene = bright(&objects, &[GLOWING]);
+        check::<f32>(&scene);
+        check::<Fixed>(&scene);
+    }
+}

@@ -1,7 +1,7 @@
 //! The rays around a traced one, as far as that stands for them: a cone (Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984).
 //!
 //! What a traced ray passes by within its cone may be met by a ray beside it: something thin that is mirrored, or that is in the way to
-//! a light. Where thin things are seen directly is known better ([`Strip`](super::strip::Strip)), unless a pixel has several samples.
+//! a light. Where thin things are seen directly is known better ([`thin`](super::thin)).
 //!
 //! The cone holds every ray up to half the diagonal of a cell away. Mirrors that are balls open it, as two places of them have normals of
 //! other directions; others are taken to be flat. On a surface the cone leaves an ellipse, longer the more the surface is slanted, and a
@@ -58,33 +58,50 @@ impl<R: Real> Cone<R> {
         self.radius + self.spread * distance
     }
 
-    /// Whether a ray beside this one can meet something thin in a hull that this one passes by before so many units.
-    #[inline(never)]
-    pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hull: &Hull<R>) -> bool {
-        let stick = Stick::new(hull);
-        let (t, across) = stick.nearest(ray);
-        // Nothing is seen of what lies behind, whichever end of it is there.
-        t > R::ZERO && t < distance && stick.is_thin_and_near(across.length(), self.radius_at(t))
+    /// Whether a ray beside this one can meet something thin before so many units, in a shape of these hulls: the first holds all others.
+    pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hulls: impl Iterator<Item = Hull<R>>) -> bool {
+        any_thin(hulls, |stick| stick.is_beside(ray, distance, |t, _| self.radius_at(t)))
     }
 
-    /// The same for a shadow ray from a surface of this normal, where the cone's ray has this direction.
-    #[inline(never)]
+    /// The same for a shadow ray of some length from a surface of this normal, where the cone's ray has this direction.
     pub(super) fn can_be_shaded(
         &self,
         shadow: &Ray<R>,
+        distance: R,
         direction: Vec3<R>,
         normal: Vec3<R>,
-        hull: &Hull<R>,
+        hulls: impl Iterator<Item = Hull<R>>,
     ) -> bool {
-        let stick = Stick::new(hull);
-        let (t, across) = stick.nearest(shadow);
-        let (toward, distance) = across.polar();
         // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
         let slant = direction.dot(normal).abs().larger(R::from_f32(MOST_SLANTED));
-        let step = toward
-            - normal * (direction.dot(toward) / if direction.dot(normal) < R::ZERO { -slant } else { slant });
-        t > R::ZERO && stick.is_thin_and_near(distance, self.radius * step.length())
+        let slant = if direction.dot(normal) < R::ZERO { -slant } else { slant };
+        let radius = |_, across: Vec3<R>| {
+            let (toward, _) = across.polar();
+            self.radius * (toward - normal * (direction.dot(toward) / slant)).length()
+        };
+        any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
     }
+}
+
+/// Whether one of these hulls is thin beside a ray, of which the first holds the others.
+#[inline(never)]
+fn any_thin<R: Real>(
+    mut hulls: impl Iterator<Item = Hull<R>>,
+    is_beside: impl Fn(&Stick<R>) -> Option<Beside>,
+) -> bool {
+    let is_beside = |hull: Hull<R>| is_beside(&Stick::new(&hull));
+    match hulls.next().and_then(is_beside) {
+        None => false,
+        Some(Beside::Thin) => true,
+        Some(Beside::Thick) => hulls.any(|hull| is_beside(hull) == Some(Beside::Thin)),
+    }
+}
+
+/// What is in a cone, next to how wide the cone is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Beside {
+    Thin,
+    Thick,
 }
 
 /// The least cosine between a ray and the normal of a surface that counts.
@@ -103,17 +120,20 @@ impl<R: Real> Stick<R> {
     fn new(hull: &Hull<R>) -> Self {
         let (mut along, mut half_length, mut lengths) = (Vec3::ZERO, R::ZERO, R::ZERO);
         for axis in &hull.axes {
-            if let Some((unit, length)) = Some(axis.polar()).filter(|(_, length)| *length > R::ZERO) {
-                lengths = lengths + length;
-                if length > half_length {
-                    (along, half_length) = (unit, length);
-                }
+            // Most have one axis, and a root takes long.
+            if *axis == Vec3::ZERO {
+                continue;
+            }
+            let (unit, length) = axis.polar();
+            lengths = lengths + length;
+            if length > half_length {
+                (along, half_length) = (unit, length);
             }
         }
         Self { center: hull.center, along, half_length, radius: hull.radius + (lengths - half_length) }
     }
 
-    /// Where on a ray its line is the nearest, and the way from there to it.
+    /// Where on a ray's line its own is the nearest, and the way from there to it.
     fn nearest(&self, ray: &Ray<R>) -> (R, Vec3<R>) {
         let toward = self.center - ray.origin;
         let cosine = self.along.dot(ray.direction);
@@ -130,8 +150,21 @@ impl<R: Real> Stick<R> {
         (t, toward - ray.direction * t)
     }
 
-    /// Whether it is thin beside a cone of this radius, and the cone reaches it at this distance.
-    fn is_thin_and_near(&self, distance: R, radius: R) -> bool {
-        self.radius < radius && distance < self.radius + radius
+    /// Whether it is in the cone around a ray of some length, which has a `radius` at a distance and into a direction.
+    #[inline(never)]
+    fn is_beside(&self, ray: &Ray<R>, distance: R, radius: impl Fn(R, Vec3<R>) -> R) -> Option<Beside> {
+        let (t, across) = self.nearest(ray);
+        // Nothing is seen of what lies behind, nor farther away.
+        let end = t + self.radius;
+        if !(end > R::ZERO && t - self.radius < distance) {
+            return None;
+        }
+        let radius = radius(end.smaller(distance), across);
+        if !(across.length() < self.radius + radius) {
+            return None;
+        }
+        // That at which a ray begins or ends is seen.
+        let is_between = t > R::ZERO && t < distance;
+        Some(if is_between && self.radius < radius { Beside::Thin } else { Beside::Thick })
     }
 }

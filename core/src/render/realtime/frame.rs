@@ -12,7 +12,8 @@ use super::cell::{Cell, Corners, Look, Way};
 use super::limits::Limits;
 use super::paint::Paint;
 use super::seen::Marks;
-use super::strip::{Strip, thin_objects};
+use super::strip::Strip;
+use super::thin::{ThinPlaces, thin_objects};
 use super::tiny::{Tiny, Watch};
 use super::tracer::Tracer;
 use super::{Realtime, RealtimeBuffer, Sample};
@@ -46,8 +47,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
-    /// Objects that could hide between the points of the grid.
-    thin: ObjectSet,
+    /// Objects that could hide between the points of the grid; `None`: any could.
+    thin: Option<ObjectSet>,
     band: Option<Band>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
@@ -71,6 +72,7 @@ struct Band {
     /// Whether the left side of the next cell was looked at closely.
     rough_left: bool,
     strip: Option<Strip>,
+    thin: ThinPlaces,
 }
 
 impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, 'm, 'b, R, S, C> {
@@ -177,8 +179,13 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = self.lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, self.lines.end.saturating_sub(self.lines.start));
-        let strip = Strip::new(self.renderer, top as u16, bottom as u16, self.thin, self.quality.grid);
-        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip }
+        let lines = (top as u16, bottom as u16);
+        let mut thin = ThinPlaces::none(self.renderer.width, self.quality.grid, self.thin);
+        let strip = Strip::new(self.renderer, lines, &mut thin);
+        if strip.is_none() {
+            thin.add_all(self.renderer, lines);
+        }
+        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin }
     }
 
     /// Draws the next cell of a band into the buffer; tells how many rays that took.
@@ -249,8 +256,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let top = tracer.differ(corners.top_left, corners.top_right, side);
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);
         let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
-        let is_thin = |strip: &Strip| strip.is_thin(first, last);
-        let thin = detail != Detail::Grid && band.strip.as_ref().is_some_and(is_thin);
+        let thin = detail != Detail::Grid && band.thin.holds(band.left);
         if !(top || right || bottom || band.rough_left || thin) {
             paint.smooth(self.buffer.colors, &corners);
             self.finish_smooth(band, corners, side);

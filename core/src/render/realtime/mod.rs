@@ -23,10 +23,12 @@
 //!
 //! Three kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
-//!   less than two cells wide or high, or aslant less than one, are traced in full. This ends at 32 objects.
+//!   less than two cells wide or high, or aslant less than one, are traced in full. Among more than 32 objects those count that are less
+//!   than one cell wide: 91 balls of 9 to 14 pixels would take 1.6 times the rays with the others.
 //! - *Their shadows and mirror images*, and the smallest highlights. Around the ray of a point of the grid is the cone of those that it
 //!   stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
-//!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %.
+//!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %. This ends at 32 objects: those
+//!   91 balls would take an M4F more instructions than their exact picture.
 //! - *Small highlights.* A pixel near one differs from every other: as near as two pixels of a grid of four can be from
 //!   it on a ball of 30 pixels, and twice as near for a grid of eight.
 //!
@@ -77,6 +79,7 @@ mod sample;
 mod seen;
 mod stadium;
 mod strip;
+mod thin;
 mod tiny;
 mod tracer;
 
@@ -96,14 +99,15 @@ use crate::shape::Geometry;
 /// Every fourth or eighth pixel of every fourth or eighth line is traced; what lies between them is interpolated where they saw the
 /// same, and looked at where they did not. So what lies between them and leaves no mark on any can be lost, in one frame and not in the
 /// next:
-/// - *thin things that are parts of something larger*, as a slat of a mesh, the tip of a triangle or a star's ray, and all thin things
-///   in scenes of more than 32 objects. Else what is thin as a whole is always traced, and so are parts of tori, rings, instances and
-///   what is put together, their shadows and mirror images;
+/// - *thin things that are parts of something larger*, as a slat of a mesh, the tip of a triangle or a star's ray. What is thin as a
+///   whole is traced, and so are parts of tori, rings, instances and what is put together;
+/// - *shadows and mirror images of thin things* in scenes of more than 32 objects;
 /// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
 ///   what is thin in curved mirrors other than balls;
 /// - *texels and bumps* smaller than a cell, in images and maps.
 ///
-/// Draw such scenes exactly, or with a finer grid. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay
+/// Draw such scenes exactly, or with a finer grid. Exact pictures are also faster where they are so small that most things are thin:
+/// four balls on a floor at 64×48 take two thirds of the instructions of a grid of eight. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay
 /// straight lines. A scene of four balls on a floor keeps 45.7 dB of the exact picture for a fifth of its rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {

@@ -79,9 +79,14 @@ impl<N: Real<Setup = N>> Stadium<N> {
     /// Whether it could hide between the points of a grid: it is less than two cells wide or high, or aslant less than one. What is as wide
     /// as a cell does not cross a side between two points, enter and leave.
     pub(super) fn is_thin(&self, grid: Grid) -> bool {
-        let (side, width) = (N::from_u16(grid.pixels() as u16), self.radius + self.radius);
+        let two_sides = N::from_u16(2 * grid.pixels() as u16);
         let (x, y) = ((self.to.0 - self.from.0).abs(), (self.to.1 - self.from.1).abs());
-        width < side || x.smaller(y) + width < side + side
+        self.is_narrow(grid) || x.smaller(y) + self.radius + self.radius < two_sides
+    }
+
+    /// Whether it is less than a cell wide, however it lies.
+    pub(super) fn is_narrow(&self, grid: Grid) -> bool {
+        self.radius + self.radius < N::from_u16(grid.pixels() as u16)
     }
 
     /// Its leftmost and rightmost place between two heights, or a little more; `None` where it is not there.

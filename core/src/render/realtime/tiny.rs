@@ -14,15 +14,14 @@ use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
 use crate::shape::{Form, Geometry, Hull};
 
-/// The objects that could hide, where there are any.
+/// The objects that could hide, where there are any, and no more than a set holds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tiny<R> {
     grid: Grid,
     /// Of a ray from the eye.
     cone: Cone<R>,
-    /// Thin ones, beside a ray that is mirrored or goes to a light; and beside one from the eye.
+    /// Thin ones.
     thin: ObjectSet,
-    thin_at_first: ObjectSet,
     /// Balls, for their highlights.
     glossy: ObjectSet,
 }
@@ -46,10 +45,9 @@ impl<R: Real> Tiny<R> {
             }
             _ => false,
         };
-        let thin = scene.objects_where(|object| scene.hulls(object).any(can_be_thin));
-        let glossy = scene.objects_where(is_glossy);
-        let thin_at_first = if renderer.outlines.count().is_some() { ObjectSet::NONE } else { thin };
-        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { grid, cone, thin, thin_at_first, glossy })
+        let thin = scene.objects_where(|object| scene.hulls(object).any(can_be_thin))?;
+        let glossy = scene.objects_where(is_glossy)?;
+        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { grid, cone, thin, glossy })
     }
 }
 
@@ -99,15 +97,16 @@ impl<R: Real> Watch<R> {
     ) {
         let cone = self.look(scene, watched, hit.t);
         let (direction, point, normal) = (watched.0.direction, hit.surface.point, hit.surface.normal);
-        let is_shaded = |toward: Vec3<R>| {
-            let shadow = Ray { origin: point, direction: toward };
-            let can_be_shaded = |hull: Hull<R>| cone.can_be_shaded(&shadow, direction, normal, &hull);
-            self.tiny.thin.into_iter().any(|object| scene.hulls(object).any(can_be_shaded))
-        };
         let lights =
             |normal: Vec3<R>| scene.lights.iter().filter_map(move |light| light.seen_from(point, normal));
         let (facing, ..) = normal.facing(direction);
-        self.is_near |= lights(facing).any(|(toward, ..)| is_shaded(toward));
+        self.is_near |= lights(facing).any(|(toward, distance, _)| {
+            let shadow = Ray { origin: point, direction: toward };
+            self.tiny
+                .thin
+                .into_iter()
+                .any(|object| cone.can_be_shaded(&shadow, distance, direction, normal, scene.hulls(object)))
+        });
         self.cone = match scene.form(hit.object) {
             Some(Form::Ball { radius, .. }) => cone.opened(radius),
             _ => cone,
@@ -125,8 +124,8 @@ impl<R: Real> Watch<R> {
         self.look(scene, watched, R::FARTHEST);
     }
 
-    /// Looks for thin things beside a ray up to this distance; the cone there. A ray that leaves a hit later than another one does begins
-    /// with what that has left: with more than its own.
+    /// Looks for thin things beside a ray up to this distance; the cone there. What is beside one from the eye is known. A ray that leaves
+    /// a hit later than another one does begins with what that has left: with more than its own.
     #[inline(never)]
     fn look<S: Geometry>(
         &mut self,
@@ -134,10 +133,12 @@ impl<R: Real> Watch<R> {
         (ray, is_first): Watched<R>,
         distance: R,
     ) -> Cone<R> {
-        let (thin, cone) =
-            if is_first { (self.tiny.thin_at_first, self.first) } else { (self.tiny.thin, self.cone) };
-        let can_see = |hull: Hull<R>| cone.can_see(&ray, distance, &hull);
-        self.is_near |= thin.into_iter().any(|object| scene.hulls(object).any(can_see));
+        if is_first {
+            return self.first.after(distance);
+        }
+        let cone = self.cone;
+        let can_see = |object| cone.can_see(&ray, distance, scene.hulls(object));
+        self.is_near |= self.tiny.thin.into_iter().any(can_see);
         cone.after(distance)
     }
 }

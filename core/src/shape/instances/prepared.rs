@@ -85,6 +85,10 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
 
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if let Some(pose) = self.only() {
+            return Some(pose.hull(self.model.hull(part)?));
+        }
+        let Some(part) = part.checked_sub(1) else { return self.group.bounds.map(Hull::aligned) };
         let parts = (0..).take_while(|part| self.model.hull(*part).is_some()).count();
         let pose = self.group.poses.get(part.checked_div(parts)?)?;
         Some(pose.hull(self.model.hull(part.checked_rem(parts)?)?))

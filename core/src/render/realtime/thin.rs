@@ -1,0 +1,150 @@
+//! Where something is seen that is so thin that it could hide between the points of the grid.
+
+use super::super::Renderer;
+use super::super::line_candidates::Span;
+use super::super::outline::pixel;
+use super::Grid;
+use super::stadium::Stadium;
+use crate::hierarchy::Wedge;
+use crate::math::Real;
+use crate::prepared::candidates::ObjectSet;
+use crate::shape::{Geometry, Hull};
+
+/// The objects of which a hull is thin where it is seen; `None` where a scene has more than a set holds.
+pub(super) fn thin_objects<R: Real, S: Geometry>(
+    renderer: &Renderer<'_, '_, R, S>,
+    grid: Grid,
+) -> Option<ObjectSet> {
+    let is_thin =
+        |hull: Hull<R>| Stadium::new(&renderer.viewport, &hull).is_some_and(|stadium| stadium.is_thin(grid));
+    renderer.scene.objects_where(|object| renderer.scene.hulls(object).any(is_thin))
+}
+
+/// The places of a strip of lines at which something thin can be seen, a bit for one column of cells, or in wide pictures for several.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ThinPlaces {
+    bits: [u32; WORDS],
+    grid: Grid,
+    /// The objects of which something may be thin. Where there is no set, all may be, and what is not narrow does not count: there would
+    /// be too much of it.
+    objects: Option<ObjectSet>,
+    /// A bit stands for so many columns of pixels: a power of two.
+    shift: u32,
+}
+
+/// At most 256 bits: those of a picture of 2,048 pixels and a grid of eight.
+const WORDS: usize = 8;
+
+impl ThinPlaces {
+    /// None yet, in a picture of this width.
+    pub(super) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
+        let mut shift = grid.pixels().trailing_zeros();
+        while usize::from(width) >> shift >= WORDS * 32 {
+            shift += 1;
+        }
+        Self { bits: [0; WORDS], grid, objects, shift }
+    }
+
+    /// Adds what is thin on the lines from `top` to `bottom`, both included.
+    #[inline(never)]
+    pub(super) fn add_all<R: Real, S: Geometry>(
+        &mut self,
+        renderer: &Renderer<'_, '_, R, S>,
+        lines: (u16, u16),
+    ) {
+        let (upper, lower) = heights::<R>(lines);
+        let wedge = Wedge { edge: renderer.viewport.eye(), normals: renderer.viewport.between(upper, lower) };
+        renderer.scene.any_between(&wedge, self.objects, |object| {
+            self.add_object(renderer, object, lines, Span::EVERYWHERE);
+            false
+        });
+    }
+
+    /// Adds what is thin of an object that is seen within a span of columns, if at all; tells where it is seen, more closely.
+    #[inline(never)]
+    pub(super) fn add_object<R: Real, S: Geometry>(
+        &mut self,
+        renderer: &Renderer<'_, '_, R, S>,
+        object: usize,
+        lines: (u16, u16),
+        known: Span,
+    ) -> Span {
+        let (upper, lower) = heights::<R>(lines);
+        let mut all = Span::NOWHERE;
+        for hull in renderer.scene.hulls(object) {
+            let Some(stadium) = Stadium::new(&renderer.viewport, &hull) else {
+                all = Span::EVERYWHERE;
+                continue;
+            };
+            if let Some((left, right)) = stadium.extent(upper, lower) {
+                let place = known.common(Span { start: pixel(left, -1), end: pixel(right, 2) });
+                all = all.hull(place);
+                let is_thin = match self.objects {
+                    Some(_) => stadium.is_thin(self.grid),
+                    None => stadium.is_narrow(self.grid),
+                };
+                if is_thin {
+                    self.add(place);
+                }
+            }
+        }
+        known.common(all)
+    }
+
+    /// Adds all cells that have one of these pixels, or end at it.
+    fn add(&mut self, Span { start, end }: Span) {
+        if start >= end {
+            return;
+        }
+        for place in start.saturating_sub(1) >> self.shift..=(end - 1) >> self.shift {
+            if let Some(word) = self.bits.get_mut(usize::from(place >> 5)) {
+                *word |= 1 << (place & 31);
+            }
+        }
+    }
+
+    /// Whether something of an object may be thin.
+    pub(super) fn may_have(&self, object: usize) -> bool {
+        self.objects.is_none_or(|objects| objects.contains(object))
+    }
+
+    /// Whether the cell that begins in this column can show something thin.
+    pub(super) fn holds(&self, left: u32) -> bool {
+        let place = left >> self.shift;
+        self.bits.get((place >> 5) as usize).is_some_and(|word| word >> (place & 31) & 1 != 0)
+    }
+}
+
+/// The heights of some lines, both included, with a pixel of room for rounding.
+fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
+    let half = R::Setup::from_f32(0.5);
+    (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first columns of the cells that hold something.
+    fn held(width: u16, grid: Grid, spans: &[(u16, u16)]) -> Vec<u32> {
+        let mut places = ThinPlaces::none(width, grid, None);
+        spans.iter().for_each(|&(start, end)| places.add(Span { start, end }));
+        (0..u32::from(width)).step_by(grid.pixels()).filter(|left| places.holds(*left)).collect()
+    }
+
+    #[test]
+    fn cells_hold_what_is_in_them_or_where_they_end() {
+        assert_eq!(held(64, Grid::Eight, &[(16, 17)]), [8, 16]);
+        assert_eq!(held(64, Grid::Eight, &[(17, 25), (4, 4), (63, 900)]), [16, 24, 56]);
+        assert_eq!(held(64, Grid::Four, &[(0, 5)]), [0, 4]);
+        assert_eq!(held(2048, Grid::Eight, &[(2043, 2045)]), [2040]);
+    }
+
+    #[test]
+    fn wide_pictures_have_fewer_places() {
+        let all: Vec<_> = (0..65_535).step_by(2).collect();
+        assert_eq!(held(65_535, Grid::Two, &[(0, u16::MAX)]), all);
+        let few = held(65_535, Grid::Two, &[(1000, 1001)]);
+        assert!(few.contains(&998) && few.contains(&1000) && few.len() <= 256);
+    }
+}
