@@ -129,9 +129,46 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// A pixel by its column, and its line from below; next to the edges, of what is beyond.
+    /// Whether colors end where pixels do.
+    pub(super) fn has_steps(&self) -> bool {
+        self.image.filter == Filter::Nearest
+    }
+
+    /// The column and the line of a pixel that differs from one beside it, each with the copy of the picture that it is in. Those on
+    /// even ground are one: where a photograph is smooth, each pixel by itself tells nothing.
+    pub(super) fn step(&self, [x, y, _]: [Cell<R>; 3]) -> [i32; 3] {
+        let [across, up] = self.ends;
+        let place = Vec3::new(across.fold(x), up.fold(y), R::ZERO);
+        let (column, line) = (self.column.cell(place).index, self.line.cell(place).index);
+        let levels = |light: LinearRgb<R>| [light.r, light.g, light.b].map(R::to_q16);
+        let here = levels(self.pixel(column, line));
+        let differs = |right: i32, up: i32| {
+            let beside = levels(self.beside(column.wrapping_add(right), line.wrapping_add(up)));
+            // By a sixteenth, as all marks do.
+            here.into_iter().zip(beside).any(|(here, beside)| here.abs_diff(beside) > 1 << 12)
+        };
+        if differs(-1, 0) || differs(1, 0) || differs(0, -1) || differs(0, 1) {
+            let copy = |at: Cell<R>, ends| if ends == Ends::Extend { 0 } else { at.index << 16 };
+            [column ^ copy(x, across), line ^ copy(y, up), 1]
+        } else {
+            [0; 3]
+        }
+    }
+
+    /// A pixel by its column, and its line from below.
     fn pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
-        let Image { width, height, pixels, encoding, .. } = self.image;
+        // A place that is exactly the far edge belongs to the last pixel.
+        let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
+        match self.image.filter {
+            Filter::Nearest => {
+                self.light(nearest(column, self.image.width), nearest(line, self.image.height))
+            }
+            Filter::Bilinear => self.beside(column, line),
+        }
+    }
+
+    /// A pixel by its column, and its line from below; next to the edges, of what is beyond.
+    fn beside(&self, column: i32, line: i32) -> LinearRgb<R> {
         let [across, up] = self.ends;
         let fold = |at: i32, count: u16, ends: Ends| {
             let last = i32::from(count).wrapping_sub(1);
@@ -143,12 +180,12 @@ impl<R: Real> PreparedImage<'_, R> {
                 at
             }
         };
-        // A place that is exactly the far edge belongs to the last pixel.
-        let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
-        let (column, line) = match self.image.filter {
-            Filter::Nearest => (nearest(column, width), nearest(line, height)),
-            Filter::Bilinear => (fold(column, width, across), fold(line, height, up)),
-        };
+        self.light(fold(column, self.image.width, across), fold(line, self.image.height, up))
+    }
+
+    /// A pixel inside by its column, and its line from below.
+    fn light(&self, column: i32, line: i32) -> LinearRgb<R> {
+        let Image { width, height, pixels, encoding, .. } = self.image;
         let line = i32::from(height).wrapping_sub(1).wrapping_sub(line);
         pixels.light(encoding, width, column as u16, line as u16)
     }

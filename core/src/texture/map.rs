@@ -192,6 +192,19 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         shares
     }
 
+    /// A number for each map that changes in steps, for what a surface shows of it: other cells nearby have others. What is smooth has
+    /// none: heights do not show, only slopes.
+    pub(crate) fn steps(
+        &self,
+        surface: &Surface<R>,
+        uv: impl Fn(&Surface<R>) -> [R; 2],
+    ) -> impl Iterator<Item = u32> {
+        self.all().iter().filter_map(move |PreparedMap { texture, .. }| {
+            let step = texture.step(surface, || uv(surface))?;
+            Some(step ^ (brightness(texture, surface, &uv).to_q16() >> 12).rotate_left(16))
+        })
+    }
+
     /// The normal to shade with, tilted by bumps, where a ray of direction `incoming` meets the surface.
     pub(crate) fn bumped(
         &self,

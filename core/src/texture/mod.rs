@@ -147,6 +147,15 @@ impl<R: Real> PreparedTexture<'_, R> {
         }
     }
 
+    /// A number for what a ray saw of a texture that changes in steps: other cells nearby have others. `None` where it is smooth.
+    pub(crate) fn step(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
+        match self {
+            Self::Solid(_) => None,
+            Self::Checker(checker) => Some(checker.cell(surface.point)),
+            Self::Placed(pattern) => pattern.get().step(surface.point, uv),
+        }
+    }
+
     /// The color where a ray met a surface. Only what needs to know asks for the place on that.
     #[inline(always)]
     pub(crate) fn color(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {

@@ -169,17 +169,24 @@ impl<R: Real> PreparedPlaced<'_, R> {
 
     /// See [`PreparedTexture::cell`](super::PreparedTexture::cell).
     pub(super) fn cell(&self, point: Vec3<R>, color: LinearRgb<R>, uv: impl FnOnce() -> [R; 2]) -> u32 {
-        let cells = || self.placement.coordinates(self.placement.place(point, uv));
-        let cells = match self.figure {
-            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => cells(),
+        let level = level_mark(color);
+        self.step(point, uv).map_or(level, |step| step ^ level.rotate_left(16))
+    }
+
+    /// See [`PreparedTexture::step`](super::PreparedTexture::step).
+    pub(super) fn step(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
+        let at = || self.placement.coordinates(self.placement.place(point, uv));
+        let cell = match self.figure {
+            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => at().map(|cell| cell.index),
             PreparedFigure::Brick(_) => {
-                let [x, y, _] = Brick::in_row(cells());
+                let [x, y, _] = Brick::in_row(at());
                 // Along z all is the same.
-                [x, y, Cell { index: 0, ..y }]
+                [x.index, y.index, 0]
             }
-            _ => return level_mark(color),
+            PreparedFigure::Image(image) if image.has_steps() => image.step(at()),
+            _ => return None,
         };
-        mark(cells.map(|cell| cell.index)) ^ level_mark(color).rotate_left(16)
+        Some(mark(cell))
     }
 }
 

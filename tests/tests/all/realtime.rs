@@ -14,9 +14,10 @@ use rayline::shape::{
     Csg, CsgStep, Cuboid, Cylinder, Disc, Plane, Polygon, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Background, Camera, DrawError, Event, Grid, Interleave, Light, LineError, LinearRgb, Material, Object,
-    Pattern, PreparedScene, Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample,
-    Scene, Settings, Vec3,
+    Background, Camera, DrawError, Encoding, Ends, Event, Figure, Filter, Grid, Image, Interleave, Light,
+    LineError, LinearRgb, Map, Material, Object, Onto, Pattern, Pixels, Placed, Placement, PreparedScene,
+    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Texture,
+    Vec3,
 };
 use rayline_simulator::{LoadedScene, Orbit};
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
@@ -117,6 +118,78 @@ fn close_to_exact_for_few_rays() {
                 });
             });
         }
+    }
+}
+
+/// How close a picture of 320×240 is to the exact one, in decibels, and the share of its pixels that are traced.
+fn close_and_traced(scene: &Scene, quality: Realtime) -> (f64, f64) {
+    with_renderer::<f32, _>(scene, Settings { bounces: 6, ..Settings::new(320, 240) }, |renderer| {
+        let mut rays = RayCounts::default();
+        let (a, b) = (exact(renderer, &mut ()), realtime(renderer, quality, &mut rays));
+        (psnr(&a, &b), rays.camera as f64 / a.pixels.len() as f64)
+    })
+}
+
+/// Between two points of the grid that look alike may be another texel, a joint or a hole.
+#[test]
+fn texels_bricks_and_stripes_between_points_of_the_grid_are_seen() {
+    for (quality, bars) in [
+        (
+            Realtime::new(),
+            [("texture-bump", 43.0, 0.36), ("texture-image", 44.0, 0.19), ("texture-maps", 37.5, 0.19)],
+        ),
+        (
+            Realtime::fine(),
+            [("texture-bump", 43.5, 0.375), ("texture-image", 44.5, 0.21), ("texture-maps", 39.5, 0.205)],
+        ),
+    ] {
+        for (name, least, most) in bars {
+            let arena = Bump::new();
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
+            let scene = LoadedScene::open(&file, &arena).expect("a scene of the gallery").scene;
+            let (close, traced) = close_and_traced(&scene, quality);
+            assert!(close >= least, "{name}: {close} dB");
+            assert!(traced <= most, "{name}: {traced} traced");
+        }
+    }
+}
+
+/// A photograph that has a texel for each pixel does not leave the mark of each.
+#[test]
+fn smooth_images_are_interpolated() {
+    let level = |wave: f32| (128.0 + 60.0 * wave.sin()) as u8;
+    let texel = |x: f32, y: f32| [level((x + y) / 40.0), level((x - y) / 60.0), level(y / 50.0)];
+    let texels: Vec<u8> =
+        (0..240u16).flat_map(|y| (0..320u16).flat_map(move |x| texel(x.into(), y.into()))).collect();
+    let image = Image {
+        width: 320,
+        height: 240,
+        pixels: Pixels::Rgb888(&texels),
+        encoding: Encoding::Srgb,
+        filter: Filter::Nearest,
+        ends: Ends::Repeat,
+    };
+    let photograph = Placed::new(Figure::Image(image), Placement::SURFACE);
+    let photograph = Texture::Placed(&photograph);
+    let bump = [Map { onto: Onto::Bump { height: 0.01, step: 0.02 }, texture: photograph }];
+    let share = [Map { onto: Onto::Diffuse, texture: photograph }];
+    let plain = Material::matte(LinearRgb::gray(0.8));
+    let colored = Material { color: photograph, ..plain };
+    let (shared, bumped) = (Material { maps: &share, ..plain }, Material { maps: &bump, ..plain });
+    for (material, most) in [(colored, 0.45), (shared, 0.3), (bumped, 0.3)] {
+        let wall = Rectangle {
+            corner: Vec3::new(-1.4, -1.05, -5.0),
+            right: Vec3::new(2.8, 0.0, 0.0),
+            up: Vec3::new(0.0, 2.1, 0.0),
+        };
+        let scene = Scene {
+            objects: &[Object::new(Shape::Rectangle(wall), 0)],
+            materials: &[material],
+            lights: &[Light::Point { position: Vec3::new(2.0, 3.0, 0.0), color: LinearRgb::WHITE }],
+            ..CLASSIC
+        };
+        let (close, traced) = close_and_traced(&scene, Realtime::new());
+        assert!(close >= 40.0 && traced <= most, "{close} dB, {traced} traced");
     }
 }
 

@@ -104,7 +104,9 @@ use crate::shape::Geometry;
 /// - *shadows and mirror images of thin things* in scenes of more than 32 objects;
 /// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
 ///   what is thin in curved mirrors other than balls;
-/// - *texels and bumps* smaller than a cell, in images and maps.
+/// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that
+///   are not blended, spots of less than a third of a cell on even ground; and shadows that fall through maps of transmittance. Squares,
+///   stripes, bricks and texels leave the mark of the one that was seen, in maps too.
 ///
 /// Draw such scenes exactly, or with a finer grid. Exact pictures are also faster where they are so small that most things are thin:
 /// four balls on a floor at 64×48 take two thirds of the instructions of a grid of eight. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay

@@ -9,6 +9,7 @@ use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
+use crate::surface::Surface;
 
 /// What leaves a mark on a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -97,16 +98,18 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
         })
     }
 
-    /// A number for what the maps of a material show: other normals and coefficients have others.
+    /// A number for what the maps of a material show: other normals and coefficients have others, and so have other cells.
     #[inline(never)]
     fn mapped(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
-        let at = material.mapped(&hit.surface, |surface| self.scene.uv(hit.object, surface));
+        let uv = |surface: &Surface<R>| self.scene.uv(hit.object, surface);
+        let at = material.mapped(&hit.surface, uv);
         let Vec3 { x, y, z } = hit.surface.shading_normal;
         let half = R::from_fraction(1 << 15);
         let normal = [x, y, z].map(|coordinate| coordinate * half + half);
         let shares = [at.ambient, at.diffuse, at.specular, at.reflectance, at.transmittance];
         // Sixteenths: between those that differ less, a straight line will do.
-        normal.into_iter().chain(shares).fold(0, |digest, share| fold(digest, share.to_q16() >> 12))
+        let smooth = normal.into_iter().chain(shares).map(|share| share.to_q16() >> 12);
+        smooth.chain(material.maps.steps(&hit.surface, uv)).fold(0, fold)
     }
 
     /// The pixel, whose tone is known in the end.
