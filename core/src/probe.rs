@@ -41,7 +41,7 @@ pub enum Event<R> {
         ray: Ray<R>,
         /// Bounces since the camera.
         bounces: u8,
-        /// Share of its light that reaches the pixel.
+        /// Share of its light that reaches the pixel: that of the channel of which most does, before anything dims it on its way.
         throughput: R,
     },
     /// That ray met an object.
@@ -54,11 +54,15 @@ pub enum Event<R> {
         color: LinearRgb<R>,
         /// The direction of the mirrored ray, whether it is followed or not.
         mirrored: Vec3<R>,
+        /// Share of the light that leaves here along the ray that reaches the pixel, in each channel.
+        throughput: LinearRgb<R>,
     },
     /// That ray met nothing and sees the background.
     Miss {
         /// The color of that in the ray's direction.
         color: LinearRgb<R>,
+        /// Share of it that reaches the pixel, in each channel.
+        throughput: LinearRgb<R>,
     },
     /// What leaves that hit along the ray whatever the lights there send: told once for each hit, before its lights.
     Surface {

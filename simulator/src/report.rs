@@ -25,7 +25,8 @@ pub enum ReportError {
 }
 
 /// Tells everything that happened to a pixel, given by its column and line: each ray, what it hit, the lights there, and the color in the
-/// end. Rays that a hit sends out are indented below it.
+/// end. Rays that a hit sends out are indented below it. Of each light it tells what it adds to the pixel: that adds up to the light of the
+/// pixel, in each channel.
 ///
 /// # Errors
 /// The pixel is outside the picture, or there is no picture.
@@ -58,8 +59,16 @@ fn report_in<R: Real>(
 
     let heading =
         format!("pixel ({x}, {y}) of {}x{}, scene {}, in {}\n", size.0, size.1, loaded.name, options.number);
-    let mut tree =
-        Tree { loaded, text: heading, depth: 0, samples: 0, direction: None, unit: 1.0 / prepared.scale() };
+    let mut tree = Tree {
+        loaded,
+        text: heading,
+        depth: 0,
+        samples: 0,
+        direction: None,
+        share: LinearRgb::BLACK,
+        sample_share: 1.0 / f32::from(options.settings.samples_per_pixel),
+        unit: 1.0 / prepared.scale(),
+    };
     let (light, rays) = renderer.pixel(x, y, &mut tree);
     let mut text = tree.text;
 
@@ -87,6 +96,10 @@ struct Tree<'s> {
     samples: u32,
     /// Of the ray that was traced last.
     direction: Option<Vec3>,
+    /// The share of light from where that ray ends that reaches the pixel.
+    share: LinearRgb,
+    /// The share that a sample has in the pixel.
+    sample_share: f32,
     /// What the number system's unit of length is in the scene's.
     unit: f32,
 }
@@ -95,6 +108,16 @@ impl Tree<'_> {
     fn line(&mut self, depth: usize, line: fmt::Arguments<'_>) {
         // Writing into a string cannot fail.
         let _ = writeln!(self.text, "{:1$}{line}", "", depth * 2);
+    }
+
+    /// Takes the share of light from where a ray ends that reaches the pixel.
+    fn end<R: Real>(&mut self, throughput: LinearRgb<R>) {
+        self.share = throughput.to_f32() * self.sample_share;
+    }
+
+    /// What this light from where the ray ends adds to the pixel.
+    fn part(&self, light: LinearRgb) -> String {
+        format!("to the pixel {}", color(light * self.share))
     }
 
     fn ray<R: Real>(&mut self, kind: RayKind, ray: Ray<R>, bounces: u8, throughput: R) {
@@ -173,23 +196,38 @@ impl<R: Real> Probe<R> for Tree<'_> {
     fn record(&mut self, event: Event<R>) {
         match event {
             Event::Ray { kind, ray, bounces, throughput } => self.ray(kind, ray, bounces, throughput),
-            Event::Hit { hit, color, .. } => self.hit(&hit, color),
-            Event::Miss { color: background } => {
-                let background = color(background.to_f32());
-                self.line(self.depth + 1, format_args!("hits nothing, sees the background {background}"));
+            Event::Hit { hit, color, throughput, .. } => {
+                self.end(throughput);
+                self.hit(&hit, color);
+            }
+            Event::Miss { color: background, throughput } => {
+                self.end(throughput);
+                let background = background.to_f32();
+                let (background, part) = (color(background), self.part(background));
+                self.line(
+                    self.depth + 1,
+                    format_args!("hits nothing, sees the background {background}, {part}"),
+                );
             }
             // Many surfaces show none.
             Event::Surface { shown } if shown == LinearRgb::BLACK => {}
             Event::Surface { shown } => {
-                let shown = color(shown.to_f32());
-                self.line(self.depth + 1, format_args!("ambient light and light of its own: adds {shown}"));
-            }
-            Event::Light { light, toward, through, shown } => {
-                let (toward, through, shown) =
-                    (vector(toward.to_f32()), number(through.to_f32() * 100.0), color(shown.to_f32()));
+                let shown = shown.to_f32();
+                let (shown, part) = (color(shown), self.part(shown));
                 self.line(
                     self.depth + 1,
-                    format_args!("light {light} toward {toward}: {through} % comes through, adds {shown}"),
+                    format_args!("ambient light and light of its own: adds {shown}, {part}"),
+                );
+            }
+            Event::Light { light, toward, through, shown } => {
+                let (toward, through) = (vector(toward.to_f32()), number(through.to_f32() * 100.0));
+                let shown = shown.to_f32();
+                let (shown, part) = (color(shown), self.part(shown));
+                self.line(
+                    self.depth + 1,
+                    format_args!(
+                        "light {light} toward {toward}: {through} % comes through, adds {shown}, {part}"
+                    ),
                 );
             }
             Event::Cut(cut) => self.cut(cut),

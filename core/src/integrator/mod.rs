@@ -207,8 +207,8 @@ impl<R: Real> Path<R> {
         let PendingRay { ray, throughput, bounces, kind, from, .. } = self.next;
         let Some((hit, mut material)) = find(&self.next) else {
             let color = scene.background.color(ray.direction);
-            probe.record(Event::Miss { color });
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
+            probe.record(Event::Miss { color, throughput: throughput.color() });
             self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };
@@ -222,7 +222,7 @@ impl<R: Real> Path<R> {
             normal = material.maps.bumped(&hit.surface, ray.direction, uv);
             material = &mapped;
         }
-        let vertex = Vertex::new(scene, &ray, hit, normal, material, kind, probe);
+        let vertex = Vertex::new(scene, &ray, hit, normal, material, (kind, throughput), probe);
         shading.begin_at(vertex.hit.object);
         let light = vertex.local_light(scene, shading, rays, probe);
         self.receive(throughput, light);

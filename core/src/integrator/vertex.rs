@@ -32,7 +32,7 @@ pub(super) struct Vertex<'s, R: Real> {
 }
 
 impl<'s, R: Real> Vertex<'s, R> {
-    /// With a unit normal to shade with, which a map may have turned.
+    /// With a unit normal to shade with, which a map may have turned, where such a ray ends and this share of light reaches the pixel.
     #[inline(always)]
     pub(super) fn new<S: Geometry>(
         scene: &PreparedScene<'_, R, S>,
@@ -40,7 +40,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         hit: &'s Hit<R>,
         shading_normal: Vec3<R>,
         material: &'s PreparedMaterial<'s, R>,
-        kind: RayKind,
+        (kind, throughput): (RayKind, Share<R>),
         probe: &mut impl Probe<R>,
     ) -> Self {
         let incoming = ray.direction;
@@ -50,7 +50,8 @@ impl<'s, R: Real> Vertex<'s, R> {
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
         let mirrored = incoming + normal * (cosine + cosine);
-        probe.record(Event::Hit { kind, hit: shown, color, mirrored });
+        let throughput = throughput.color();
+        probe.record(Event::Hit { kind, hit: shown, color, mirrored, throughput });
         Self { hit, material, color, incoming, normal, is_outside, cosine, mirrored }
     }
 

@@ -54,21 +54,66 @@ fn objects_of_files_are_named_with_their_line() {
     assert!(report.contains("hits nothing, sees the background (0.1, 0.2, 0.3)"), "{report}");
 }
 
+/// The color that follows these words.
+fn color_after(words: &str, text: &str) -> [f64; 3] {
+    let color = text.rsplit_once(words).unwrap().1.trim_start_matches(" (").split_once(')').unwrap().0;
+    let channels: Vec<f64> = color.split(", ").map(|channel| channel.parse().unwrap()).collect();
+    channels.try_into().unwrap()
+}
+
+/// The parts of a pixel's light are all of it, in each channel; tells how many there are.
+fn assert_adds_up(report: &str) -> usize {
+    let parts: Vec<[f64; 3]> = report
+        .lines()
+        .filter(|line| line.contains("to the pixel"))
+        .map(|line| color_after("to the pixel", line))
+        .collect();
+    let seen = color_after("\nlight", report);
+    for channel in 0..3 {
+        let sum: f64 = parts.iter().map(|part| part[channel]).sum();
+        assert!((sum - seen[channel]).abs() < 1e-3, "{sum} in channel {channel} of {report}");
+    }
+    parts.len()
+}
+
 /// Of the light of this pixel the report left out a sixth.
 #[test]
 fn what_is_ambient_is_told_beside_the_lights() {
     let report = Bench::new().output(&["pixel", "whitted", "320,400"]);
-    let colors = |text: &str| -> Vec<f64> {
-        let color = text.rsplit_once("adds (").unwrap().1.trim_end_matches(')');
-        color.split(", ").map(|channel| channel.parse().unwrap()).collect()
-    };
     let surface = report.lines().find(|line| line.contains("ambient light and light of its own")).unwrap();
-    assert!(colors(surface).iter().sum::<f64>() > 0.1, "{report}");
-    let parts = report.lines().filter(|line| line.contains("adds (")).map(colors);
-    let sum = parts.reduce(|a, b| a.iter().zip(b).map(|(a, b)| a + b).collect()).unwrap();
-    let seen = report.rsplit_once("light (").unwrap().1.split_once(')').unwrap().0.split(", ");
-    for (part, seen) in sum.iter().zip(seen) {
-        assert!((part - seen.parse::<f64>().unwrap()).abs() < 1e-3, "{report}");
+    assert!(color_after("adds", surface).iter().sum::<f64>() > 0.1, "{report}");
+    assert!(assert_adds_up(&report) > 1, "{report}");
+}
+
+/// Where only the share of the channel was told of which most is mirrored.
+#[test]
+fn parts_add_up_in_each_channel_behind_colored_mirrors_and_glass() {
+    let bench = Bench::new();
+    bench.write(
+        "gold.ron",
+        r#"Scene(
+            camera: (eye: (0, 1, 6), target: (0, 1, 0), up: (0, 1, 0), vertical_fov: 0.6),
+            background: Solid(0.2, 0.3, 0.42),
+            materials: {
+                "floor": (color: Checker(even: (0.8, 0.7, 0.6), odd: (0.3, 0.4, 0.5), cells_per_unit: (1, 0, 1)), ambient: 0.2),
+                "gold": (diffuse: 0.1, reflectance: 0.9, optics: (reflection_color: (1, 0.7, 0.2))),
+                "bottle": (diffuse: 0, reflectance: 0.1, transmittance: 0.9, ior: 1.5,
+                    optics: (transmission_color: (0.3, 0.9, 0.5), absorption: (1, 0.1, 0.7))),
+            },
+            objects: {
+                "floor": (shape: Disc(center: (0, 0, 0), normal: (0, 1, 0), radius: 5), material: "floor"),
+                "mirror": (shape: Sphere(center: (-1, 1, 0), radius: 0.9), material: "gold"),
+                "glass": (shape: Sphere(center: (1, 1, 0), radius: 0.9), material: "bottle"),
+            },
+            lights: [Directional(direction: (1, -3, -2), color: (1, 1, 1))],
+        )"#,
+    );
+    for place in ["16,34", "20,24", "30,40", "44,34", "48,24"] {
+        for more in [&[][..], &["--samples", "3"], &["--number", "fixed"]] {
+            let report = bench.output(&[&["pixel", "gold.ron", place, "--size", "64x64"], more].concat());
+            let parts = assert_adds_up(&report);
+            assert!(parts > usize::from(place != "30,40"), "{report}");
+        }
     }
 }
 

@@ -89,7 +89,7 @@ impl<R: Real> Probe<R> for Seen<'_> {
     fn record(&mut self, event: Event<R>) {
         match event {
             Event::Ray { kind, ray, .. } => (self.kind, self.direction) = (kind, ray.direction.to_f32()),
-            Event::Miss { color } => {
+            Event::Miss { color, .. } => {
                 let kind = [RayKind::Camera, RayKind::Reflected, RayKind::Refracted];
                 self.counts[kind.iter().position(|kind| *kind == self.kind).expect("a kind")] += 1;
                 let expected = background_in(&self.background, self.direction);

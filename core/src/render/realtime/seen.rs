@@ -145,7 +145,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                 self.direction = ray.direction;
                 self.origin = ray.origin;
             }
-            Event::Hit { kind, hit, color, mirrored } if self.counts => {
+            Event::Hit { kind, hit, color, mirrored, .. } if self.counts => {
                 if let Some(watch) = &mut self.watch {
                     let ray = (Ray { origin: self.origin, direction: self.direction }, self.bounces == 0);
                     // By value: it may stay in registers for what comes.
@@ -192,7 +192,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     }
                 }
             }
-            Event::Miss { color } if self.counts => {
+            Event::Miss { color, .. } if self.counts => {
                 let mark = self.scene.background.mark(self.direction, color);
                 self.path = fold(self.path, 1 << 25 ^ mark);
                 if let Some(watch) = &mut self.watch {

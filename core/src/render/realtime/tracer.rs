@@ -7,6 +7,7 @@ use super::limits::Limits;
 use super::seen::{Marks, Seen};
 use super::tiny::Watch;
 use super::{Grid, Sample};
+use crate::color::LinearRgb;
 use crate::integrator::{Bounds, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
@@ -44,7 +45,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
         let color = renderer.scene.background.solid()?;
         let mut probe = ();
         let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, None, &mut probe);
-        seen.record(Event::Miss { color });
+        seen.record(Event::Miss { color, throughput: LinearRgb::even(R::ONE) });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
         Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
     }
