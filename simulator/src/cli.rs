@@ -1,5 +1,6 @@
 //! The arguments of `rayline`.
 
+use std::ffi::OsString;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -88,8 +89,7 @@ pub(crate) struct Pixel {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     /// The pixel, counted from 0,0 in the upper left corner
-    // What is left of the picture is to be told so, and not taken for an option.
-    #[arg(value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
+    #[arg(value_name = "X,Y", value_parser = pixel)]
     pub(crate) pixel: (i64, i64),
     #[command(flatten)]
     pub(crate) look: Look,
@@ -246,7 +246,18 @@ fn size(text: &str) -> Result<(u32, u32), String> {
 
 /// Any: only with the size of the picture it is known whether there is such a pixel.
 fn pixel(text: &str) -> Result<(i64, i64), &'static str> {
-    pair(text, ",").ok_or("expected a column and a line, such as 160,120")
+    pair(&text.replace(MINUS, "-"), ",").ok_or("expected a column and a line, such as 160,120")
+}
+
+/// A minus that does not begin an option.
+const MINUS: char = '\u{2212}';
+
+/// The arguments of the program, where a pixel such as -1,2 is no option: what is left of the picture is to be told so.
+pub(crate) fn arguments() -> impl Iterator<Item = OsString> {
+    std::env::args_os().map(|argument| match argument.to_str().and_then(|text| text.strip_prefix('-')) {
+        Some(rest) if pair::<i64>(rest, ",").is_some() => format!("{MINUS}{rest}").into(),
+        _ => argument,
+    })
 }
 
 fn lines(text: &str) -> Result<Range<u32>, &'static str> {

@@ -132,6 +132,22 @@ fn places_outside_the_picture() {
     }
 }
 
+/// Which was taken for a pixel.
+#[test]
+fn misspelled_options_are_named_wherever_the_pixel_is() {
+    let bench = Bench::new();
+    for arguments in [
+        ["pixel", "classic", "1,2", "--smaples", "4"],
+        ["pixel", "classic", "--smaples", "4", "1,2"],
+        ["pixel", "classic", "-1,2", "--smaples", "4"],
+    ] {
+        let output = bench.run(&arguments);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert!(error.contains("unexpected argument '--smaples' found"), "{error}");
+        assert!(error.contains("a similar argument exists: '--samples'"), "{error}");
+    }
+}
+
 #[test]
 fn arguments_that_make_no_sense_are_usage_errors() {
     let bench = Bench::new();
