@@ -41,23 +41,23 @@
 //!
 //! | scene | PSNR, new | traced pixels | rays a pixel | fine | traced | rays | exact |
 //! |---|---|---|---|---|---|---|---|
-//! | classic | 45.7 dB | 0.106 | 0.48 | 48.8 dB | 0.120 | 0.55 | 2.29 |
-//! | whitted | 45.9 dB | 0.141 | 1.14 | 46.9 dB | 0.162 | 1.31 | 4.67 |
+//! | classic | 45.7 dB | 0.106 | 0.47 | 48.8 dB | 0.120 | 0.54 | 2.29 |
+//! | whitted | 45.9 dB | 0.141 | 1.00 | 46.9 dB | 0.162 | 1.16 | 4.67 |
 //! | flake | 36.5 dB | 0.189 | 1.16 | 37.9 dB | 0.232 | 1.36 | 4.57 |
-//! | prism | 40.1 dB | 0.338 | 1.66 | 40.5 dB | 0.366 | 1.76 | 5.21 |
+//! | prism | 40.1 dB | 0.338 | 1.53 | 40.5 dB | 0.366 | 1.63 | 5.21 |
 //!
 //! Of 24 frames around `classic` the worst has 40.6 dB, around `prism` 36.1 dB; at 160×120, where everything is smaller,
 //! the fine ones 38.5 and 34.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 278 instead of 559 on Cortex-M4F in `f32`, 408 instead of 951 on
-//! Cortex-M3 and 860 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 274 instead of 559 on Cortex-M4F in `f32`, 400 instead of 951 on
+//! Cortex-M3 and 844 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
 //! rotation, and `prism` and `flake`, where edges are everywhere, are the ones below 38 dB.
 //!
-//! A budget below what a frame wants (37,168 rays for `classic`) is used up to 92 % or more, and is kept to but for the pixel
-//! that is traced last: 38,000 allowed rays give 39.7 dB, 34,000 32.5, 25,000 27.7 and 18,000 26.1. As no band knows what
+//! A budget below what a frame wants (36,087 rays for `classic`) is used up to 92 % or more, and is kept to but for the pixel
+//! that is traced last: 38,000 allowed rays give 45.7 dB, 34,000 32.5, 25,000 27.1 and 18,000 24.4. As no band knows what
 //! those below will want, it takes up to a tenth more than a frame wants for nothing to be lost.
 //!
 //! Rejected: tracing nearly every pixel of a cell with an edge, as before (0.205 of `classic` for 59.9 dB, 0.93 rays
