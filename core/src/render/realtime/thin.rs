@@ -32,14 +32,15 @@ pub(super) struct ThinPlaces {
     shift: u32,
 }
 
-/// At most 256 bits: those of a picture of 2,048 pixels and a grid of eight.
+/// Enough for a picture of 2,048 pixels and a grid of eight.
+const PLACES: usize = WORDS * 32;
 const WORDS: usize = 8;
 
 impl ThinPlaces {
     /// None yet, in a picture of this width.
     pub(super) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
         let mut shift = grid.pixels().trailing_zeros();
-        while usize::from(width) >> shift >= WORDS * 32 {
+        while usize::from(width.saturating_sub(1)) >> shift >= PLACES {
             shift += 1;
         }
         Self { bits: [0; WORDS], grid, objects, shift }
@@ -96,8 +97,10 @@ impl ThinPlaces {
         if start >= end {
             return;
         }
-        for place in start.saturating_sub(1) >> self.shift..=(end - 1) >> self.shift {
-            if let Some(word) = self.bits.get_mut(usize::from(place >> 5)) {
+        // Much may end far beyond the picture.
+        let last = usize::from(end - 1) >> self.shift;
+        for place in usize::from(start.saturating_sub(1)) >> self.shift..=last.min(PLACES - 1) {
+            if let Some(word) = self.bits.get_mut(place >> 5) {
                 *word |= 1 << (place & 31);
             }
         }
