@@ -115,8 +115,7 @@ impl<R: Real> PreparedImage<'_, R> {
 
     /// The color at a place from 0 to 1.
     pub(crate) fn at(&self, x: R, y: R) -> LinearRgb<R> {
-        let place = Vec3::new(x, y, R::ZERO);
-        let (column, line) = (self.column.cell(place), self.line.cell(place));
+        let (column, line) = self.cells(x, y);
         let pixel =
             |right: i32, up: i32| self.pixel(column.index.wrapping_add(right), line.index.wrapping_add(up));
         match self.image.filter {
@@ -129,6 +128,13 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
+    /// The column of a place from 0 to 1, and its line from below.
+    #[inline(always)]
+    fn cells(&self, x: R, y: R) -> (Cell<R>, Cell<R>) {
+        let place = Vec3::new(x, y, R::ZERO);
+        (self.column.cell(place), self.line.cell(place))
+    }
+
     /// Whether colors end where pixels do.
     pub(super) fn has_steps(&self) -> bool {
         self.image.filter == Filter::Nearest
@@ -138,8 +144,8 @@ impl<R: Real> PreparedImage<'_, R> {
     /// even ground are one: where a photograph is smooth, each pixel by itself tells nothing.
     pub(super) fn step(&self, [x, y, _]: [Cell<R>; 3]) -> [i32; 3] {
         let [across, up] = self.ends;
-        let place = Vec3::new(across.fold(x), up.fold(y), R::ZERO);
-        let (column, line) = (self.column.cell(place).index, self.line.cell(place).index);
+        let (column, line) = self.cells(across.fold(x), up.fold(y));
+        let (column, line) = (column.index, line.index);
         let levels = |light: LinearRgb<R>| [light.r, light.g, light.b].map(R::to_q16);
         let here = levels(self.pixel(column, line));
         let differs = |right: i32, up: i32| {

@@ -140,10 +140,13 @@ impl<R: Real> PreparedTexture<'_, R> {
         color: LinearRgb<R>,
         uv: impl FnOnce() -> [R; 2],
     ) -> Option<u32> {
+        let step = self.step(surface, uv);
         match self {
-            Self::Solid(_) => None,
-            Self::Checker(checker) => Some(checker.cell(surface.point)),
-            Self::Placed(pattern) => Some(pattern.get().cell(surface.point, color, uv)),
+            Self::Placed(_) => {
+                let level = level_mark(color);
+                Some(step.map_or(level, |step| step ^ level.rotate_left(16)))
+            }
+            Self::Solid(_) | Self::Checker(_) => step,
         }
     }
 

@@ -167,12 +167,6 @@ impl<R: Real> PreparedPlaced<'_, R> {
         self.figure.color(self.placement.coordinates(self.placement.place(point, uv)))
     }
 
-    /// See [`PreparedTexture::cell`](super::PreparedTexture::cell).
-    pub(super) fn cell(&self, point: Vec3<R>, color: LinearRgb<R>, uv: impl FnOnce() -> [R; 2]) -> u32 {
-        let level = level_mark(color);
-        self.step(point, uv).map_or(level, |step| step ^ level.rotate_left(16))
-    }
-
     /// See [`PreparedTexture::step`](super::PreparedTexture::step).
     pub(super) fn step(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
         let at = || self.placement.coordinates(self.placement.place(point, uv));

@@ -121,6 +121,12 @@ fn close_to_exact_for_few_rays() {
     }
 }
 
+/// A scene of the gallery.
+fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
+    LoadedScene::open(&file, arena).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// How close a picture of 320×240 is to the exact one, in decibels, and the share of its pixels that are traced.
 fn close_and_traced(scene: &Scene, quality: Realtime) -> (f64, f64) {
     with_renderer::<f32, _>(scene, Settings { bounces: 6, ..Settings::new(320, 240) }, |renderer| {
@@ -145,9 +151,7 @@ fn texels_bricks_and_stripes_between_points_of_the_grid_are_seen() {
     ] {
         for (name, least, most) in bars {
             let arena = Bump::new();
-            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
-            let scene = LoadedScene::open(&file, &arena).expect("a scene of the gallery").scene;
-            let (close, traced) = close_and_traced(&scene, quality);
+            let (close, traced) = close_and_traced(&gallery(name, &arena).scene, quality);
             assert!(close >= least, "{name}: {close} dB");
             assert!(traced <= most, "{name}: {traced} traced");
         }
@@ -664,9 +668,7 @@ fn a_level_horizon_is_even() {
 fn parts_of_objects_and_of_textures_are_told_apart() {
     for (name, least) in [("shape-instances", 39.0), ("texture-brick", 42.0), ("show-die", 42.0)] {
         let arena = Bump::new();
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
-        let loaded = LoadedScene::open(&file, &arena).unwrap_or_else(|error| panic!("{error}"));
-        with_renderer::<f32, _>(&loaded.scene, Settings::new(320, 240), |renderer| {
+        with_renderer::<f32, _>(&gallery(name, &arena).scene, Settings::new(320, 240), |renderer| {
             let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::new(), &mut ()));
             println!("{name}: {close:.1} dB");
             assert!(close > least, "{name}: {close} dB");

@@ -75,10 +75,8 @@ impl<R: Real> Cone<R> {
         // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
         let slant = direction.dot(normal).abs().larger(R::from_f32(MOST_SLANTED));
         let slant = if direction.dot(normal) < R::ZERO { -slant } else { slant };
-        let radius = |_, across: Vec3<R>| {
-            let (toward, _) = across.polar();
-            self.radius * (toward - normal * (direction.dot(toward) / slant)).length()
-        };
+        let radius =
+            |_, toward: Vec3<R>| self.radius * (toward - normal * (direction.dot(toward) / slant)).length();
         any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
     }
 }
@@ -150,7 +148,7 @@ impl<R: Real> Stick<R> {
         (t, toward - ray.direction * t)
     }
 
-    /// Whether it is in the cone around a ray of some length, which has a `radius` at a distance and into a direction.
+    /// Whether it is in the cone around a ray of some length, which has a `radius` at a distance and into a unit direction.
     #[inline(never)]
     fn is_beside(&self, ray: &Ray<R>, distance: R, radius: impl Fn(R, Vec3<R>) -> R) -> Option<Beside> {
         let (t, across) = self.nearest(ray);
@@ -159,8 +157,9 @@ impl<R: Real> Stick<R> {
         if !(end > R::ZERO && t - self.radius < distance) {
             return None;
         }
-        let radius = radius(end.smaller(distance), across);
-        if !(across.length() < self.radius + radius) {
+        let (toward, away) = across.polar();
+        let radius = radius(end.smaller(distance), toward);
+        if !(away < self.radius + radius) {
             return None;
         }
         // That at which a ray begins or ends is seen.

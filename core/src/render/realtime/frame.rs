@@ -38,7 +38,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     renderer: &'p Renderer<'p, 'm, R, S>,
     /// When rays are no longer followed.
     bounds: Bounds<R>,
-    /// The scene without its lights, and when rays are no longer followed there: those that leave no mark are not.
+    /// The scene without its lights, and when rays are no longer followed there: those that leave no mark are not. Worked out for each look, that takes
+    /// `classic` up to 0.6 % longer on an M4F.
     unlit: PreparedScene<'m, R, S>,
     unlit_bounds: Bounds<R>,
     quality: Realtime,

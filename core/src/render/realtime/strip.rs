@@ -2,7 +2,7 @@
 
 use super::super::Renderer;
 use super::super::line_candidates::Span;
-use super::thin::ThinPlaces;
+use super::thin::{ThinPlaces, heights};
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::shape::Geometry;
@@ -23,11 +23,12 @@ impl Strip {
         thin: &mut ThinPlaces,
     ) -> Option<Self> {
         let known = renderer.outlines.strip(top, bottom)?;
+        let heights = heights::<R>((top, bottom));
         let mut strip = Self { spans: [Span::NOWHERE; ObjectSet::CAPACITY], objects: 0 };
         for (index, (span, known)) in strip.spans.iter_mut().zip(known).enumerate() {
             *span = known;
             if thin.may_have(index) {
-                *span = thin.add_object(renderer, index, (top, bottom), known);
+                *span = thin.add_object(renderer, index, heights, known);
             }
             strip.objects += 1;
         }

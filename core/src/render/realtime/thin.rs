@@ -53,24 +53,24 @@ impl ThinPlaces {
         renderer: &Renderer<'_, '_, R, S>,
         lines: (u16, u16),
     ) {
-        let (upper, lower) = heights::<R>(lines);
+        let heights @ (upper, lower) = heights::<R>(lines);
         let wedge = Wedge { edge: renderer.viewport.eye(), normals: renderer.viewport.between(upper, lower) };
         renderer.scene.any_between(&wedge, self.objects, |object| {
-            self.add_object(renderer, object, lines, Span::EVERYWHERE);
+            self.add_object(renderer, object, heights, Span::EVERYWHERE);
             false
         });
     }
 
-    /// Adds what is thin of an object that is seen within a span of columns, if at all; tells where it is seen, more closely.
+    /// Adds what is thin between two heights of an object that is seen within a span of columns, if at all; tells where it is seen there,
+    /// more closely.
     #[inline(never)]
     pub(super) fn add_object<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         object: usize,
-        lines: (u16, u16),
+        (upper, lower): (R::Setup, R::Setup),
         known: Span,
     ) -> Span {
-        let (upper, lower) = heights::<R>(lines);
         let mut all = Span::NOWHERE;
         for hull in renderer.scene.hulls(object) {
             let Some(stadium) = Stadium::new(&renderer.viewport, &hull) else {
@@ -119,7 +119,7 @@ impl ThinPlaces {
 }
 
 /// The heights of some lines, both included, with a pixel of room for rounding.
-fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
+pub(super) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
     let half = R::Setup::from_f32(0.5);
     (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE)
 }
