@@ -286,6 +286,35 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         }
     }
 
+    /// The same for all objects that may come as near to a ray as `beside`, before it ends at `max`.
+    #[inline]
+    pub(crate) fn any_beside(
+        &self,
+        ray: &Ray<R>,
+        max: R,
+        beside: R,
+        test: impl FnMut(usize) -> bool,
+    ) -> bool {
+        let margin = R::offset(ray.origin.magnitude()) + beside;
+        if R::REACH.is_none() {
+            self.any_in_boxes(&Slabs::inflated(ray, max, margin), test)
+        } else {
+            self.any_in_boxes(&Segment::inflated(ray, max, margin), test)
+        }
+    }
+
+    /// A distance from a point beyond which there is no box.
+    pub(crate) fn farthest_from(&self, point: Vec3<R>) -> R {
+        let mut farthest = R::ZERO;
+        if let Some(root) = self.nodes.first() {
+            for corner in (0..W).flat_map(|slot| root.corners(slot)) {
+                let Vec3 { x, y, z } = corner - point;
+                farthest = farthest.larger(x.abs() + y.abs() + z.abs());
+            }
+        }
+        farthest
+    }
+
     /// The same for all objects that any ray of a beam can meet.
     #[inline]
     pub(crate) fn any_in_beam(&self, beam: &Beam<R>, test: impl FnMut(usize) -> bool) -> bool {

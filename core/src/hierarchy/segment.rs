@@ -25,6 +25,12 @@ pub(super) struct Segment<R> {
 impl<R: Real> Segment<R> {
     #[inline(always)]
     pub(super) fn new(ray: &Ray<R>, max: R) -> Self {
+        Self::inflated(ray, max, R::offset(ray.origin.magnitude()))
+    }
+
+    /// For boxes that are inflated by a margin.
+    #[inline(always)]
+    pub(super) fn inflated(ray: &Ray<R>, max: R, margin: R) -> Self {
         let Ray { origin, direction } = *ray;
         let slope = Vec3::new(direction.x.abs(), direction.y.abs(), direction.z.abs());
         let steepest = if slope.x >= slope.y && slope.x >= slope.z {
@@ -34,7 +40,6 @@ impl<R: Real> Segment<R> {
         } else {
             Axis::Z
         };
-        let margin = R::offset(origin.magnitude());
         Self { origin, direction, slope, steepest, margin, end: slope * max }
     }
 

@@ -39,8 +39,13 @@ struct Along<R> {
 impl<R: Real> Slabs<R> {
     #[inline(always)]
     pub(super) fn new(ray: &Ray<R>, max: R) -> Self {
+        Self::inflated(ray, max, R::offset(ray.origin.magnitude()))
+    }
+
+    /// For boxes that are inflated by a margin.
+    #[inline(always)]
+    pub(super) fn inflated(ray: &Ray<R>, max: R, margin: R) -> Self {
         let Ray { origin, direction } = *ray;
-        let margin = R::offset(origin.magnitude());
         let tiniest = R::FARTHEST.recip();
         let along = |origin: R, d: R| {
             let per_unit = (if d.abs() < tiniest { tiniest } else { d }).recip();

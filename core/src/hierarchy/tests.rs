@@ -364,6 +364,18 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
             gathered[object] = true;
             false
         }));
+        // Rays beside each other, as far as their origins are.
+        let beside = (round % 4 == 0).then(|| {
+            let (ray, max) = rays[0];
+            let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
+            let mut beside = vec![false; count];
+            let end = max.min(hierarchy.farthest_from(ray.origin));
+            assert!(!hierarchy.any_beside(&ray, end, reach, |object| {
+                beside[object] = true;
+                false
+            }));
+            beside
+        });
         let mut any = vec![false; count];
         for (ray, max) in rays {
             let mut walked = vec![false; count];
@@ -381,6 +393,10 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
         }
         assert!(gathered[17] && any[17]);
         assert!(any.iter().zip(&gathered).all(|(any, gathered)| *gathered || !any), "{round}");
+        if let Some(beside) = beside {
+            assert!(any.iter().zip(&beside).all(|(any, beside)| *beside || !any), "{round}");
+            assert!(spread > 0.1 || beside.iter().filter(|beside| **beside).count() < count / 2, "{round}");
+        }
         if spread < 0.1 {
             met += any.iter().filter(|met| **met).count();
             met_by_beams += gathered.iter().filter(|met| **met).count();

@@ -122,18 +122,47 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(all.filter(|object| is_so(*object)).fold(ObjectSet::NONE, ObjectSet::with))
     }
 
+    /// Whether that is so for one of the objects.
+    pub(crate) fn any_object(&self, is_so: impl FnMut(usize) -> bool) -> bool {
+        (0..self.objects.len()).any(is_so)
+    }
+
     /// Calls `test` for these objects, or where there is no set, for all that may reach between two planes, until it says `true`. Returns
     /// whether it did.
     pub(crate) fn any_between(
         &self,
         wedge: &Wedge<R>,
         among: Option<ObjectSet>,
-        mut test: impl FnMut(usize) -> bool,
+        test: impl FnMut(usize) -> bool,
+    ) -> bool {
+        self.any_of(among, test, |hierarchy, test| hierarchy.any_between(wedge, test))
+    }
+
+    /// The same for all that may come near to a ray before it ends at `max`: as near as `beside` says of where it ends.
+    pub(crate) fn any_beside(
+        &self,
+        (ray, max): (&Ray<R>, R),
+        beside: impl FnOnce(R) -> R,
+        among: Option<ObjectSet>,
+        test: impl FnMut(usize) -> bool,
+    ) -> bool {
+        self.any_of(among, test, |hierarchy, test| {
+            let max = max.smaller(hierarchy.farthest_from(ray.origin));
+            hierarchy.any_beside(ray, max, beside(max), test)
+        })
+    }
+
+    /// Calls `test` for these objects, or where there is no set, for those that a hierarchy finds, or for all.
+    fn any_of<T: FnMut(usize) -> bool>(
+        &self,
+        among: Option<ObjectSet>,
+        test: T,
+        find: impl FnOnce(&Hierarchy<'m, R, WIDE>, T) -> bool,
     ) -> bool {
         match (among, self.hierarchy()) {
             (Some(some), _) => some.into_iter().any(test),
-            (None, Some(hierarchy)) => hierarchy.any_between(wedge, test),
-            (None, None) => (0..self.objects.len()).any(&mut test),
+            (None, Some(hierarchy)) => find(hierarchy, test),
+            (None, None) => self.any_object(test),
         }
     }
 

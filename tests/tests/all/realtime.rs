@@ -861,6 +861,51 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
     }
 }
 
+/// Among more than 32 objects these are looked for beside sticks, by the hierarchy.
+#[test]
+fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let materials = [
+        Material::matte(LinearRgb::gray(0.8)),
+        Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
+        Material::matte(LinearRgb::new(0.9, 0.1, 0.1)),
+    ];
+    let lights = [Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }];
+    let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, up)), 0);
+    let wall = Rectangle::new(Vec3::new(-4.0, 0.0, -3.0), Vec3::new(8.0, 0.0, 0.0), up * 3.5);
+    let wall = Object::new(Shape::Rectangle(wall), 1);
+    let poles = (0..40).map(|i| {
+        let base = Vec3::new(i as f32 * 0.15 - 3.0, 0.0, 1.2 + 0.8 * (i as f32).sin());
+        let pole = Cylinder { base, top: base + up * 1.5, radius: 0.03, capped: true };
+        Object::new(Shape::Cylinder(pole), 2)
+    });
+    let objects: Vec<_> = [floor, wall].into_iter().chain(poles).collect();
+    for quality in QUALITIES {
+        let (mut sum, mut gone) = (0, 0);
+        for frame in 0..6 {
+            let angle = frame as f32 * 0.2 - 0.6;
+            let eye = Vec3::new(9.0 * angle.sin(), 4.0, 9.0 * angle.cos());
+            let with = Scene {
+                camera: Camera { eye, target: up * 0.6, up, vertical_fov: 0.7 },
+                background: LinearRgb::new(0.3, 0.4, 0.6).into(),
+                objects: &objects,
+                materials: &materials,
+                lights: &lights,
+            };
+            let plain = Scene { objects: &objects[..2], ..with };
+            let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
+            let (there, lost, traced) = if frame % 3 == 0 {
+                lost::<Fixed>(&with, &plain, settings, quality)
+            } else {
+                lost::<f32>(&with, &plain, settings, quality)
+            };
+            (sum, gone) = (sum + there, gone + lost);
+            assert!(traced < 0.6, "{traced} traced");
+        }
+        assert!(sum > 10_000 && gone <= 2, "{:?}: {gone} of {sum} lost", quality.grid);
+    }
+}
+
 #[test]
 fn what_is_thin_is_shown_whole_with_several_samples() {
     let settings = Settings { samples_per_pixel: 4, ..Settings::new(160, 120) };

@@ -18,19 +18,22 @@ pub(super) struct Cone<R> {
     /// Its radius where the ray begins, and by how much it grows with each unit.
     radius: R,
     spread: R,
+    /// What is looked for beside the ray is at least so many times as long as wide.
+    slenderness: R,
 }
 
 impl<R: Real> Cone<R> {
-    /// That of a ray from the eye.
-    pub(super) fn new(viewport: &Viewport<R>, grid: Grid) -> Self {
+    /// That of a ray from the eye, to look for what is at least so many times as long as wide.
+    pub(super) fn new(viewport: &Viewport<R>, grid: Grid, slenderness: u16) -> Self {
         let half_diagonal = R::Setup::from_u16(grid.pixels() as u16) * R::Setup::from_f32(0.71);
-        Self { radius: R::ZERO, spread: R::from_setup(half_diagonal * viewport.pixel()).smaller(R::ONE) }
+        let spread = R::from_setup(half_diagonal * viewport.pixel()).smaller(R::ONE);
+        Self { radius: R::ZERO, spread, slenderness: R::from_u16(slenderness) }
     }
 
     /// Half as wide.
     pub(super) fn halved(self) -> Self {
         let half = R::from_f32(0.5);
-        Self { radius: self.radius * half, spread: self.spread * half }
+        Self { radius: self.radius * half, spread: self.spread * half, ..self }
     }
 
     /// After so many units.
@@ -49,18 +52,25 @@ impl<R: Real> Cone<R> {
         R::ONE - self.spread * self.spread * R::from_f32(0.5)
     }
 
-    /// Whether it is wider than a hull, where that is narrowest.
+    /// Whether it is wider than a hull that is looked for, where that is narrowest.
     pub(super) fn is_wider(self, hull: &Hull<R>) -> bool {
-        Stick::new(hull).radius < self.radius
+        let stick = Stick::new(hull);
+        stick.radius < self.radius && self.looks_for(&stick)
     }
 
-    fn radius_at(&self, distance: R) -> R {
+    /// Its radius where the ray has gone so far.
+    pub(super) fn radius_at(&self, distance: R) -> R {
         self.radius + self.spread * distance
+    }
+
+    fn looks_for(&self, stick: &Stick<R>) -> bool {
+        // The round ends count as half of the length.
+        stick.half_length >= stick.radius * self.slenderness
     }
 
     /// Whether a ray beside this one can meet something thin before so many units, in a shape of these hulls: the first holds all others.
     pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hulls: impl Iterator<Item = Hull<R>>) -> bool {
-        any_thin(hulls, |stick| stick.is_beside(ray, distance, |t, _| self.radius_at(t)))
+        self.any_thin(hulls, |stick| stick.is_beside(ray, distance, |t, _| self.radius_at(t)))
     }
 
     /// The same for a shadow ray of some length from a surface of this normal, where the cone's ray has this direction.
@@ -73,26 +83,42 @@ impl<R: Real> Cone<R> {
         hulls: impl Iterator<Item = Hull<R>>,
     ) -> bool {
         // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
-        let slant = direction.dot(normal).abs().larger(R::from_f32(MOST_SLANTED));
-        let slant = if direction.dot(normal) < R::ZERO { -slant } else { slant };
+        let slant = slant(direction, normal);
         let radius =
             |_, toward: Vec3<R>| self.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
+        self.any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
+    }
+
+    /// How far a surface of this normal is in the cone, at most, where its ray has this direction.
+    pub(super) fn reach_on_surface(&self, direction: Vec3<R>, normal: Vec3<R>) -> R {
+        self.radius + self.radius / slant(direction, normal).abs()
+    }
+
+    /// Whether one of these hulls that are looked for is thin beside a ray, of which the first holds the others.
+    #[inline(never)]
+    fn any_thin(
+        &self,
+        mut hulls: impl Iterator<Item = Hull<R>>,
+        is_beside: impl Fn(&Stick<R>) -> Option<Beside>,
+    ) -> bool {
+        let is_beside = |hull: Hull<R>| {
+            let stick = Stick::new(&hull);
+            let beside = is_beside(&stick)?;
+            Some(if self.looks_for(&stick) { beside } else { Beside::Thick })
+        };
+        match hulls.next().and_then(is_beside) {
+            None => false,
+            Some(Beside::Thin) => true,
+            Some(Beside::Thick) => hulls.any(|hull| is_beside(hull) == Some(Beside::Thin)),
+        }
     }
 }
 
-/// Whether one of these hulls is thin beside a ray, of which the first holds the others.
-#[inline(never)]
-fn any_thin<R: Real>(
-    mut hulls: impl Iterator<Item = Hull<R>>,
-    is_beside: impl Fn(&Stick<R>) -> Option<Beside>,
-) -> bool {
-    let is_beside = |hull: Hull<R>| is_beside(&Stick::new(&hull));
-    match hulls.next().and_then(is_beside) {
-        None => false,
-        Some(Beside::Thin) => true,
-        Some(Beside::Thick) => hulls.any(|hull| is_beside(hull) == Some(Beside::Thin)),
-    }
+/// The cosine between a ray and the normal of a surface, or where that is too small to count, the least that does.
+fn slant<R: Real>(direction: Vec3<R>, normal: Vec3<R>) -> R {
+    let cosine = direction.dot(normal);
+    let slant = cosine.abs().larger(R::from_f32(MOST_SLANTED));
+    if cosine < R::ZERO { -slant } else { slant }
 }
 
 /// What is in a cone, next to how wide the cone is there.

@@ -4,6 +4,10 @@
 //! A point of the grid stands for the pixels up to half the diagonal of a cell away, and one of half the grid for half of that. Where one
 //! of these could see something tiny, as the [`Cone`] around the ray tells, the square is traced in full. Asked at points of the grid and
 //! of half the grid alone, that is a fifth to a half fewer instructions than at every traced pixel.
+//!
+//! Among more objects than a set holds, a hierarchy finds what is near a cone, and only sticks are looked for: rows of them lose most.
+//! A fence of 60 poles then is byte for byte as the exact picture, for an eighth more rays. With those that are four times as long as wide,
+//! a chain of rings made of 60 balls and short cylinders would take three times the rays, and with all that is small, 91 balls twice.
 
 use super::super::Renderer;
 use super::Grid;
@@ -14,14 +18,17 @@ use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
 use crate::shape::{Form, Geometry, Hull};
 
-/// The objects that could hide, where there are any, and no more than a set holds.
+/// Among more objects than a set holds, what is looked for is so many times as long as wide.
+const SLENDER: u16 = 8;
+
+/// The objects that could hide, where there are any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tiny<R> {
     grid: Grid,
     /// Of a ray from the eye.
     cone: Cone<R>,
-    /// Thin ones.
-    thin: ObjectSet,
+    /// Thin ones; `None`, where there is no set: any could be that is slender.
+    thin: Option<ObjectSet>,
     /// Balls, for their highlights.
     glossy: ObjectSet,
 }
@@ -30,7 +37,8 @@ impl<R: Real> Tiny<R> {
     /// `near`: so many times as far as a highlight shows, it is looked for in any case.
     pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid, near: R) -> Option<Self> {
         let (scene, eye) = (renderer.scene, renderer.viewport.eye());
-        let cone = Cone::new(&renderer.viewport, grid);
+        let has_sets = scene.objects_where(|_| true).is_some();
+        let cone = Cone::new(&renderer.viewport, grid, if has_sets { 0 } else { SLENDER });
         let distance = |center: Vec3<R>| (center - eye).length();
         let can_be_thin = |hull: Hull<R>| {
             // What is mirrored is seen from farther away.
@@ -45,9 +53,11 @@ impl<R: Real> Tiny<R> {
             }
             _ => false,
         };
-        let thin = scene.objects_where(|object| scene.hulls(object).any(can_be_thin))?;
-        let glossy = scene.objects_where(is_glossy)?;
-        (!thin.is_empty() || !glossy.is_empty()).then_some(Self { grid, cone, thin, glossy })
+        let is_thin = |object: usize| scene.hulls(object).any(can_be_thin);
+        let thin = scene.objects_where(is_thin);
+        let has_thin = thin.map_or_else(|| scene.any_object(is_thin), |thin| !thin.is_empty());
+        let glossy = scene.objects_where(is_glossy).unwrap_or(ObjectSet::NONE);
+        (has_thin || !glossy.is_empty()).then_some(Self { grid, cone, thin, glossy })
     }
 }
 
@@ -102,10 +112,10 @@ impl<R: Real> Watch<R> {
         let (facing, ..) = normal.facing(direction);
         self.is_near |= lights(facing).any(|(toward, distance, _)| {
             let shadow = Ray { origin: point, direction: toward };
-            self.tiny
-                .thin
-                .into_iter()
-                .any(|object| cone.can_be_shaded(&shadow, distance, direction, normal, scene.hulls(object)))
+            let beside = |_| cone.reach_on_surface(direction, normal);
+            scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
+                cone.can_be_shaded(&shadow, distance, direction, normal, scene.hulls(object))
+            })
         });
         self.cone = match scene.form(hit.object) {
             Some(Form::Ball { radius, .. }) => cone.opened(radius),
@@ -138,7 +148,8 @@ impl<R: Real> Watch<R> {
         }
         let cone = self.cone;
         let can_see = |object| cone.can_see(&ray, distance, scene.hulls(object));
-        self.is_near |= self.tiny.thin.into_iter().any(can_see);
+        self.is_near |=
+            scene.any_beside((&ray, distance), |end| cone.radius_at(end), self.tiny.thin, can_see);
         cone.after(distance)
     }
 }
