@@ -15,6 +15,9 @@ pub(super) trait Look {
     /// The point of the cell at (x, y).
     fn trace(&mut self, x: usize, y: usize) -> Sample;
 
+    /// The same, where its tone is all that is asked for.
+    fn tone(&mut self, x: usize, y: usize) -> Sample;
+
     /// The point of the cell at (x, y), which is likely to see what one of two others sees that are so many pixels apart.
     fn choose(&mut self, x: usize, y: usize, a: Sample, b: Sample, distance: usize) -> Sample;
 
@@ -128,6 +131,14 @@ impl Cell {
             line.interpolate(from, to, length);
         }
         self.set_crossings((x, y), way, length, crossings);
+    }
+
+    /// All points of a side, as if nothing were between its ends.
+    #[inline(never)]
+    pub(super) fn bridge(&mut self, start: (usize, usize), way: Way, length: usize) {
+        let mut line = Line::new(self, start, way);
+        let (from, to) = (line.get(0), line.get(length));
+        line.interpolate(from, to, length);
     }
 
     /// The points of the top row, found by the band above.
@@ -281,7 +292,7 @@ impl Cell {
         for y in top..top + side {
             for x in left..left + side {
                 if !self.get(x, y).is_traced() && look.may_trace() {
-                    let point = look.trace(x, y);
+                    let point = look.tone(x, y);
                     self.set(x, y, point);
                 }
             }

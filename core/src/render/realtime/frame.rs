@@ -267,30 +267,46 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         // The sides, then what is inside.
         cell.set(side, 0, corners.top_right);
         cell.set(side, side, corners.bottom_right);
+        // Where every pixel is traced, sides are for the cells beside it alone; those that are traced in full too need none.
+        let looks_right = right && !(thin && band.thin.holds(band.left + side as u32));
         match known {
             Some([_, known @ ..]) if top && known.first().is_some_and(|sample| sample.is_known()) => {
                 cell.know_top(known, side, &tracer);
             }
+            _ if thin => cell.bridge((0, 0), Way::Right, side),
             _ => cell.look_along((0, 0), Way::Right, side, &mut tracer),
         }
-        cell.look_along((0, side), Way::Right, side, &mut tracer);
-        cell.look_along((side, 0), Way::Down, side, &mut tracer);
-        if !band.rough_left {
-            cell.look_along((0, 0), Way::Down, side, &mut tracer);
+        if !thin {
+            cell.look_along((0, side), Way::Right, side, &mut tracer);
+        }
+        if !thin || looks_right {
+            cell.look_along((side, 0), Way::Down, side, &mut tracer);
+        } else {
+            cell.bridge((side, 0), Way::Down, side);
         }
         if thin {
+            if !band.rough_left {
+                cell.bridge((0, 0), Way::Down, side);
+            }
             cell.trace_all((0, 0), side, &mut tracer);
         } else {
+            if !band.rough_left {
+                cell.look_along((0, 0), Way::Down, side, &mut tracer);
+            }
             cell.refine(side, &mut tracer);
         }
         paint.refined(self.buffer.colors, cell);
-        let all = tracer.rays;
-        let first = if left == 0 { 0 } else { 1 };
-        for (x, sample) in (first..=side).zip(self.buffer.samples.iter_mut().skip(left + first)) {
-            *sample = self.cell.get(x, side);
+        band.rough_left = looks_right;
+        if thin {
+            hand_corners(self.buffer.samples, left, &corners, side);
+        } else {
+            let first = if left == 0 { 0 } else { 1 };
+            for (x, sample) in (first..=side).zip(self.buffer.samples.iter_mut().skip(left + first)) {
+                *sample = cell.get(x, side);
+            }
         }
+        let all = tracer.rays;
         self.cell.advance(side);
-        band.rough_left = right;
         self.finish(band, side);
         Spent { all, row, refined: all - grid }
     }
@@ -300,18 +316,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         self.cell.set(0, 0, corners.top_right);
         self.cell.set(0, side, corners.bottom_right);
         band.rough_left = false;
-        let left = band.left as usize;
-        if let Some(row) = self.buffer.samples.get_mut(left..) {
-            if let (0, Some(first)) = (left, row.first_mut()) {
-                *first = corners.bottom_left;
-            }
-            if let Some(inside) = row.get_mut(1) {
-                *inside = Sample::BLANK;
-            }
-            if let Some(last) = row.get_mut(side) {
-                *last = corners.bottom_right;
-            }
-        }
+        hand_corners(self.buffer.samples, band.left as usize, &corners, side);
         self.finish(band, side);
     }
 
@@ -339,5 +344,20 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         self.lines.start = end;
         self.band = None;
         Ok(())
+    }
+}
+
+/// Hands a cell's lower corners to the band below, and nothing of what is between them.
+fn hand_corners(samples: &mut [Sample], left: usize, corners: &Corners, side: usize) {
+    if let Some(row) = samples.get_mut(left..) {
+        if let (0, Some(first)) = (left, row.first_mut()) {
+            *first = corners.bottom_left;
+        }
+        if let Some(inside) = row.get_mut(1) {
+            *inside = Sample::BLANK;
+        }
+        if let Some(last) = row.get_mut(side) {
+            *last = corners.bottom_right;
+        }
     }
 }

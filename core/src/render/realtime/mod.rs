@@ -108,9 +108,17 @@ use crate::shape::Geometry;
 ///   are not blended, spots of less than a third of a cell on even ground; and shadows that fall through maps of transmittance. Squares,
 ///   stripes, bricks and texels leave the mark of the one that was seen, in maps too.
 ///
-/// Draw such scenes exactly, or with a finer grid. Exact pictures are also faster where they are so small that most things are thin:
-/// four balls on a floor at 64×48 take two thirds of the instructions of a grid of eight. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay
+/// Draw such scenes exactly, or with a finer grid. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay
 /// straight lines. A scene of four balls on a floor keeps 45.7 dB of the exact picture for a fifth of its rays.
+///
+/// The smaller a picture, the more of it is thin, and traced in full. Instructions per pixel of those four balls on a Cortex-M3:
+///
+/// | size | exact | grid of eight | grid of four |
+/// |---|---|---|---|
+/// | 320×240 | 951 | 396 | 462 |
+/// | 160×120 | 971 | 582 | 640 |
+/// | 128×96 | 974 | 915 | 744 |
+/// | 64×48 | 1,022 | 1,364 | 1,200 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.

@@ -35,6 +35,11 @@ impl<R: Real> Marks<R> {
             beside: R::from_f32(0.954),
         }
     }
+
+    /// Nothing leaves one.
+    pub(super) fn none(self) -> Self {
+        Self { faint: R::ONE, ..self }
+    }
 }
 
 /// Folds what happens to one pixel into a digest, and tells another probe.

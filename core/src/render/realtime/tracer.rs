@@ -19,6 +19,19 @@ use crate::shape::Geometry;
 /// What is less than this far from an edge is looked at, in 1/16 of a pixel: edges are known to half a pixel.
 const NEAR: u32 = 5;
 
+/// What is asked of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Asked {
+    /// Its tone alone.
+    Tone,
+    /// What it met, in a scene without lights.
+    Path,
+    /// All that it saw.
+    Marks,
+    /// And what lies beside that.
+    Surroundings,
+}
+
 /// Traces pixels among the objects that a cell can show.
 pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) renderer: &'r Renderer<'p, 'm, R, S>,
@@ -65,16 +78,21 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
         }
     }
 
-    /// The light of a pixel in the scene, or in one without lights, as a sample.
+    /// The light of a pixel, and what is asked of it, as a sample.
     // Called from many places: one copy is enough.
     #[inline(never)]
-    fn look(&mut self, is_lit: bool, searches: bool, x: usize, y: usize) -> Sample {
+    fn look(&mut self, asked: Asked, x: usize, y: usize) -> Sample {
         // The camera sees on beyond the picture.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
-        let (scene, bounds) =
-            if is_lit { (self.renderer.scene, self.bounds) } else { (self.unlit, self.unlit_bounds) };
-        let watch = self.watch.as_mut().and_then(|watch| watch.stand_for(x, y));
-        let mut seen = Seen::new(scene, self.marks, searches, watch, self.probe);
+        let (scene, bounds) = match asked {
+            Asked::Path => (self.unlit, self.unlit_bounds),
+            _ => (self.renderer.scene, self.bounds),
+        };
+        let (marks, watch) = match asked {
+            Asked::Tone => (self.marks.none(), None),
+            _ => (self.marks, self.watch.as_mut().and_then(|watch| watch.stand_for(x, y))),
+        };
+        let mut seen = Seen::new(scene, marks, asked == Asked::Surroundings, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, (x, y), sight, &mut seen);
@@ -89,13 +107,17 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, C, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
-        self.look(true, true, x, y)
+        self.look(Asked::Surroundings, x, y)
+    }
+
+    fn tone(&mut self, x: usize, y: usize) -> Sample {
+        self.look(Asked::Tone, x, y)
     }
 
     fn choose(&mut self, x: usize, y: usize, a: Sample, b: Sample, distance: usize) -> Sample {
         if distance <= 2 && a.path() != b.path() && a.is_shaded_like(b) {
             // Two pixels away, what stands before the lights is no other.
-            let path = self.look(false, false, x, y).path();
+            let path = self.look(Asked::Path, x, y).path();
             if path == a.path() {
                 return a.again();
             }
@@ -103,7 +125,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_,
                 return b.again();
             }
         }
-        self.look(true, distance > 2, x, y)
+        self.look(if distance > 2 { Asked::Surroundings } else { Asked::Marks }, x, y)
     }
 
     #[inline(always)]
