@@ -68,30 +68,16 @@ impl<R: Real> Cone<R> {
         stick.half_length >= stick.radius * self.slenderness
     }
 
+    /// What it leaves where it begins, on a surface of this normal, if its ray came in this direction.
+    pub(super) fn footprint(self, direction: Vec3<R>, normal: Vec3<R>) -> Footprint<R> {
+        let cosine = direction.dot(normal);
+        let slant = cosine.abs().larger(R::from_f32(MOST_SLANTED));
+        Footprint { cone: self, direction, normal, slant: if cosine < R::ZERO { -slant } else { slant } }
+    }
+
     /// Whether a ray beside this one can meet something thin before so many units, in a shape of these hulls: the first holds all others.
     pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hulls: impl Iterator<Item = Hull<R>>) -> bool {
         self.any_thin(hulls, |stick| stick.is_beside(ray, distance, |t, _| self.radius_at(t)))
-    }
-
-    /// The same for a shadow ray of some length from a surface of this normal, where the cone's ray has this direction.
-    pub(super) fn can_be_shaded(
-        &self,
-        shadow: &Ray<R>,
-        distance: R,
-        direction: Vec3<R>,
-        normal: Vec3<R>,
-        hulls: impl Iterator<Item = Hull<R>>,
-    ) -> bool {
-        // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
-        let slant = slant(direction, normal);
-        let radius =
-            |_, toward: Vec3<R>| self.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        self.any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
-    }
-
-    /// How far a surface of this normal is in the cone, at most, where its ray has this direction.
-    pub(super) fn reach_on_surface(&self, direction: Vec3<R>, normal: Vec3<R>) -> R {
-        self.radius + self.radius / slant(direction, normal).abs()
     }
 
     /// Whether one of these hulls that are looked for is thin beside a ray, of which the first holds the others.
@@ -114,11 +100,35 @@ impl<R: Real> Cone<R> {
     }
 }
 
-/// The cosine between a ray and the normal of a surface, or where that is too small to count, the least that does.
-fn slant<R: Real>(direction: Vec3<R>, normal: Vec3<R>) -> R {
-    let cosine = direction.dot(normal);
-    let slant = cosine.abs().larger(R::from_f32(MOST_SLANTED));
-    if cosine < R::ZERO { -slant } else { slant }
+/// What a cone leaves on a surface: an ellipse.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Footprint<R> {
+    cone: Cone<R>,
+    direction: Vec3<R>,
+    normal: Vec3<R>,
+    /// The cosine between the two, or if that is too small to count, the least that does.
+    slant: R,
+}
+
+impl<R: Real> Footprint<R> {
+    /// How far it reaches.
+    pub(super) fn reach(&self) -> R {
+        self.cone.radius / self.slant.abs()
+    }
+
+    /// Whether something thin can be between a place of it and a light, in a shape of these hulls: that is so far away along `shadow`.
+    pub(super) fn can_be_shaded(
+        &self,
+        shadow: &Ray<R>,
+        distance: R,
+        hulls: impl Iterator<Item = Hull<R>>,
+    ) -> bool {
+        // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
+        let Self { cone, direction, normal, slant } = *self;
+        let radius =
+            |_, toward: Vec3<R>| cone.radius * (toward - normal * (direction.dot(toward) / slant)).length();
+        cone.any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
+    }
 }
 
 /// What is in a cone, next to how wide the cone is there.

@@ -110,11 +110,12 @@ impl<R: Real> Watch<R> {
         let lights =
             |normal: Vec3<R>| scene.lights.iter().filter_map(move |light| light.seen_from(point, normal));
         let (facing, ..) = normal.facing(direction);
+        let footprint = cone.footprint(direction, normal);
         self.is_near |= lights(facing).any(|(toward, distance, _)| {
             let shadow = Ray { origin: point, direction: toward };
-            let beside = |_| cone.reach_on_surface(direction, normal);
+            let beside = |_| footprint.reach();
             scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
-                cone.can_be_shaded(&shadow, distance, direction, normal, scene.hulls(object))
+                footprint.can_be_shaded(&shadow, distance, scene.hulls(object))
             })
         });
         self.cone = match scene.form(hit.object) {
