@@ -152,10 +152,13 @@ impl Outlines {
     /// Where each object can be seen on the lines from `top` to `bottom`, both included; `None` where it is not known.
     pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
         let objects = self.objects.iter().take(self.count()?);
-        Some(
-            objects
-                .map(move |outline| (top..=bottom).map(|y| outline.span(y)).fold(Span::NOWHERE, Span::hull)),
-        )
+        Some(objects.map(move |outline| outline.lines(top, bottom)))
+    }
+
+    /// The outlines of shadows that are less than so many lines high.
+    pub(super) fn low_shadows(&self, lines: u32) -> impl Iterator<Item = &Outline> {
+        let shadows = self.shadows.iter().map(|shadow| &shadow.outline);
+        shadows.filter(move |outline| outline.is_lower_than(lines))
     }
 }
 

@@ -67,27 +67,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// # Errors
     /// The setting that is out of range.
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
-        Self::with(scene, settings, true)
-    }
-
-    /// As [`new`](Self::new), in less time: what only [exact](Self::draw) lines gain by is not prepared. It draws the same.
-    ///
-    /// # Errors
-    /// The setting that is out of range.
-    pub fn for_realtime(
-        scene: &'p PreparedScene<'m, R, S>,
-        settings: Settings,
-    ) -> Result<Self, SettingsError> {
-        Self::with(scene, settings, false)
-    }
-
-    // Renderers are large: from another function it would be copied.
-    #[inline(always)]
-    fn with(
-        scene: &'p PreparedScene<'m, R, S>,
-        settings: Settings,
-        finds_shadows: bool,
-    ) -> Result<Self, SettingsError> {
         let (width, height) = settings.check()?;
         let viewport = Viewport::new(scene.camera(), width, height);
         let mut renderer = Self {
@@ -102,9 +81,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         };
         if settings.samples_per_pixel == 1 {
             renderer.outlines.find(scene, &renderer.viewport);
-            if finds_shadows {
-                renderer.outlines.find_shadows(scene, &renderer.viewport);
-            }
+            renderer.outlines.find_shadows(scene, &renderer.viewport);
         }
         Ok(renderer)
     }

@@ -105,6 +105,24 @@ impl Outline {
         }
     }
 
+    /// Whether it is less than so many lines high. Only of ellipses that is known.
+    pub(super) fn is_lower_than(&self, lines: u32) -> bool {
+        matches!(*self, Self::Ellipse { inverse_half_height, .. }
+            if u64::from(inverse_half_height) * u64::from(lines) > 1 << 32)
+    }
+
+    /// Its pixels on the lines from `top` to `bottom`, both included.
+    pub(super) fn lines(&self, top: u16, bottom: u16) -> Span {
+        if let Self::Ellipse { y, .. } = *self {
+            // The line that is nearest to the middle is the longest.
+            let middle = (y >> 8).max(i32::from(top)).min(i32::from(bottom));
+            if self.span(middle as u16) == Span::NOWHERE {
+                return Span::NOWHERE;
+            }
+        }
+        (top..=bottom).map(|y| self.span(y)).fold(Span::NOWHERE, Span::hull)
+    }
+
     /// Its pixels on line `y`.
     pub(super) fn span(&self, y: u16) -> Span {
         match *self {
@@ -366,6 +384,21 @@ mod tests {
         }
         // Some lie below the plane or above the light, and shade nothing.
         assert!(closed > 900 && inside > 20_000 && vain < 2 * inside, "{closed} {inside} {vain}");
+    }
+
+    #[test]
+    fn lines_of_an_ellipse_are_those_of_each_and_its_height_is_known() {
+        let viewport = viewport(CAMERA);
+        let outline = Outline::of_ball(Vec3::new(1.0, 0.5, 0.0), 1.0, &viewport);
+        let height = (0..SIZE.1).filter(|y| outline.span(*y) != Span::NOWHERE).count() as u32;
+        // Wider by less than a line on either side.
+        assert!(outline.is_lower_than(height + 1) && !outline.is_lower_than(height - 2), "{height}");
+        for top in 0..SIZE.1 {
+            for bottom in top..SIZE.1 {
+                let all = (top..=bottom).map(|y| outline.span(y)).fold(Span::NOWHERE, Span::hull);
+                assert_eq!(outline.lines(top, bottom), all);
+            }
+        }
     }
 
     #[test]

@@ -72,12 +72,7 @@ where
         return Err(Fault::FlushToZero);
     }
     let scene = PreparedScene::<Number, _>::new(&SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
-    let renderer = if QUALITY.is_none() {
-        Renderer::new(&scene, SETTINGS)
-    } else {
-        Renderer::for_realtime(&scene, SETTINGS)
-    };
-    let renderer = renderer.map_err(|_| Fault::Settings)?;
+    let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
     let mut meter = Meter::new(counter, display);
     meter.resume();
     draw(&renderer, &mut meter, buffer)?;

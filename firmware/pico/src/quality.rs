@@ -2,13 +2,13 @@
 
 use core::ops::Range;
 
-use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, SettingsError};
+use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
 use rayline_show::Number;
 
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::panel_color::PanelColor;
-use crate::picture::{Prepared, QUALITY, SETTINGS, Set, WIDTH};
+use crate::picture::{QUALITY, Set, WIDTH};
 
 const COLORS: usize = match QUALITY {
     None => WIDTH,
@@ -18,11 +18,6 @@ const SAMPLES: usize = match QUALITY {
     None => 0,
     Some(quality) => quality.samples(WIDTH as u16),
 };
-
-/// A renderer of one frame.
-pub(crate) fn renderer(scene: &Prepared) -> Result<Renderer<'_, 'static, Number, Set>, SettingsError> {
-    if QUALITY.is_none() { Renderer::new(scene, SETTINGS) } else { Renderer::for_realtime(scene, SETTINGS) }
-}
 
 /// What a core needs to trace lines.
 #[derive(Debug)]

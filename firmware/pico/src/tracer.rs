@@ -3,13 +3,14 @@
 use core::convert::Infallible;
 
 use embassy_futures::yield_now;
+use rayline::Renderer;
 use rayline_show::Orbit;
 
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::job::{TO_TRACE, TRACED};
-use crate::picture::{DESCRIPTION, Prepared};
-use crate::quality::{self, Memory, Tracing};
+use crate::picture::{DESCRIPTION, Prepared, SETTINGS};
+use crate::quality::{Memory, Tracing};
 
 /// Rays between two looks at whether the panel waits for a band: about two milliseconds. With four times as many, bands would come
 /// back to the cores late, and frames take 5 % longer; with half as many, exact lines would be begun too often.
@@ -34,7 +35,7 @@ impl Tracer {
         loop {
             let frame = job.frame;
             self.scene.set_camera(&self.orbit.camera(frame))?;
-            let renderer = quality::renderer(&self.scene)?;
+            let renderer = Renderer::new(&self.scene, SETTINGS)?;
             while job.frame == frame {
                 job.band.clear();
                 let mut tracing = self.memory.begin(&renderer, job.lines.clone())?;

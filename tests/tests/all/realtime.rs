@@ -211,6 +211,39 @@ fn worst_of_rotation(scene: &Scene, distance: f32, settings: Settings, quality: 
         .fold(f64::INFINITY, f64::min)
 }
 
+/// Shadows on a floor that is seen aslant are lower than the cells of the grid.
+#[test]
+fn low_shadows_do_not_flicker() {
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let ball = |x: f32, z: f32, radius: f32| {
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(x, radius, z), radius)), 1)
+    };
+    let objects = [
+        Object::new(Shape::Plane(Plane::new(Vec3::ZERO, up)), 0),
+        ball(-2.0, 1.0, 0.5),
+        ball(0.3, -1.0, 0.4),
+        ball(1.5, 1.5, 0.3),
+        ball(-0.6, 2.0, 0.2),
+    ];
+    let materials = [Material::matte(LinearRgb::gray(0.8)), Material::matte(LinearRgb::new(0.9, 0.1, 0.1))];
+    for (height, bars) in [(0.6, [40.5, 40.5]), (1.2, [34.0, 36.5]), (2.0, [36.0, 39.0])] {
+        let scene = Scene {
+            camera: Camera { eye: Vec3::new(2.0, height, 9.0), target: up * 0.6, up, vertical_fov: 0.7 },
+            background: LinearRgb::new(0.3, 0.4, 0.6).into(),
+            objects: &objects,
+            materials: &materials,
+            lights: &[Light::Directional {
+                direction: Vec3::new(0.8, -1.0, -0.5),
+                color: LinearRgb::gray(0.9),
+            }],
+        };
+        for (quality, least) in QUALITIES.into_iter().zip(bars) {
+            let worst = worst_of_rotation(&scene, 9.2, Settings::new(320, 240), quality);
+            assert!(worst >= least, "from {height}, {:?}: {worst} dB", quality.grid);
+        }
+    }
+}
+
 #[test]
 fn a_rotation_does_not_flicker() {
     for (name, scene, distance, least) in
@@ -508,28 +541,6 @@ fn traced_pixels_are_those_of_the_exact_picture() {
                 assert!(close == exact(renderer, &mut ()), "{width}×{height}, {grid:?}");
             });
         }
-    }
-}
-
-/// Checks that renderers with and without what only exact lines gain by draw the same.
-fn check_for_realtime<R: Real>(scene: &Scene) {
-    let settings = Settings::new(96, 72);
-    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
-    let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
-    let full = Renderer::new(&prepared, settings).expect("legal settings");
-    let lean = Renderer::for_realtime(&prepared, settings).expect("legal settings");
-    assert!(exact(&lean, &mut ()).pixels == exact(&full, &mut ()).pixels);
-    let quality = Realtime::fine();
-    assert!(realtime(&lean, quality, &mut ()).pixels == realtime(&full, quality, &mut ()).pixels);
-    let empty = Settings { samples_per_pixel: 0, ..settings };
-    assert!(Renderer::for_realtime(&prepared, empty).is_err() && Renderer::new(&prepared, empty).is_err());
-}
-
-#[test]
-fn renderers_for_realtime_draw_the_same() {
-    for scene in [&CLASSIC, &PRISM] {
-        check_for_realtime::<f32>(scene);
-        check_for_realtime::<Fixed>(scene);
     }
 }
 

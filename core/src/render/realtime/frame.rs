@@ -10,6 +10,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::budget::{Budget, Detail, Spent};
 use super::cell::{Cell, Corners, Look, Way};
 use super::limits::Limits;
+use super::low::LowShadows;
 use super::paint::Paint;
 use super::seen::Marks;
 use super::strip::Strip;
@@ -74,6 +75,7 @@ struct Band {
     rough_left: bool,
     strip: Option<Strip>,
     thin: ThinPlaces,
+    low: Option<LowShadows>,
 }
 
 impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, 'm, 'b, R, S, C> {
@@ -186,7 +188,9 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         if strip.is_none() {
             thin.add_all(self.renderer, lines);
         }
-        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin }
+        thin.add_shadows(self.renderer, lines);
+        let low = LowShadows::new(self.renderer, self.quality.grid, lines);
+        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin, low }
     }
 
     /// Draws the next cell of a band into the buffer; tells how many rays that took.
@@ -211,6 +215,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             allowed: self.budget.left(),
             marks: self.marks,
             watch: self.tiny.map(Watch::new),
+            low: band.low.as_ref(),
             color: PhantomData::<C>,
             probe,
             rays: 0,

@@ -21,7 +21,7 @@
 //! Colors are interpolated as tones ([`DisplayColor::tone`](crate::DisplayColor::tone)): on the display's own scale,
 //! after its curve, which only traced pixels go through.
 //!
-//! Three kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
+//! Four kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
 //!   less than two cells wide or high, or aslant less than one, are traced in full. Among more than 32 objects those count that are less
 //!   than one cell wide: 91 balls of 9 to 14 pixels would take 1.6 times the rays with the others.
@@ -29,6 +29,8 @@
 //!   stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
 //!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %. Among more than 32
 //!   objects only sticks are looked for, eight times as long as wide: with all, those 91 balls would take an M4F more instructions than their exact picture.
+//! - *Low shadows* on a floor that is seen aslant: the points of the grid near their outlines are known. In scenes without them that
+//!   costs less than 1 %.
 //! - *Small highlights.* A pixel near one differs from every other: as near as two pixels of a grid of four can be from
 //!   it on a ball of 30 pixels, and twice as near for a grid of eight.
 //!
@@ -74,7 +76,9 @@ mod cone;
 mod edge;
 mod frame;
 mod limits;
+mod low;
 mod paint;
+mod places;
 mod sample;
 mod seen;
 mod stadium;
@@ -102,6 +106,8 @@ use crate::shape::Geometry;
 /// - *thin things that are parts of something larger*, as a slat of a mesh, the tip of a triangle or a star's ray. What is thin as a
 ///   whole is traced, and so are parts of tori, rings, instances and what is put together;
 /// - in scenes of more than 32 objects, *shadows and mirror images of thin things* that are less than eight times as long as wide;
+/// - *low shadows*, on what is seen aslant. On the largest flat object of a scene of up to 32 objects, with one sample a pixel, those that
+///   are lower than a cell are looked for; the tails of others can be cut off;
 /// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
 ///   what is thin in curved mirrors other than balls;
 /// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that

@@ -69,6 +69,11 @@ impl Sample {
         Self { rest: self.rest & !TRACED, ..self }
     }
 
+    /// The same, near a small highlight or what is looked for as closely.
+    pub(super) fn near_glint(self) -> Self {
+        Self { rest: self.rest | GLINT, ..self }
+    }
+
     pub(super) fn is_known(self) -> bool {
         self.rest & PATH != 0
     }

@@ -4,6 +4,8 @@ use super::super::Renderer;
 use super::super::line_candidates::Span;
 use super::super::outline::pixel;
 use super::Grid;
+use super::cell::SQUARE;
+use super::places::Places;
 use super::stadium::Stadium;
 use crate::hierarchy::Wedge;
 use crate::math::Real;
@@ -20,30 +22,21 @@ pub(super) fn thin_objects<R: Real, S: Geometry>(
     renderer.scene.objects_where(|object| renderer.scene.hulls(object).any(is_thin))
 }
 
-/// The places of a strip of lines at which something thin can be seen, a bit for one column of cells, or in wide pictures for several.
+/// The places of a strip of lines at which something thin can be seen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ThinPlaces {
-    bits: [u32; WORDS],
+    /// A bit for a column of cells.
+    places: Places,
     grid: Grid,
     /// The objects of which something may be thin. Where there is no set, all may be, and what is not narrow does not count: there would
     /// be too much of it.
     objects: Option<ObjectSet>,
-    /// A bit stands for so many columns of pixels: a power of two.
-    shift: u32,
 }
-
-/// Enough for a picture of 2,048 pixels and a grid of eight.
-const PLACES: usize = WORDS * 32;
-const WORDS: usize = 8;
 
 impl ThinPlaces {
     /// None yet, in a picture of this width.
     pub(super) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
-        let mut shift = grid.pixels().trailing_zeros();
-        while usize::from(width.saturating_sub(1)) >> shift >= PLACES {
-            shift += 1;
-        }
-        Self { bits: [0; WORDS], grid, objects, shift }
+        Self { places: Places::none(width, grid.pixels().trailing_zeros()), grid, objects }
     }
 
     /// Adds what is thin on the lines from `top` to `bottom`, both included.
@@ -92,17 +85,21 @@ impl ThinPlaces {
         known.common(all)
     }
 
-    /// Adds all cells that have one of these pixels, or end at it.
-    fn add(&mut self, Span { start, end }: Span) {
-        if start >= end {
-            return;
+    /// Adds the shadows on the lines from `top` to `bottom`, both included, that are so low that every second line may miss them.
+    pub(super) fn add_shadows<R: Real, S: Geometry>(
+        &mut self,
+        renderer: &Renderer<'_, '_, R, S>,
+        (top, bottom): (u16, u16),
+    ) {
+        for outline in renderer.outlines.low_shadows(SQUARE as u32) {
+            self.add(outline.lines(top, bottom));
         }
-        // Much may end far beyond the picture.
-        let last = usize::from(end - 1) >> self.shift;
-        for place in usize::from(start.saturating_sub(1)) >> self.shift..=last.min(PLACES - 1) {
-            if let Some(word) = self.bits.get_mut(place >> 5) {
-                *word |= 1 << (place & 31);
-            }
+    }
+
+    /// Adds all cells that have one of these pixels, or end at it.
+    fn add(&mut self, span: Span) {
+        if span.start < span.end {
+            self.places.add(Span { start: span.start.saturating_sub(1), ..span });
         }
     }
 
@@ -113,8 +110,7 @@ impl ThinPlaces {
 
     /// Whether the cell that begins in this column can show something thin.
     pub(super) fn holds(&self, left: u32) -> bool {
-        let place = left >> self.shift;
-        self.bits.get((place >> 5) as usize).is_some_and(|word| word >> (place & 31) & 1 != 0)
+        self.places.hold(left)
     }
 }
 

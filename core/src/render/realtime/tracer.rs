@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use super::cell::Look;
 use super::limits::Limits;
+use super::low::LowShadows;
 use super::seen::{Marks, Seen};
 use super::tiny::Watch;
 use super::{Grid, Sample};
@@ -45,6 +46,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) limits: Limits,
     pub(super) marks: Marks<R>,
     pub(super) watch: Option<Watch<R>>,
+    pub(super) low: Option<&'r LowShadows>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
@@ -107,7 +109,11 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, C, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
-        self.look(Asked::Surroundings, x, y)
+        let sample = self.look(Asked::Surroundings, x, y);
+        match self.low {
+            Some(low) if low.are_near(self.left + x as u32, y) => sample.near_glint(),
+            _ => sample,
+        }
     }
 
     fn tone(&mut self, x: usize, y: usize) -> Sample {
@@ -125,7 +131,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_,
                 return b.again();
             }
         }
-        self.look(if distance > 2 { Asked::Surroundings } else { Asked::Marks }, x, y)
+        if distance > 2 { self.trace(x, y) } else { self.look(Asked::Marks, x, y) }
     }
 
     #[inline(always)]
