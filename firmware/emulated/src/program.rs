@@ -72,10 +72,14 @@ where
         return Err(Fault::FlushToZero);
     }
     let scene = PreparedScene::<Number, _>::new(&SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
-    let renderer = Renderer::new(&scene, SETTINGS).map_err(|_| Fault::Settings)?;
+    // Large: it stays where it is, as `?` would copy it.
+    let renderer = Renderer::new(&scene, SETTINGS);
+    let Ok(renderer) = &renderer else {
+        return Err(Fault::Settings);
+    };
     let mut meter = Meter::new(counter, display);
     meter.resume();
-    draw(&renderer, &mut meter, buffer)?;
+    draw(renderer, &mut meter, buffer)?;
     meter.pause();
     let (instructions, digest) = (meter.instructions(), meter.digest());
     #[cfg(feature = "twin")]

@@ -51,8 +51,8 @@
 //! Of 24 frames around `classic` the worst has 40.6 dB, around `prism` 36.1 dB; at 160×120, where everything is smaller,
 //! the fine ones 38.5 and 34.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 274 instead of 559 on Cortex-M4F in `f32`, 400 instead of 951 on
-//! Cortex-M3 and 844 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 275 instead of 559 on Cortex-M4F in `f32`, 396 instead of 951 on
+//! Cortex-M3 and 842 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
@@ -122,9 +122,9 @@ use crate::shape::Geometry;
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
 /// | 320×240 | 951 | 396 | 462 |
-/// | 160×120 | 971 | 582 | 640 |
-/// | 128×96 | 974 | 915 | 744 |
-/// | 64×48 | 1,022 | 1,364 | 1,200 |
+/// | 160×120 | 971 | 584 | 640 |
+/// | 128×96 | 974 | 958 | 774 |
+/// | 64×48 | 1,022 | 1,409 | 1,265 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.
