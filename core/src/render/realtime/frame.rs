@@ -227,8 +227,10 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             top: band.top,
             side,
         };
+        // Points that are near a low shadow are to say so, whichever band finds them first.
         if let Some(nothing) = self.nothing
             && among.is_empty()
+            && band.low.is_none()
         {
             paint.blank(self.buffer.colors, nothing);
             let corners = Corners::all(nothing);
