@@ -211,11 +211,21 @@ fn worst_of_rotation(scene: &Scene, distance: f32, settings: Settings, quality: 
         .fold(f64::INFINITY, f64::min)
 }
 
+/// What things stand on, what mirrors them, and what they are of, for tests of what they shade.
+const STAGE: [Material; 3] = [
+    Material::matte(LinearRgb::gray(0.8)),
+    Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
+    Material::matte(LinearRgb::new(0.9, 0.1, 0.1)),
+];
+const SUN: [Light; 1] =
+    [Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }];
+const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+const FLOOR: Shape = Shape::Plane(Plane::new(Vec3::ZERO, UP));
+
 /// Four balls on a floor, seen from so high above it.
 fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
-    let up = Vec3::new(0.0, 1.0, 0.0);
     let ball = |x: f32, z: f32, radius: f32| {
-        Object::new(Shape::Sphere(Sphere::new(Vec3::new(x, radius, z), radius)), 1)
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(x, radius, z), radius)), 2)
     };
     let objects = [
         Object::new(floor, 0),
@@ -224,22 +234,20 @@ fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
         ball(1.5, 1.5, 0.3),
         ball(-0.6, 2.0, 0.2),
     ];
-    let materials = [Material::matte(LinearRgb::gray(0.8)), Material::matte(LinearRgb::new(0.9, 0.1, 0.1))];
     use_it(&Scene {
-        camera: Camera { eye: Vec3::new(2.0, height, 9.0), target: up * 0.6, up, vertical_fov: 0.7 },
+        camera: Camera { eye: Vec3::new(2.0, height, 9.0), target: UP * 0.6, up: UP, vertical_fov: 0.7 },
         background: LinearRgb::new(0.3, 0.4, 0.6).into(),
         objects: &objects,
-        materials: &materials,
-        lights: &[Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }],
+        materials: &STAGE,
+        lights: &SUN,
     });
 }
 
 /// Shadows on a floor that is seen aslant are lower than the cells of the grid.
 #[test]
 fn low_shadows_do_not_flicker() {
-    let floor = Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0)));
     for (height, bars) in [(0.6, [40.5, 40.5]), (1.2, [34.0, 36.5]), (2.0, [36.0, 39.0])] {
-        with_low_shadows(floor, height, |scene| {
+        with_low_shadows(FLOOR, height, |scene| {
             for (quality, least) in QUALITIES.into_iter().zip(bars) {
                 let worst = worst_of_rotation(scene, 9.2, Settings::new(320, 240), quality);
                 assert!(worst >= least, "from {height}, {:?}: {worst} dB", quality.grid);
@@ -831,20 +839,13 @@ fn lost<R: Real>(
 
 #[test]
 fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
-    let materials = [
-        Material::matte(LinearRgb::gray(0.8)),
-        Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
-        Material::matte(LinearRgb::new(0.9, 0.1, 0.1)),
-    ];
-    let lights = [Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }];
-    let up = Vec3::new(0.0, 1.0, 0.0);
     let pole = |x: f32, z: f32, radius: f32| {
         let (base, top) = (Vec3::new(x, 0.0, z), Vec3::new(x, 3.0, z));
         Object::new(Shape::Cylinder(Cylinder { base, top, radius, capped: true }), 2)
     };
-    let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, up)), 0);
+    let floor = Object::new(FLOOR, 0);
     let wall = Object::new(
-        Shape::Rectangle(Rectangle::new(Vec3::new(-3.0, 0.0, -3.0), Vec3::new(6.0, 0.0, 0.0), up * 4.0)),
+        Shape::Rectangle(Rectangle::new(Vec3::new(-3.0, 0.0, -3.0), Vec3::new(6.0, 0.0, 0.0), UP * 4.0)),
         1,
     );
     let ball = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 0);
@@ -863,13 +864,13 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
                 for frame in 0..12 {
                     let angle = frame as f32 * 0.1 - 0.6;
                     let eye = Vec3::new(10.0 * angle.sin(), 4.0, 10.0 * angle.cos());
-                    let camera = Camera { eye, target: up, up, vertical_fov: 0.7 };
+                    let camera = Camera { eye, target: UP, up: UP, vertical_fov: 0.7 };
                     let plain = Scene {
                         camera,
                         background: LinearRgb::new(0.3, 0.4, 0.6).into(),
                         objects: &objects,
-                        materials: &materials,
-                        lights: &lights,
+                        materials: &STAGE,
+                        lights: &SUN,
                     };
                     let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
                     let with = Scene { objects: &all, ..plain };
@@ -893,19 +894,12 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
 /// Among more than 32 objects these are looked for beside sticks, by the hierarchy.
 #[test]
 fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
-    let up = Vec3::new(0.0, 1.0, 0.0);
-    let materials = [
-        Material::matte(LinearRgb::gray(0.8)),
-        Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
-        Material::matte(LinearRgb::new(0.9, 0.1, 0.1)),
-    ];
-    let lights = [Light::Directional { direction: Vec3::new(0.8, -1.0, -0.5), color: LinearRgb::gray(0.9) }];
-    let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, up)), 0);
-    let wall = Rectangle::new(Vec3::new(-4.0, 0.0, -3.0), Vec3::new(8.0, 0.0, 0.0), up * 3.5);
+    let floor = Object::new(FLOOR, 0);
+    let wall = Rectangle::new(Vec3::new(-4.0, 0.0, -3.0), Vec3::new(8.0, 0.0, 0.0), UP * 3.5);
     let wall = Object::new(Shape::Rectangle(wall), 1);
     let poles = (0..40).map(|i| {
         let base = Vec3::new(i as f32 * 0.15 - 3.0, 0.0, 1.2 + 0.8 * (i as f32).sin());
-        let pole = Cylinder { base, top: base + up * 1.5, radius: 0.03, capped: true };
+        let pole = Cylinder { base, top: base + UP * 1.5, radius: 0.03, capped: true };
         Object::new(Shape::Cylinder(pole), 2)
     });
     let objects: Vec<_> = [floor, wall].into_iter().chain(poles).collect();
@@ -915,11 +909,11 @@ fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
             let angle = frame as f32 * 0.2 - 0.6;
             let eye = Vec3::new(9.0 * angle.sin(), 4.0, 9.0 * angle.cos());
             let with = Scene {
-                camera: Camera { eye, target: up * 0.6, up, vertical_fov: 0.7 },
+                camera: Camera { eye, target: UP * 0.6, up: UP, vertical_fov: 0.7 },
                 background: LinearRgb::new(0.3, 0.4, 0.6).into(),
                 objects: &objects,
-                materials: &materials,
-                lights: &lights,
+                materials: &STAGE,
+                lights: &SUN,
             };
             let plain = Scene { objects: &objects[..2], ..with };
             let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
