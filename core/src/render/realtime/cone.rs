@@ -64,7 +64,6 @@ impl<R: Real> Cone<R> {
     }
 
     fn looks_for(&self, stick: &Stick<R>) -> bool {
-        // The round ends count as half of the length.
         stick.half_length >= stick.radius * self.slenderness
     }
 
