@@ -31,8 +31,9 @@
 //!   objects only sticks are looked for, eight times as long as wide: with all, those 91 balls would take an M4F more instructions than their exact picture.
 //! - *Low shadows* on a floor that is seen aslant: the points of the grid near their outlines are known. In scenes without them that
 //!   costs less than 1 %.
-//! - *Small highlights.* A pixel near one differs from every other: as near as two pixels of a grid of four can be from
-//!   it on a ball of 30 pixels, and twice as near for a grid of eight.
+//! - *Small highlights*, of a shininess above about 100. A pixel near one differs from every other: as near as two pixels of a grid of
+//!   four can be from it on a ball of 30 pixels, and twice as near for a grid of eight. How much a surface is curved is not asked, nor are
+//!   broader highlights looked for: on what is strongly curved, both can be lost.
 //!
 //! What a side of a cell looks like depends on its two ends alone, not on what is found inside. So a band of lines needs
 //! nothing of the others: the row of samples that it hands to the one below only saves tracing it again, and lines are
@@ -56,7 +57,8 @@
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
-//! rotation, and `prism` and `flake`, where edges are everywhere, are the ones below 38 dB.
+//! rotation where the light is within 38° of the eye, and where it is farther aside, on balls of 22 pixels' radius or less, up to all of it; and
+//! `prism` and `flake`, where edges are everywhere, are the ones below 38 dB.
 //!
 //! A budget below what a frame wants (36,087 rays for `classic`) is used up to 92 % or more, and is kept to but for the pixel
 //! that is traced last: 38,000 allowed rays give 45.7 dB, 34,000 32.5, 25,000 27.1 and 18,000 24.4. As no band knows what
@@ -108,6 +110,8 @@ use crate::shape::Geometry;
 /// - in scenes of more than 32 objects, *shadows and mirror images of thin things* that are less than eight times as long as wide;
 /// - *low shadows*, on what is seen aslant. On the largest flat object of a scene of up to 32 objects, with one sample a pixel, those that
 ///   are lower than a cell are looked for; the tails of others can be cut off;
+/// - *highlights that are smaller than a cell*: on balls, of lights far aside, and on other curved shapes of any. Along a thin cylinder they
+///   break into dashes;
 /// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
 ///   what is thin in curved mirrors other than balls;
 /// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that
