@@ -7,7 +7,7 @@
 //! bounding volumes into item buffers; here the buffer is one line long and holds spans). Spans are wider than what they
 //! hold by more than all rounding, so that the bytes are the same with and without.
 
-use super::outline::Outline;
+use super::outline::{Outline, Projector, Vantage};
 use crate::camera::Viewport;
 use crate::integrator::{LIGHTS, Shades, Sight};
 use crate::math::Real;
@@ -100,12 +100,11 @@ impl Outlines {
         viewport: &Viewport<R>,
     ) {
         let Some(enclosures) = scene.enclosures() else { return };
+        let eye = Vantage::eye(viewport);
         let (mut count, mut largest) = (0, 0);
         for (index, (place, enclosure)) in self.objects.iter_mut().zip(enclosures).enumerate() {
             *place = match enclosure {
-                Enclosure::Ball { center, radius } => {
-                    Outline::of_ball(center.to_setup(), radius.to_setup(), viewport)
-                }
+                Enclosure::Ball { center, radius } => eye.outline(center.to_setup(), radius.to_setup()),
                 Enclosure::Box(bounds) => Outline::of_box(bounds.to_setup(), viewport),
                 Enclosure::Everywhere => Outline::Everywhere,
             };
@@ -133,9 +132,10 @@ impl Outlines {
         let mut places = self.shadows.iter_mut();
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
             *others = scene.may_shade(self.receiver, index);
+            let projector = Projector::new(&light.source, plane, viewport);
             for object in *others {
                 let Some((center, radius)) = scene.ball_of_shadow(object, &light.source) else { continue };
-                let outline = Outline::of_shadow(center, radius, &light.source, plane, viewport);
+                let outline = projector.outline(center, radius);
                 let Some(place) = places.next() else { return };
                 *place = Shadow { light: index as u8, object: object as u8, outline };
                 *others = others.without(object);

@@ -6,7 +6,7 @@
 //!
 //! p − light ∝ (e − light) (n · d) + (h − n · e) d
 //!
-//! is linear in u and v as well. Under a light far away, a ball shades what is nearer to the line through its center than its
+//! is linear in u and v as well. What depends on the eye or on a light alone is found once for all balls. Under a light far away, a ball shades what is nearer to the line through its center than its
 //! radius, and that is a conic too.
 //!
 //! All this is done in floating point, once; then a line asks each outline for its pixels in integers, for about 40
@@ -46,50 +46,6 @@ impl Outline {
         let across = Span { start: pixel(left, -1), end: pixel(right, 2) };
         let (top, bottom) = (pixel(top, -1), pixel(bottom, 2));
         Self::Rectangle { across, top, bottom }
-    }
-
-    /// The outline of a ball.
-    pub(super) fn of_ball<R: Real>(center: Vec3<R::Setup>, radius: R::Setup, viewport: &Viewport<R>) -> Self {
-        seen_from_origin(
-            center - viewport.eye().to_setup(),
-            radius,
-            viewport.directions(),
-            viewport.half_size(),
-        )
-    }
-
-    /// The outline of the shadow of a ball on a plane, as far as that is in front of the eye.
-    pub(super) fn of_shadow<R: Real>(
-        center: Vec3<R::Setup>,
-        radius: R::Setup,
-        light: &Source<R>,
-        (normal, distance): (Vec3<R::Setup>, R::Setup),
-        viewport: &Viewport<R>,
-    ) -> Self {
-        let eye = viewport.eye().to_setup();
-        let height = distance - normal.dot(eye);
-        let side = if height < R::Setup::ZERO { -R::Setup::ONE } else { R::Setup::ONE };
-        // From there to the places of the plane, times their depths.
-        let places_from = |from: Vec3<R::Setup>| {
-            viewport.directions().map(|d| ((eye - from) * normal.dot(d) + d * height) * side)
-        };
-        match light {
-            Source::At(light) => {
-                let light = light.to_setup();
-                seen_from_origin(center - light, radius, places_from(light), viewport.half_size())
-            }
-            Source::Toward(toward) => {
-                let (toward, radius) = (toward.to_setup(), radius * R::Setup::from_f32(WIDER));
-                let places = places_from(center);
-                // What is nearer to the line toward the light than the radius.
-                Conic::EMPTY
-                    .plus(R::Setup::ONE, viewport.directions().map(|d| radius * normal.dot(d)))
-                    .plus(R::Setup::ONE, places.map(|place| place.dot(toward)))
-                    .plus_squares(-R::Setup::ONE, places)
-                    .outline(viewport.half_size(), None)
-            }
-            Source::Far(..) => Self::Everywhere,
-        }
     }
 
     /// How much it holds, in pixels, roughly.
@@ -165,29 +121,120 @@ pub(super) fn pixel<N: Real>(place: N, more: i32) -> u16 {
 /// How much larger a ball is taken to be than it is.
 const WIDER: f32 = 1.01;
 
-/// The outline of a ball around `c`, seen from the origin; the directions to the places of the picture may be any that
-/// are linear, and of any length.
-#[inline(never)]
-fn seen_from_origin<N: Real>(
-    c: Vec3<N>,
-    radius: N,
+/// A point that balls are seen from, with what all their outlines have in common.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vantage<N> {
+    point: Vec3<N>,
+    /// The directions to the places of the picture, in units of the longest, so that nothing is large.
     directions: Affine<Vec3<N>>,
+    /// Their squared lengths.
+    squares: Conic<N>,
     half_size: (N, N),
-) -> Outline {
-    let distance = c.length();
-    // Of a ball that is seen smaller than a few degrees, rounding would eat the difference of squares.
-    let radius = radius.larger(distance * N::from_f32(0.02)) * N::from_f32(WIDER);
-    if distance <= radius {
-        return Outline::Everywhere;
+}
+
+impl<N: Real> Vantage<N> {
+    /// The eye.
+    pub(super) fn eye<R: Real<Setup = N>>(viewport: &Viewport<R>) -> Self {
+        Self::new(viewport.eye().to_setup(), viewport.directions(), viewport.half_size())
     }
-    // In units of the distance and of the longest direction, so that nothing is large.
-    let (c, relative) = (c * distance.recip(), radius / distance);
-    let k = N::ONE - relative * relative;
-    let Affine { middle, right, down } = directions.map(Vec3::magnitude);
-    let unit = middle.larger(right).larger(down).recip();
-    let directions = directions.map(|direction| direction * unit);
-    let along = directions.map(|direction| c.dot(direction));
-    Conic::EMPTY.plus(N::ONE, along).plus_squares(-k, directions).outline(half_size, Some(along))
+
+    /// A point and directions to the places of the picture, that may be any that are linear, and of any length.
+    fn new(point: Vec3<N>, directions: Affine<Vec3<N>>, half_size: (N, N)) -> Self {
+        let Affine { middle, right, down } = directions.map(Vec3::magnitude);
+        let unit = middle.larger(right).larger(down).recip();
+        let directions = directions.map(|direction| direction * unit);
+        Self { point, directions, squares: Conic::of_lengths(directions), half_size }
+    }
+
+    /// The outline of a ball.
+    #[inline(never)]
+    pub(super) fn outline(&self, center: Vec3<N>, radius: N) -> Outline {
+        let c = center - self.point;
+        let distance = c.length();
+        // Of a ball that is seen smaller than a few degrees, rounding would eat the difference of squares.
+        let radius = radius.larger(distance * N::from_f32(0.02)) * N::from_f32(WIDER);
+        if distance <= radius {
+            return Outline::Everywhere;
+        }
+        let unit = distance.recip();
+        let (c, relative) = (c * unit, radius * unit);
+        let along = self.directions.map(|direction| c.dot(direction));
+        let squares = self.squares.times(relative * relative - N::ONE);
+        Conic::of_square(along).plus(squares).outline(self.half_size, Some(along))
+    }
+}
+
+/// A light and a plane, for the outlines of shadows that balls throw there, as far as that is in front of the eye.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Projector<N> {
+    Near(Vantage<N>),
+    Far {
+        toward: Vec3<N>,
+        /// The cosines between the plane's normal and the directions to the places of the picture.
+        slants: Affine<N>,
+        eye: Vec3<N>,
+        /// The way from there to the places of the plane, times their depths.
+        places: Affine<Vec3<N>>,
+        half_size: (N, N),
+    },
+    /// Of these lights outlines are everywhere.
+    Unknown,
+}
+
+impl<N: Real> Projector<N> {
+    pub(super) fn new<R: Real<Setup = N>>(
+        light: &Source<R>,
+        (normal, distance): (Vec3<N>, N),
+        viewport: &Viewport<R>,
+    ) -> Self {
+        let (eye, half_size) = (viewport.eye().to_setup(), viewport.half_size());
+        let height = distance - normal.dot(eye);
+        // So that what is in front of the eye is on the positive side.
+        let normal = if height < N::ZERO { -normal } else { normal };
+        let places = viewport.directions().map(|direction| direction * height.abs());
+        let slants = viewport.directions().map(|direction| normal.dot(direction));
+        match light {
+            Source::At(light) => {
+                let light = light.to_setup();
+                let places = seen_from(light, eye, slants, places);
+                Self::Near(Vantage::new(light, places, half_size))
+            }
+            Source::Toward(toward) => Self::Far { toward: toward.to_setup(), slants, eye, places, half_size },
+            Source::Far(..) => Self::Unknown,
+        }
+    }
+
+    /// The outline of the shadow of a ball.
+    pub(super) fn outline(&self, center: Vec3<N>, radius: N) -> Outline {
+        match *self {
+            Self::Near(ref vantage) => vantage.outline(center, radius),
+            Self::Far { toward, slants, eye, places, half_size } => {
+                let radius = radius * N::from_f32(WIDER);
+                let places = seen_from(center, eye, slants, places);
+                // What is nearer to the line toward the light than the radius.
+                Conic::of_square(slants.map(|slant| radius * slant))
+                    .plus(Conic::of_square(places.map(|place| place.dot(toward))))
+                    .plus(Conic::of_lengths(places).times(-N::ONE))
+                    .outline(half_size, None)
+            }
+            Self::Unknown => Outline::Everywhere,
+        }
+    }
+}
+
+/// The way from a point to the places of a plane, times their depths, where the way from the eye is known.
+fn seen_from<N: Real>(
+    from: Vec3<N>,
+    eye: Vec3<N>,
+    slants: Affine<N>,
+    places: Affine<Vec3<N>>,
+) -> Affine<Vec3<N>> {
+    let away = eye - from;
+    Affine {
+        middle: away * slants.middle + places.middle,
+        right: away * slants.right + places.right,
+        down: away * slants.down + places.down,
+    }
 }
 
 /// Half the width or height beyond which an outline is everywhere, in half pictures: its conic may be open, and be seen
@@ -195,6 +242,7 @@ fn seen_from_origin<N: Real>(
 const OPEN: f32 = 16.0;
 
 /// All (u, v) with `uu·u² + 2uv·uv + vv·v² + 2u·u + 2v·v + one ≥ 0`.
+#[derive(Clone, Copy, Debug)]
 struct Conic<N> {
     uu: N,
     uv: N,
@@ -205,26 +253,43 @@ struct Conic<N> {
 }
 
 impl<N: Real> Conic<N> {
-    const EMPTY: Self = Self { uu: N::ZERO, uv: N::ZERO, vv: N::ZERO, u: N::ZERO, v: N::ZERO, one: N::ZERO };
+    /// The square of a function.
+    fn of_square(function: Affine<N>) -> Self {
+        Self::of_products(function, |a, b| a * b)
+    }
 
-    /// Adds the square of a function.
-    #[inline(never)]
-    fn plus(self, weight: N, Affine { middle, right, down }: Affine<N>) -> Self {
+    /// The squared length of a vector.
+    fn of_lengths(vector: Affine<Vec3<N>>) -> Self {
+        Self::of_products(vector, Vec3::dot)
+    }
+
+    #[inline(always)]
+    fn of_products<T: Copy>(Affine { middle, right, down }: Affine<T>, product: impl Fn(T, T) -> N) -> Self {
         Self {
-            uu: self.uu + weight * right * right,
-            uv: self.uv + weight * right * down,
-            vv: self.vv + weight * down * down,
-            u: self.u + weight * right * middle,
-            v: self.v + weight * down * middle,
-            one: self.one + weight * middle * middle,
+            uu: product(right, right),
+            uv: product(right, down),
+            vv: product(down, down),
+            u: product(right, middle),
+            v: product(down, middle),
+            one: product(middle, middle),
         }
     }
 
-    /// Adds the squares of all three coordinates.
-    fn plus_squares(self, weight: N, vector: Affine<Vec3<N>>) -> Self {
-        self.plus(weight, vector.map(|vector| vector.x))
-            .plus(weight, vector.map(|vector| vector.y))
-            .plus(weight, vector.map(|vector| vector.z))
+    fn times(self, factor: N) -> Self {
+        let Self { uu, uv, vv, u, v, one } = self;
+        let [uu, uv, vv, u, v, one] = [uu, uv, vv, u, v, one].map(|coefficient| coefficient * factor);
+        Self { uu, uv, vv, u, v, one }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            uu: self.uu + other.uu,
+            uv: self.uv + other.uv,
+            vv: self.vv + other.vv,
+            u: self.u + other.u,
+            v: self.v + other.v,
+            one: self.one + other.one,
+        }
     }
 
     /// In pixels, where the picture has this half width and height; nowhere, if its middle is where `front` is not
@@ -344,7 +409,7 @@ mod tests {
         for _ in 0..1000 {
             let viewport = viewport(Camera { vertical_fov: 0.2 + 2.0 * numbers.next(), ..CAMERA });
             let (center, radius) = (numbers.point(25.0), 0.02 + 3.0 * numbers.next() * numbers.next());
-            let outline = Outline::of_ball(center, radius, &viewport);
+            let outline = Vantage::eye(&viewport).outline(center, radius);
             let (held, more) = compare(&outline, &viewport, |origin, direction| {
                 meets(origin, direction, 1e6, center, radius)
             });
@@ -366,7 +431,7 @@ mod tests {
             let distance = -3.0 + 2.0 * numbers.next();
             let light = numbers.point(30.0) + Vec3::new(0.0, 15.0, 0.0);
             let source = if index % 2 == 0 { Source::At(light) } else { Source::Toward(light.polar().0) };
-            let outline = Outline::of_shadow(center, radius, &source, (normal, distance), &viewport);
+            let outline = Projector::new(&source, (normal, distance), &viewport).outline(center, radius);
             let (held, more) = compare(&outline, &viewport, |origin, direction| {
                 let depth = (distance - normal.dot(origin)) / normal.dot(direction);
                 if !(depth > 0.0 && depth < 1e3) {
@@ -389,7 +454,7 @@ mod tests {
     #[test]
     fn lines_of_an_ellipse_are_those_of_each_and_its_height_is_known() {
         let viewport = viewport(CAMERA);
-        let outline = Outline::of_ball(Vec3::new(1.0, 0.5, 0.0), 1.0, &viewport);
+        let outline = Vantage::eye(&viewport).outline(Vec3::new(1.0, 0.5, 0.0), 1.0);
         let height = (0..SIZE.1).filter(|y| outline.span(*y) != Span::NOWHERE).count() as u32;
         // Wider by less than a line on either side.
         assert!(outline.is_lower_than(height + 1) && !outline.is_lower_than(height - 2), "{height}");
