@@ -58,6 +58,17 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
         Ok(Self { renderer, total: lines.end.saturating_sub(lines.start), buffer, lines, traced: 0 })
     }
 
+    /// Goes on with other lines of the same picture, that may begin and end anywhere. Lines that were not yet on the display are not drawn.
+    ///
+    /// # Errors
+    /// Where the picture has no such lines; then it goes on as before.
+    pub fn set_lines(&mut self, lines: Range<u32>) -> Result<(), LineError> {
+        self.lines = self.renderer.lines_of(lines)?;
+        self.total = self.lines.end.saturating_sub(self.lines.start);
+        self.traced = 0;
+        Ok(())
+    }
+
     /// Traces pixels until `budget_rays` are spent, and at least one; sends each buffer to the display as soon
     /// as it is full. A step spends less than `budget_rays` plus
     /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel): of a scene with a hierarchy, in floating point, plus that for each of

@@ -56,6 +56,14 @@ impl Memory {
 }
 
 impl Tracing<'_, '_> {
+    /// Goes on with other lines of the same frame.
+    pub(crate) fn set_lines(&mut self, lines: Range<u32>) -> Result<(), LineError> {
+        match self {
+            Self::Exact(frame) => frame.set_lines(lines),
+            Self::Realtime(frame) => frame.set_lines(lines),
+        }
+    }
+
     /// Spends about so many rays; tells whether the band is complete.
     pub(crate) fn step(&mut self, band: &mut Band, rays: u32) -> Result<bool, Fault> {
         // The program holds the code of one quality alone, because the compiler knows which it is.

@@ -36,9 +36,10 @@ impl Tracer {
             let frame = job.frame;
             self.scene.set_camera(&self.orbit.camera(frame))?;
             let renderer = Renderer::new(&self.scene, SETTINGS)?;
+            let mut tracing = self.memory.begin(&renderer, job.lines.clone())?;
             while job.frame == frame {
                 job.band.clear();
-                let mut tracing = self.memory.begin(&renderer, job.lines.clone())?;
+                tracing.set_lines(job.lines.clone())?;
                 while !step(&mut tracing, job.band)? {
                     // Here the first core gives the panel a band, if it waits for one.
                     yield_now().await;

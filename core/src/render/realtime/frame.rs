@@ -120,6 +120,23 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         })
     }
 
+    /// Goes on with other lines of the same picture, that may begin and end anywhere. What is known of the whole picture is not found out
+    /// again, nor is what lies above them traced once more if they follow those drawn last. Lines that were not yet on the display are not
+    /// drawn, and the budget is a new one.
+    ///
+    /// # Errors
+    /// Where the picture has no such lines; then it goes on as before.
+    pub fn set_lines(&mut self, lines: Range<u32>) -> Result<(), LineError> {
+        self.lines = self.renderer.lines_of(lines)?;
+        self.total = self.lines.end.saturating_sub(self.lines.start);
+        self.budget = Budget::new(self.quality.budget_rays, self.total);
+        if self.band.take().is_some() {
+            // The row is half that of the one line, half that of another.
+            self.row = None;
+        }
+        Ok(())
+    }
+
     /// Traces cells of the grid until `budget_rays` are spent, and at least one; sends each band of lines to the
     /// display as soon as it is complete. A step spends less than `budget_rays` plus
     /// [`Settings::rays_per_pixel`](crate::Settings) for each pixel of a cell and its sides, twice: some
