@@ -165,6 +165,11 @@ impl<R: Real> Viewport<R> {
         self.camera.eye
     }
 
+    /// Unit vectors to the right and up in the picture.
+    pub(crate) fn sides(&self) -> [Vec3<R>; 2] {
+        [self.camera.right, self.camera.up].map(Vec3::from_setup)
+    }
+
     /// The power of two that brings a direction of this length, or less, to 16 or less, and the same times
     /// `2^shift`.
     fn unit(length: R::Setup, shift: u32) -> (R::Setup, R::Setup) {

@@ -99,6 +99,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map(|object| object.shape.form())
     }
 
+    /// The normal of an object to shade with, a step away from a surface of it.
+    pub(crate) fn normal_beside(&self, object: usize, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let object = self.objects.get(object);
+        object.map_or(surface.shading_normal, |object| object.shape.normal_beside(surface, step))
+    }
+
     /// A ball that no ray from a hit near enough, toward a light, misses where it meets the object.
     pub(crate) fn ball_of_shadow(
         &self,

@@ -8,7 +8,7 @@
 //! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
 //! rings_s1.
 
-use super::{Geometry, Hull, Intersect, Spans, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Spans, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -244,6 +244,11 @@ impl<R: Real> PreparedCone<R> {
         }
         nearest
     }
+
+    /// Whether a surface is that of a lid: these, and nothing else, have the very axis as normal.
+    fn is_on_lid(&self, surface: &Surface<R>) -> bool {
+        self.capped && (surface.normal == self.axis || surface.normal == -self.axis)
+    }
 }
 
 impl<R: Real> Intersect<R> for PreparedCone<R> {
@@ -377,11 +382,18 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        if self.is_on_lid(surface) {
+            surface.normal
+        } else {
+            beside(&Self { capped: false, ..*self }, surface, step)
+        }
+    }
+
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_base = surface.point - self.base;
         let height = from_base.dot(self.axis);
-        // The lids, and nothing else, have the very axis as normal.
-        if self.capped && (surface.normal == self.axis || surface.normal == -self.axis) {
+        if self.is_on_lid(surface) {
             let top = surface.normal == self.axis;
             let radius = self.base_radius + if top { self.slope * self.length } else { R::ZERO };
             return uv::disc(surface.normal, from_base - self.axis * height, radius);

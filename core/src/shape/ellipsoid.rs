@@ -1,7 +1,7 @@
 //! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
 
-use super::{Geometry, Hull, Intersect, Spans, uv};
+use super::{Geometry, Hull, Intersect, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -201,6 +201,10 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
             magnitude: self.0.magnitude,
             part: 0,
         }
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {

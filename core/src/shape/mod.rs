@@ -393,6 +393,12 @@ pub trait Intersect<R: Real> {
     /// The surface at distance `t` of a ray, where [`intersect`](Self::intersect) gave `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
 
+    /// The unit normal to shade with a small `step` along the surface away from a place of it, where the shape is curved: it tells how
+    /// much. Where a shape says nothing, it is that of the place itself.
+    fn normal_beside(&self, surface: &Surface<R>, _step: Vec3<R>) -> Vec3<R> {
+        surface.shading_normal
+    }
+
     /// The place of a surface in two numbers, for what is put on it: most often from 0 to 1 across all of it. Is asked
     /// only by textures that are placed so, and of points next to the surface as well. What has
     /// no bounds gives lengths in units of the scene, of which there are `scale` to one of `surface`
@@ -524,6 +530,12 @@ impl Shape<'_> {
 fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> {
     let bounds = points.map(Aabb::point).reduce(Aabb::union)?;
     Some(bounds.padded(R::offset(bounds.magnitude())))
+}
+
+/// [`Intersect::normal_beside`] of a shape that tells the surface of points that lie beside it too.
+fn beside<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+    let ray = Ray { origin: surface.point + step, direction: -surface.normal };
+    shape.surface(&ray, R::ZERO).shading_normal
 }
 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.

@@ -134,6 +134,16 @@ macro_rules! shape_set {
                 }
             }
 
+            fn normal_beside(
+                &self,
+                surface: &$crate::Surface<R>,
+                step: $crate::Vec3<R>,
+            ) -> $crate::Vec3<R> {
+                match self {
+                    $(Self::$Variant(shape) => shape.normal_beside(surface, step)),+
+                }
+            }
+
             fn uv(&self, surface: &$crate::Surface<R>, scale: $crate::math::Scale) -> [R; 2] {
                 match self {
                     $(Self::$Variant(shape) => shape.uv(surface, scale)),+

@@ -129,6 +129,10 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         }
     }
 
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        (surface.normal * self.radius + step).polar().0
+    }
+
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.center)
     }

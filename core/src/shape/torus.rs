@@ -7,7 +7,7 @@
 //! not lose a thin tube in its squares.
 
 use super::hull::Circle;
-use super::{Geometry, Hull, Intersect, Spans, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Spans, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -205,6 +205,10 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         let normal = (from_center - ring).normalized().unwrap_or(-ray.direction);
         let point = self.center + ring + normal * self.minor;
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {

@@ -103,11 +103,15 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let surface = self.patch.plane.surface(ray, t);
-        let shading_normal = self.normals.and_then(|[at_a, at_b, at_c]| {
-            let (b, c) = self.patch.coordinates(surface.point);
+        Surface { shading_normal: self.normal_beside(&surface, Vec3::ZERO), ..surface }
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let interpolated = self.normals.and_then(|[at_a, at_b, at_c]| {
+            let (b, c) = self.patch.coordinates(surface.point + step);
             (*at_a * (R::ONE - b - c) + *at_b * b + *at_c * c).normalized()
         });
-        Surface { shading_normal: shading_normal.unwrap_or(surface.normal), ..surface }
+        interpolated.unwrap_or(surface.normal)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {

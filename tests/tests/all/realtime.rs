@@ -393,13 +393,11 @@ fn glints_are_shown_in_every_frame() {
             let lights = [Light::Point { position, color: LinearRgb::WHITE }];
             let scene = Scene { lights: &lights, ..bright(&ball, core::slice::from_ref(&glossy)) };
             with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
-                let light =
-                    |picture: &Picture| picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum::<u32>();
-                let exact = light(&exact(renderer, &mut ()));
+                let exact = light_of(&exact(renderer, &mut ()));
                 sum += exact;
                 // On a grid of eight pixels, a pixel on the flank of a highlight may be interpolated.
                 for (quality, part) in QUALITIES.into_iter().zip([6, 12]) {
-                    let close = light(&realtime(renderer, quality, &mut ()));
+                    let close = light_of(&realtime(renderer, quality, &mut ()));
                     let off = exact.abs_diff(close);
                     assert!(
                         exact >= least && off * part < exact.max(1),
@@ -410,6 +408,62 @@ fn glints_are_shown_in_every_frame() {
         }
         // The smallest are often less than a pixel.
         assert!(sum > 60 * 20, "{sum} of {shininess}");
+    }
+}
+
+/// The light of a picture.
+fn light_of(picture: &Picture) -> u32 {
+    picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum()
+}
+
+#[test]
+fn highlights_are_shown_on_what_is_curved() {
+    let rod = |radius| {
+        let (base, top) = (Vec3::new(-3.0, -1.0, 0.0), Vec3::new(3.0, 1.0, 0.5));
+        Shape::Cylinder(Cylinder { base, top, radius, capped: true })
+    };
+    let ball = |radius| Shape::Sphere(Sphere::new(Vec3::ZERO, radius));
+    let axis = Vec3::new(0.1, 1.0, 0.5);
+    let torus = Shape::Torus(Torus { center: Vec3::ZERO, axis, major_radius: 3.0, minor_radius: 1.0 });
+    // From broad highlights to those of a few pixels; a unit is 11 pixels.
+    let (broad, all) = ([20.0, 40.0, 100.0].as_slice(), [20.0, 40.0, 100.0, 300.0].as_slice());
+    for (name, shape, shininesses) in [
+        ("a ball of 33 pixels", ball(3.0), all),
+        ("a ball of 22 pixels", ball(2.0), all),
+        ("a ball of 12 pixels", ball(1.1), broad),
+        ("a rod of 9 pixels", rod(0.8), broad),
+        ("a rod of 11 pixels", rod(1.0), all),
+        ("a rod of 22 pixels", rod(2.0), all),
+        ("a torus of 11 pixels", torus, all),
+    ] {
+        for &shininess in shininesses {
+            let glossy =
+                Material { diffuse: 0.0, specular: 1.0, shininess, ..Material::matte(LinearRgb::WHITE) };
+            let objects = [Object::new(shape, 0)];
+            let (mut total, mut most, mut worst) = (0, 0, f64::INFINITY);
+            for frame in 0..40 {
+                // From before the eye to far aside, and above.
+                let (sine, cosine) = (frame as f32 * 0.03).sin_cos();
+                let position = Vec3::new(30.0 * sine, 7.0 + frame as f32 * 0.3, 30.0 * cosine);
+                let lights = [Light::Point { position, color: LinearRgb::WHITE }];
+                let scene = Scene { lights: &lights, ..bright(&objects, core::slice::from_ref(&glossy)) };
+                with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
+                    let expected = exact(renderer, &mut ());
+                    total += light_of(&expected);
+                    for quality in QUALITIES {
+                        let close = realtime(renderer, quality, &mut ());
+                        most = most.max(light_of(&expected).abs_diff(light_of(&close)));
+                        worst = worst.min(psnr(&expected, &close));
+                    }
+                });
+            }
+            // In no frame more is lost, or added, than a quarter of what the highlight has in a usual one.
+            let share = f64::from(most) / (f64::from(total) / 40.0);
+            assert!(
+                share < 0.25 && worst > 42.0,
+                "{name}, {shininess}: {share:.2} of the light, {worst:.1} dB"
+            );
+        }
     }
 }
 

@@ -3,9 +3,11 @@
 //! What a traced ray passes by within its cone may be met by a ray beside it: something thin that is mirrored, or that is in the way to
 //! a light. Where thin things are seen directly is known better ([`thin`](super::thin)).
 //!
-//! The cone holds every ray up to half the diagonal of a cell away. Mirrors that are balls open it, as two places of them have normals of
-//! other directions; others are taken to be flat. On a surface the cone leaves an ellipse, longer the more the surface is slanted, and a
-//! shadow ray stands for those of the whole ellipse.
+//! The cone holds every ray up to half the diagonal of a cell away. Mirrors open it where they are curved, as two places of them
+//! have normals of other directions: balls by their radius, others by what mirrored directions [sweep](super::sweep) over. On a surface the
+//! cone leaves an ellipse, longer the more the surface is slanted, and a shadow ray stands for those of the whole ellipse.
+
+use core::f32::consts::FRAC_1_SQRT_2;
 
 use super::Grid;
 use crate::camera::Viewport;
@@ -43,13 +45,12 @@ impl<R: Real> Cone<R> {
 
     /// Mirrored or bent by a ball of this radius.
     pub(super) fn opened(self, ball_radius: R) -> Self {
-        let turn = (self.radius + self.radius).smaller(ball_radius) / ball_radius;
-        Self { spread: (self.spread + turn).smaller(R::ONE), ..self }
+        self.turned((self.radius + self.radius).smaller(ball_radius) / ball_radius)
     }
 
-    /// The least cosine between the direction of one of its rays and the middle one: about 1 less half the angle's square.
-    pub(super) fn least_cosine(self) -> R {
-        R::ONE - self.spread * self.spread * R::from_f32(0.5)
+    /// Mirrored by a surface that turns rays so much that are as far from the middle as it reaches.
+    pub(super) fn turned(self, turn: R) -> Self {
+        Self { spread: (self.spread + turn).smaller(R::ONE), ..self }
     }
 
     /// Whether it is wider than a hull that is looked for, where that is narrowest.
@@ -110,6 +111,17 @@ pub(super) struct Footprint<R> {
 }
 
 impl<R: Real> Footprint<R> {
+    /// How far to go on the surface from its middle to where a ray ends that is beside its own, into such a direction and as far as half a
+    /// side of what the ray stands for; and how that ray differs in direction.
+    pub(super) fn step(&self, toward: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
+        let Self { cone, direction, normal, slant } = *self;
+        let least = R::from_f32(0.25);
+        let slant = if slant < R::ZERO { slant.smaller(-least) } else { slant.larger(least) };
+        let aside = toward * R::from_f32(FRAC_1_SQRT_2);
+        let along = aside - direction * (normal.dot(aside) / slant);
+        (along * cone.radius, aside * cone.spread)
+    }
+
     /// How far it reaches.
     pub(super) fn reach(&self) -> R {
         self.cone.radius / self.slant.abs()
@@ -168,17 +180,18 @@ impl<R: Real> Stick<R> {
 
     /// Where on a ray's line its own is the nearest, and the way from there to it.
     fn nearest(&self, ray: &Ray<R>) -> (R, Vec3<R>) {
-        let toward = self.center - ray.origin;
-        let cosine = self.along.dot(ray.direction);
-        let sine_squared = R::ONE - cosine * cosine;
-        // Of parallel lines, any two places are as near.
-        let place = if sine_squared > R::from_f32(1e-3) {
-            (cosine * toward.dot(ray.direction) - self.along.dot(toward)) / sine_squared
-        } else {
-            R::ZERO
-        };
-        let place = place.larger(-self.half_length).smaller(self.half_length);
-        let toward = toward + self.along * place;
+        let mut toward = self.center - ray.origin;
+        if self.half_length > R::ZERO {
+            let cosine = self.along.dot(ray.direction);
+            let sine_squared = R::ONE - cosine * cosine;
+            // Of parallel lines, any two places are as near.
+            let place = if sine_squared > R::from_f32(1e-3) {
+                (cosine * toward.dot(ray.direction) - self.along.dot(toward)) / sine_squared
+            } else {
+                R::ZERO
+            };
+            toward = toward + self.along * place.larger(-self.half_length).smaller(self.half_length);
+        }
         let t = toward.dot(ray.direction);
         (t, toward - ray.direction * t)
     }

@@ -98,7 +98,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let marks = Marks::new(quality.grid);
+        let marks = Marks::new();
         let thin = thin_objects(renderer, quality.grid);
         Ok(Self {
             quality,
@@ -113,7 +113,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             unlit,
             unlit_bounds: Bounds { cutoff: cutoff.larger(marks.faint), ..renderer.bounds },
             renderer,
-            tiny: Tiny::new(renderer, quality.grid, marks.near),
+            tiny: Tiny::new(renderer, quality.grid),
             marks,
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, total),
@@ -228,7 +228,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             among,
             left: band.left,
             top: band.top,
-            limits: Limits::new(self.quality.threshold, detail),
+            limits: Limits::new(self.quality.threshold, detail, side),
             allowed: self.budget.left(),
             marks: self.marks,
             watch: self.tiny.map(Watch::new),

@@ -14,14 +14,15 @@ pub(super) struct Limits {
     glint: u16,
     /// Whether anything but the pixels of the grid is traced.
     traces: bool,
+    grid: usize,
 }
 
 impl Limits {
     /// Nothing between the pixels of the grid is looked at.
     pub(super) const NONE: Self =
-        Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX, traces: false };
+        Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX, traces: false, grid: 0 };
 
-    pub(super) fn new(threshold: u16, detail: Detail) -> Self {
+    pub(super) fn new(threshold: u16, detail: Detail, grid: usize) -> Self {
         match detail {
             // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
             Detail::Full => Self {
@@ -30,10 +31,11 @@ impl Limits {
                 near: threshold.saturating_add(threshold / 2),
                 glint: threshold / 4,
                 traces: true,
+                grid,
             },
             Detail::Coarse => {
                 let far = threshold.saturating_mul(4);
-                Self { marks: 0, far, near: far, glint: far, traces: true }
+                Self { marks: 0, far, near: far, glint: far, traces: true, grid }
             }
             Detail::Grid => Self::NONE,
         }
@@ -46,7 +48,7 @@ impl Limits {
             return true;
         }
         let limit = if a.is_near_glint(b) {
-            if distance > 2 && self.is_full() {
+            if self.is_full() && (distance >= self.grid || distance > 2 && a.are_near_glint(b)) {
                 return true;
             }
             self.glint

@@ -25,15 +25,16 @@
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
 //!   less than two cells wide or high, or aslant less than one, are traced in full. Among more than 32 objects those count that are less
 //!   than one cell wide: 91 balls of 9 to 14 pixels would take 1.6 times the rays with the others.
-//! - *Their shadows and mirror images*, and the smallest highlights. Around the ray of a point of the grid is the cone of those that it
+//! - *Their shadows and mirror images*. Around the ray of a point of the grid is the cone of those that it
 //!   stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
 //!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %. Among more than 32
 //!   objects only sticks are looked for, eight times as long as wide: with all, those 91 balls would take an M4F more instructions than their exact picture.
 //! - *Low shadows* on a floor that is seen aslant: the points of the grid near their outlines are known. In scenes without them that
 //!   costs less than 1 %.
-//! - *Small highlights*, of a shininess above about 100. A pixel near one differs from every other: as near as two pixels of a grid of
-//!   four can be from it on a ball of 30 pixels, and twice as near for a grid of eight. How much a surface is curved is not asked, nor are
-//!   broader highlights looked for: on what is strongly curved, both can be lost.
+//! - *Highlights*. Along a surface that is curved, mirrored directions [sweep](sweep) over others, as shapes tell by their normals beside
+//!   a hit. Where the sweep around a point of the grid passes by a light, and the highlight is small beside it, the cell is looked at more
+//!   closely; where it is smaller still, the squares around that point are traced in full. That is asked of what the eye sees directly: of
+//!   mirrored highlights too, `classic` would take 0.75 rays a pixel.
 //!
 //! What a side of a cell looks like depends on its two ends alone, not on what is found inside. So a band of lines needs
 //! nothing of the others: the row of samples that it hands to the one below only saves tracing it again, and lines are
@@ -44,24 +45,24 @@
 //!
 //! | scene | PSNR, new | traced pixels | rays a pixel | fine | traced | rays | exact |
 //! |---|---|---|---|---|---|---|---|
-//! | classic | 45.7 dB | 0.106 | 0.47 | 48.8 dB | 0.120 | 0.54 | 2.29 |
-//! | whitted | 45.9 dB | 0.141 | 1.00 | 46.9 dB | 0.162 | 1.16 | 4.67 |
-//! | flake | 36.5 dB | 0.189 | 1.16 | 37.9 dB | 0.232 | 1.36 | 4.57 |
-//! | prism | 40.1 dB | 0.338 | 1.53 | 40.5 dB | 0.366 | 1.63 | 5.21 |
+//! | classic | 45.8 dB | 0.105 | 0.45 | 48.5 dB | 0.120 | 0.52 | 2.29 |
+//! | whitted | 45.7 dB | 0.140 | 0.94 | 46.7 dB | 0.161 | 1.12 | 4.67 |
+//! | flake | 36.9 dB | 0.199 | 1.21 | 38.0 dB | 0.237 | 1.38 | 4.57 |
+//! | prism | 40.4 dB | 0.344 | 1.53 | 40.5 dB | 0.367 | 1.62 | 5.21 |
 //!
-//! Of 24 frames around `classic` the worst has 40.6 dB, around `prism` 36.1 dB; at 160×120, where everything is smaller,
-//! the fine ones 38.5 and 34.6 dB.
+//! Of 24 frames around `classic` the worst has 41.0 dB, around `prism` 36.1 dB; at 160×120, where everything is smaller,
+//! the fine ones 39.4 and 34.7 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 275 instead of 559 on Cortex-M4F in `f32`, 396 instead of 951 on
-//! Cortex-M3 and 842 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 272 instead of 559 on Cortex-M4F in `f32`, 383 instead of 951 on
+//! Cortex-M3 and 826 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
-//! What is lost: at 160×120 a grid of eight shows up to an eighth less light of a small highlight in some frames of a
-//! rotation where the light is within 38° of the eye, and where it is farther aside, on balls of 22 pixels' radius or less, up to all of it; and
-//! `prism` and `flake`, where edges are everywhere, are the ones below 38 dB.
+//! What is lost: on balls, rods and tori of 11 pixels and more, with a light anywhere before them, no frame of a rotation has a quarter more
+//! or less of a highlight than a usual one has in all, up to a shininess of 300 (balls of 12 pixels: 100); `prism` and `flake`, where edges
+//! are everywhere, are the ones below 38 dB.
 //!
-//! A budget below what a frame wants (36,087 rays for `classic`) is used up to 92 % or more, and is kept to but for the pixel
-//! that is traced last: 38,000 allowed rays give 45.7 dB, 34,000 32.5, 25,000 27.1 and 18,000 24.4. As no band knows what
+//! A budget below what a frame wants (34,777 rays for `classic`) is used up to 92 % or more, and is kept to but for the pixel
+//! that is traced last: 38,000 allowed rays give 45.8 dB, 34,000 33.9, 25,000 27.0 and 18,000 26.0. As no band knows what
 //! those below will want, it takes up to a tenth more than a frame wants for nothing to be lost.
 //!
 //! Rejected: tracing nearly every pixel of a cell with an edge, as before (0.205 of `classic` for 59.9 dB, 0.93 rays
@@ -85,6 +86,7 @@ mod sample;
 mod seen;
 mod stadium;
 mod strip;
+mod sweep;
 mod thin;
 mod tiny;
 mod tracer;
@@ -110,8 +112,8 @@ use crate::shape::Geometry;
 /// - in scenes of more than 32 objects, *shadows and mirror images of thin things* that are less than eight times as long as wide;
 /// - *low shadows*, on what is seen aslant. On the largest flat object of a scene of up to 32 objects, with one sample a pixel, those that
 ///   are lower than a cell are looked for; the tails of others can be cut off;
-/// - *highlights that are smaller than a cell*: on balls, of lights far aside, and on other curved shapes of any. Along a thin cylinder they
-///   break into dashes;
+/// - *highlights of a pixel or two*, as those of shininess 1000 on a ball, rod or torus of 11 pixels' radius, on a grid of eight; those that
+///   are mirrored; and on shapes of one's own that do not tell [`normal_beside`](crate::shape::Intersect::normal_beside);
 /// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
 ///   what is thin in curved mirrors other than balls;
 /// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that
@@ -119,16 +121,16 @@ use crate::shape::Geometry;
 ///   stripes, bricks and texels leave the mark of the one that was seen, in maps too.
 ///
 /// Draw such scenes exactly, or with a finer grid. A `threshold` of 0 does not make pictures exact, as edges within four pixels stay
-/// straight lines. A scene of four balls on a floor keeps 45.7 dB of the exact picture for a fifth of its rays.
+/// straight lines. A scene of four balls on a floor keeps 45.8 dB of the exact picture for a fifth of its rays.
 ///
 /// The smaller a picture, the more of it is thin, and traced in full. Instructions per pixel of those four balls on a Cortex-M3:
 ///
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
-/// | 320×240 | 951 | 396 | 462 |
-/// | 160×120 | 971 | 584 | 640 |
-/// | 128×96 | 974 | 958 | 774 |
-/// | 64×48 | 1,022 | 1,409 | 1,265 |
+/// | 320×240 | 951 | 383 | 466 |
+/// | 160×120 | 971 | 598 | 663 |
+/// | 128×96 | 974 | 935 | 788 |
+/// | 64×48 | 1,022 | 1,362 | 1,249 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.

@@ -34,7 +34,7 @@ impl Path {
 }
 
 /// What a pixel is near, that interpolation could lose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Near {
     Nothing,
     /// A small highlight.
@@ -108,6 +108,12 @@ impl Sample {
     #[inline(always)]
     pub(super) fn is_near_glint(self, other: Self) -> bool {
         (self.rest | other.rest) & GLINT != 0
+    }
+
+    /// Whether one may lie near both.
+    #[inline(always)]
+    pub(super) fn are_near_glint(self, other: Self) -> bool {
+        self.rest & other.rest & GLINT != 0
     }
 
     /// Whether something tiny may be near; one near a small highlight in 128 says so too.

@@ -1,9 +1,9 @@
 //! A digest of what a pixel saw: pixels that saw the same have the same.
 
 use super::super::Tone;
+use super::Sample;
 use super::sample::{Near, Path};
 use super::tiny::Watch;
-use super::{Grid, Sample};
 use crate::material::PreparedMaterial;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
@@ -17,23 +17,15 @@ pub(super) struct Marks<R> {
     /// Rays that bring less of their light to the pixel than this leave none: their edges are faint, and there are
     /// many of them.
     pub(super) faint: R,
-    /// How far from its middle a small highlight shows, and is near, see [`Shininess::shows`](crate::material::Shininess).
+    /// How far from its middle a small highlight shows, see [`Shininess::shows`](crate::material::Shininess).
     shows: R,
-    pub(super) near: R,
-    /// The least cosine to the middle of a highlight that is near: those of more than 17° are not small.
+    /// The least cosine to the middle of a highlight that is seen: those of more than 17° are not small.
     beside: R,
 }
 
 impl<R: Real> Marks<R> {
-    pub(super) fn new(grid: Grid) -> Self {
-        // Twice as wide for twice the distance between the points of the grid.
-        let near = if grid == Grid::Eight { 4 } else { 1 };
-        Self {
-            faint: R::from_f32(1.0 / 8.0),
-            shows: R::from_f32(0.25),
-            near: R::from_u16(near),
-            beside: R::from_f32(0.954),
-        }
+    pub(super) fn new() -> Self {
+        Self { faint: R::from_f32(1.0 / 8.0), shows: R::from_f32(0.25), beside: R::from_f32(0.954) }
     }
 
     /// Nothing leaves one.
@@ -51,12 +43,11 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     shade: u32,
     /// Bounces before the current ray.
     bounces: u32,
+    /// Whether a small highlight shows.
     near_glint: bool,
     /// Watches for what is tiny, where there is any.
     watch: Option<&'p mut Watch<R>>,
     marks: Marks<R>,
-    /// Whether small highlights are looked for that lie beside what is seen.
-    searches: bool,
     /// Whether what the current ray sees counts.
     counts: bool,
     /// Origin of the current ray.
@@ -71,7 +62,6 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
     pub(super) fn new(
         scene: &'s PreparedScene<'m, R, S>,
         marks: Marks<R>,
-        searches: bool,
         watch: Option<&'p mut Watch<R>>,
         probe: &'p mut P,
     ) -> Self {
@@ -84,23 +74,11 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
             near_glint: false,
             watch,
             marks,
-            searches,
             counts: true,
             origin: Vec3::ZERO,
             direction: Vec3::ZERO,
             hit: None,
         }
-    }
-
-    /// Whether a small highlight of a surface is near. Light that shows nothing of itself makes no event.
-    #[inline(never)]
-    fn is_near_glint(&self, point: Vec3<R>, material: &PreparedMaterial<'_, R>) -> bool {
-        self.scene.lights.iter().any(|light| {
-            let seen = light.seen_from(point, self.direction);
-            seen.is_some_and(|(_, _, cosine)| {
-                cosine > self.marks.beside && material.shininess.shows(cosine, self.marks.near)
-            })
-        })
     }
 
     /// A number for what the maps of a material show: other normals and coefficients have others, and so have other cells.
@@ -119,11 +97,8 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
 
     /// The pixel, whose tone is known in the end.
     pub(super) fn sample(&self, tone: Tone) -> Sample {
-        let near = match &self.watch {
-            Some(watch) if watch.is_near => Near::Tiny,
-            _ if self.near_glint => Near::Glint,
-            _ => Near::Nothing,
-        };
+        let watched = self.watch.as_ref().map_or(Near::Nothing, |watch| watch.near);
+        let near = if self.near_glint { watched.max(Near::Glint) } else { watched };
         Sample::traced(tone, self.path(), self.shade, near)
     }
 
@@ -175,9 +150,6 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     self.hit = Some(material);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {
                         self.direction = mirrored;
-                        if self.searches {
-                            self.near_glint |= self.is_near_glint(hit.surface.point, material);
-                        }
                     }
                 }
             }
@@ -187,10 +159,10 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     let sharp = material.shininess.is_sharp();
                     // Asked where it tells something alone: it is a product for each light.
                     let cosine = || self.direction.dot(toward);
-                    let glint = |share| material.shininess.shows(cosine(), share);
+                    let shows = |share| material.shininess.shows(cosine(), share);
                     if through >= R::ONE {
-                        self.near_glint |= sharp && cosine() > self.marks.beside && glint(R::ONE);
-                    } else if material.diffuse > R::ZERO || !sharp || glint(self.marks.shows) {
+                        self.near_glint |= sharp && cosine() > self.marks.beside && shows(R::ONE);
+                    } else if material.diffuse > R::ZERO || !sharp || shows(self.marks.shows) {
                         // A shadow that is mirrored is another than one that is seen.
                         let what = self.bounces << 25 | 1 << 24 | (light as u32) << 17 | through.to_q16();
                         self.shade = fold(self.shade, what);

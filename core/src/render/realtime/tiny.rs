@@ -1,5 +1,5 @@
 //! What is so small that it could hide between the points of the grid, where that is not known before the first ray: thin things that are
-//! mirrored or refracted, or stand in the way to a light, and the smallest highlights.
+//! mirrored or refracted, or stand in the way to a light, and highlights.
 //!
 //! A point of the grid stands for the pixels up to half the diagonal of a cell away, and one of half the grid for half of that. Where one
 //! of these could see something tiny, as the [`Cone`] around the ray tells, the square is traced in full. Asked at points of the grid and
@@ -13,6 +13,8 @@ use super::super::Renderer;
 use super::Grid;
 use super::cell::SQUARE;
 use super::cone::Cone;
+use super::sample::Near;
+use super::sweep::Sweep;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
@@ -27,37 +29,38 @@ pub(super) struct Tiny<R> {
     grid: Grid,
     /// Of a ray from the eye.
     cone: Cone<R>,
+    /// Unit vectors to the right and up.
+    sides: [Vec3<R>; 2],
     /// Thin ones; `None`, where there is no set: any could be that is slender.
     thin: Option<ObjectSet>,
-    /// Balls, for their highlights.
-    glossy: ObjectSet,
 }
 
 impl<R: Real> Tiny<R> {
-    /// `near`: so many times as far as a highlight shows, it is looked for in any case.
-    pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid, near: R) -> Option<Self> {
+    pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
         let (scene, eye) = (renderer.scene, renderer.viewport.eye());
         let has_sets = scene.objects_where(|_| true).is_some();
         let cone = Cone::new(&renderer.viewport, grid, if has_sets { 0 } else { SLENDER });
-        let distance = |center: Vec3<R>| (center - eye).length();
         let can_be_thin = |hull: Hull<R>| {
             // What is mirrored is seen from farther away.
-            let distance = distance(hull.center);
+            let distance = (hull.center - eye).length();
             cone.after(distance + distance).is_wider(&hull)
         };
-        let is_glossy = |object: usize| match (scene.form(object), scene.material(object)) {
-            (Some(Form::Ball { center, radius }), Some(material)) if material.specular > R::ZERO => {
-                let cosine = cone.after(distance(center)).opened(radius).least_cosine();
-                // Near a larger one there is a point of the grid.
-                !material.shininess.shows(cosine, near * R::from_u16(4))
-            }
-            _ => false,
-        };
         let is_thin = |object: usize| scene.hulls(object).any(can_be_thin);
-        let thin = scene.objects_where(is_thin);
-        let has_thin = thin.map_or_else(|| scene.any_object(is_thin), |thin| !thin.is_empty());
-        let glossy = scene.objects_where(is_glossy).unwrap_or(ObjectSet::NONE);
-        (has_thin || !glossy.is_empty()).then_some(Self { grid, cone, thin, glossy })
+        let is_glossy = |object| scene.material(object).is_some_and(|material| material.specular > R::ZERO);
+        let thin =
+            scene.objects_where(is_thin).or_else(|| (!scene.any_object(is_thin)).then_some(ObjectSet::NONE));
+        let has_thin = thin.is_none_or(|thin| !thin.is_empty());
+        (has_thin || scene.any_object(is_glossy)).then_some(Self {
+            grid,
+            cone,
+            thin,
+            sides: renderer.viewport.sides(),
+        })
+    }
+
+    /// Whether anything can be thin.
+    fn has_thin(&self) -> bool {
+        self.thin.is_none_or(|thin| !thin.is_empty())
     }
 }
 
@@ -68,8 +71,9 @@ pub(super) struct Watch<R> {
     /// Around a ray from the eye, and around what leaves the last hit.
     first: Cone<R>,
     cone: Cone<R>,
-    /// Whether something tiny is near.
-    pub(super) is_near: bool,
+    pub(super) near: Near,
+    /// Whether no other point stands for half of what this one does.
+    is_least: bool,
 }
 
 /// A ray, and whether it is from the eye.
@@ -77,13 +81,14 @@ type Watched<R> = (Ray<R>, bool);
 
 impl<R: Real> Watch<R> {
     pub(super) fn new(tiny: Tiny<R>) -> Self {
-        Self { tiny, first: tiny.cone, cone: tiny.cone, is_near: false }
+        Self { tiny, first: tiny.cone, cone: tiny.cone, near: Near::Nothing, is_least: false }
     }
 
     /// For the rays of one point of a cell, if that stands for others: a corner for all up to half the cell's diagonal away, and in cells
     /// of eight pixels each fourth for half of that.
     pub(super) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
         let (place, side) = (x | y, self.tiny.grid.pixels());
+        self.is_least = side <= SQUARE || place % side != 0;
         self.first = if place % side == 0 {
             self.tiny.cone
         } else if place % SQUARE == 0 {
@@ -91,7 +96,7 @@ impl<R: Real> Watch<R> {
         } else {
             return None;
         };
-        self.is_near = false;
+        self.near = Near::Nothing;
         Some(self)
     }
 
@@ -106,25 +111,49 @@ impl<R: Real> Watch<R> {
         mirrored: Vec3<R>,
     ) {
         let cone = self.look(scene, watched, hit.t);
+        let Some(material) = scene.material(hit.object) else { return };
+        let (has_thin, glossy) = (self.tiny.has_thin(), watched.1 && material.specular > R::ZERO);
+        if !(has_thin || glossy) {
+            return;
+        }
         let (direction, point, normal) = (watched.0.direction, hit.surface.point, hit.surface.normal);
-        let lights =
-            |normal: Vec3<R>| scene.lights.iter().filter_map(move |light| light.seen_from(point, normal));
-        let (facing, ..) = normal.facing(direction);
         let footprint = cone.footprint(direction, normal);
-        self.is_near |= lights(facing).any(|(toward, distance, _)| {
-            let shadow = Ray { origin: point, direction: toward };
-            let beside = |_| footprint.reach();
-            scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
-                footprint.can_be_shaded(&shadow, distance, scene.hulls(object))
-            })
-        });
-        self.cone = match scene.form(hit.object) {
-            Some(Form::Ball { radius, .. }) => cone.opened(radius),
-            _ => cone,
+        let sweep = || {
+            let normal_beside = |step| scene.normal_beside(hit.object, &hit.surface, step);
+            // What a map turns is turned beside it too.
+            let bump = if material.maps.is_empty() {
+                Vec3::ZERO
+            } else {
+                hit.surface.shading_normal - normal_beside(Vec3::ZERO)
+            };
+            Sweep::new(&footprint, self.tiny.sides, (direction, mirrored), |step| normal_beside(step) + bump)
         };
-        if self.tiny.glossy.contains(hit.object) {
-            let least = self.cone.least_cosine();
-            self.is_near |= lights(mirrored).any(|(.., cosine)| cosine > least);
+        let mut glint = None;
+        let (facing, ..) = normal.facing(direction);
+        for light in scene.lights {
+            let Some((toward, distance, _)) = light.seen_from(point, facing) else { continue };
+            if has_thin && self.near < Near::Tiny {
+                let shadow = Ray { origin: point, direction: toward };
+                let beside = |_| footprint.reach();
+                let is_near = scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
+                    footprint.can_be_shaded(&shadow, distance, scene.hulls(object))
+                });
+                if is_near {
+                    self.near = Near::Tiny;
+                }
+            }
+            // A highlight farther aside is not looked for: most need no sweep.
+            if glossy && self.near < Near::Tiny && toward.dot(mirrored) > R::ZERO {
+                let sweep = *glint.get_or_insert_with(sweep);
+                let near = sweep.nearness(toward, &material.shininess, self.is_least);
+                self.near = self.near.max(near);
+            }
+        }
+        if has_thin {
+            self.cone = match scene.form(hit.object) {
+                Some(Form::Ball { radius, .. }) => cone.opened(radius),
+                _ => cone.turned(glint.unwrap_or_else(sweep).reach_squared().sqrt()),
+            };
         }
     }
 
@@ -149,8 +178,11 @@ impl<R: Real> Watch<R> {
         }
         let cone = self.cone;
         let can_see = |object| cone.can_see(&ray, distance, scene.hulls(object));
-        self.is_near |=
-            scene.any_beside((&ray, distance), |end| cone.radius_at(end), self.tiny.thin, can_see);
+        if self.tiny.has_thin()
+            && scene.any_beside((&ray, distance), |end| cone.radius_at(end), self.tiny.thin, can_see)
+        {
+            self.near = Near::Tiny;
+        }
         cone.after(distance)
     }
 }

@@ -2,12 +2,12 @@
 
 use core::marker::PhantomData;
 
+use super::Sample;
 use super::cell::Look;
 use super::limits::Limits;
 use super::low::LowShadows;
 use super::seen::{Marks, Seen};
 use super::tiny::Watch;
-use super::{Grid, Sample};
 use crate::color::LinearRgb;
 use crate::integrator::{Bounds, Sight};
 use crate::math::Real;
@@ -27,10 +27,8 @@ enum Asked {
     Tone,
     /// What it met, in a scene without lights.
     Path,
-    /// All that it saw.
+    /// All that it saw, and if it stands for others, what lies beside that.
     Marks,
-    /// And what lies beside that.
-    Surroundings,
 }
 
 /// Traces pixels among the objects that a cell can show.
@@ -59,7 +57,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
     pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Option<Sample> {
         let color = renderer.scene.background.solid()?;
         let mut probe = ();
-        let mut seen = Seen::new(renderer.scene, Marks::new(Grid::Four), false, None, &mut probe);
+        let mut seen = Seen::new(renderer.scene, Marks::new(), None, &mut probe);
         seen.record(Event::Miss { color, throughput: LinearRgb::even(R::ONE) });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
         Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
@@ -94,7 +92,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
             Asked::Tone => (self.marks.none(), None),
             _ => (self.marks, self.watch.as_mut().and_then(|watch| watch.stand_for(x, y))),
         };
-        let mut seen = Seen::new(scene, marks, asked == Asked::Surroundings, watch, self.probe);
+        let mut seen = Seen::new(scene, marks, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, (x, y), sight, &mut seen);
@@ -109,7 +107,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, C, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
-        let sample = self.look(Asked::Surroundings, x, y);
+        let sample = self.look(Asked::Marks, x, y);
         match self.low {
             Some(low) if low.are_near(self.left + x as u32, y) => sample.near_glint(),
             _ => sample,

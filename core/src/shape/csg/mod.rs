@@ -246,6 +246,12 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         }
     }
 
+    /// A surface as the solid that it belongs to sees it, and which that is.
+    fn on_solid(&self, surface: &Surface<R>) -> (u8, Surface<R>) {
+        let (solid, part) = ((surface.part >> PART_BITS) as u8, surface.part & MOST_PARTS);
+        (solid, self.turned(solid, Surface { part, ..*surface }))
+    }
+
     fn surfaces<'b>(&'b self, boundaries: &'b Boundaries<'_, R>, ray: &'b Ray<R>) -> Surfaces<'b, R, P> {
         Surfaces::new(boundaries, self.body.program, self.solids, ray, self.body.tolerance)
     }
@@ -297,11 +303,15 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         self.turned(solid, Surface { part, ..surface })
     }
 
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let (number, on_solid) = self.on_solid(surface);
+        let solid = self.solids.get(usize::from(number));
+        let normal = solid.map_or(on_solid.shading_normal, |solid| solid.normal_beside(&on_solid, step));
+        if self.body.program.is_taken_away(number) { -normal } else { normal }
+    }
+
     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
-        // As its solid sees it.
-        let solid = surface.part >> PART_BITS;
-        let part = surface.part & MOST_PARTS;
-        let surface = self.turned(solid as u8, Surface { part, ..*surface });
-        self.solids.get(solid as usize).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
+        let (solid, surface) = self.on_solid(surface);
+        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
     }
 }

@@ -7,7 +7,7 @@ mod metaballs;
 mod tests;
 mod trace;
 
-use super::{Geometry, Intersect, uv};
+use super::{Geometry, Intersect, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -145,6 +145,10 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
         let normal = self.normal(at).unwrap_or(-ray.direction);
         let point = at - normal * self.room.step_back(self.field.distance(at));
         Surface { point, normal, shading_normal: normal, magnitude: self.room.magnitude, part: 0 }
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {

@@ -73,6 +73,16 @@ impl<R: Real> PreparedPose<R> {
         }
     }
 
+    /// A direction of the model where the instance is.
+    pub(super) fn turn(&self, direction: Vec3<R>) -> Vec3<R> {
+        self.rotation.turn(direction)
+    }
+
+    /// The way back.
+    pub(super) fn turn_back(&self, direction: Vec3<R>) -> Vec3<R> {
+        self.rotation.back(direction)
+    }
+
     fn point(&self, point: Vec3<R>) -> Vec3<R> {
         self.rotation.turn(point) + self.origin
     }

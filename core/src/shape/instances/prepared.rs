@@ -3,7 +3,7 @@
 use super::super::{Hull, Intersect, Spans};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
-use crate::math::{Aabb, Interval, Ray, Real, Scale};
+use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// [`Instances`](super::Instances), prepared.
@@ -31,6 +31,13 @@ const PART_BITS: u32 = 16;
 impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
     pub(super) fn new(model: P, group: &'m Group<'m, R>) -> Self {
         Self { model, group }
+    }
+
+    /// A surface where the model is, and the place that it belongs to.
+    fn on_model(&self, surface: &Surface<R>) -> Option<(&'m PreparedPose<R>, Surface<R>)> {
+        let pose = self.group.poses.get((surface.part >> PART_BITS) as usize)?;
+        let part = surface.part & ((1 << PART_BITS) - 1);
+        Some((pose, pose.inward_surface(&Surface { part, ..*surface })))
     }
 
     /// The only one, if it is.
@@ -110,11 +117,12 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         Surface { part, ..surface }
     }
 
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let Some((pose, surface)) = self.on_model(surface) else { return surface.shading_normal };
+        pose.turn(self.model.normal_beside(&surface, pose.turn_back(step)))
+    }
+
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        let Some(pose) = self.group.poses.get((surface.part >> PART_BITS) as usize) else {
-            return [R::ZERO; 2];
-        };
-        let part = surface.part & ((1 << PART_BITS) - 1);
-        self.model.uv(&pose.inward_surface(&Surface { part, ..*surface }), self.group.sized)
+        self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.group.sized))
     }
 }

@@ -348,6 +348,17 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         }
     }
 
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let triangle = surface.part as u16;
+        let beside = self.0.corners(triangle).and_then(|corners| {
+            // Of a small triangle, not from far away.
+            let (b, c) = weights(corners, surface.point + step);
+            let [b, c] = [b, c].map(|weight| weight.larger(-R::from_u16(4)).smaller(R::from_u16(4)));
+            self.0.shading_normal(triangle, Meeting { t: R::ZERO, b, c })
+        });
+        beside.unwrap_or(surface.shading_normal)
+    }
+
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let triangle = surface.part as u16;
         let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };

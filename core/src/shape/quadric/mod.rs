@@ -5,7 +5,7 @@ mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::{Geometry, Intersect, Spans, uv};
+use super::{Geometry, Intersect, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -252,6 +252,10 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
         }
         let point = body.middle + point * body.unit;
         Surface { point, normal, shading_normal: normal, magnitude: body.magnitude, part: 0 }
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
