@@ -223,6 +223,29 @@ fn wrong_buffers_and_lines_are_refused_before_the_first_pixel() {
     });
 }
 
+#[test]
+fn a_frame_goes_on_with_other_lines() {
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let (mut screen, mut buffer) = (Screen::new(renderer), [Rgb888::BLACK; 37 * 2]);
+        let mut frame = renderer.frame(0..0, &mut buffer).expect("a frame");
+        for lines in [9..16, 16..23, 0..2, 2..9] {
+            // In the middle of a line it is told of others.
+            frame.set_lines(4..23).expect("lines");
+            frame.step(&mut screen, 20).expect("a step");
+            frame.set_lines(lines.clone()).expect("lines");
+            // Of lines that there are not, nothing is taken.
+            let error = frame.set_lines(20..24).expect_err("refused");
+            assert_eq!(error, LineError::NoSuchLine { line: 23, height: 23 });
+            let mut progress = frame.step(&mut screen, 1).expect("a step");
+            while !progress.is_done() {
+                progress = frame.step(&mut screen, u32::MAX).expect("a step");
+            }
+            assert_eq!(progress.lines_total, lines.len() as u32);
+        }
+        assert!(screen.picture() == picture(renderer));
+    });
+}
+
 /// `frame(30..30)` was refused for line 29, which it does not ask for.
 #[test]
 fn no_lines_are_drawn_wherever_they_would_begin() {
