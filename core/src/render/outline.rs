@@ -6,11 +6,11 @@
 //!
 //! p − light ∝ (e − light) (n · d) + (h − n · e) d
 //!
-//! is linear in u and v as well. What depends on the eye or on a light alone is found once for all balls. Under a light far away, a ball shades what is nearer to the line through its center than its
+//! is linear in u and v as well. Under a light far away, a ball shades what is nearer to the line through its center than its
 //! radius, and that is a conic too.
 //!
-//! All this is done in floating point, once; then a line asks each outline for its pixels in integers, for about 40
-//! instructions. Outlines are wider than what they hold by a hundredth and by a pixel: by more than all rounding.
+//! All this is done in floating point, once, and what depends on the eye or on a light alone once for all balls; then a line asks each
+//! outline for its pixels in integers, for about 40 instructions. Outlines are wider than what they hold by a hundredth and by a pixel: by more than all rounding.
 
 use super::line_candidates::Span;
 use crate::camera::{Affine, Rect, Viewport};
@@ -167,10 +167,10 @@ impl<N: Real> Vantage<N> {
 /// A light and a plane, for the outlines of shadows that balls throw there, as far as that is in front of the eye.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Projector<N> {
-    Near(Vantage<N>),
-    Far {
+    At(Vantage<N>),
+    Toward {
         toward: Vec3<N>,
-        /// The cosines between the plane's normal and the directions to the places of the picture.
+        /// The plane's normal times the directions to the places of the picture.
         slants: Affine<N>,
         eye: Vec3<N>,
         /// The way from there to the places of the plane, times their depths.
@@ -191,15 +191,18 @@ impl<N: Real> Projector<N> {
         let height = distance - normal.dot(eye);
         // So that what is in front of the eye is on the positive side.
         let normal = if height < N::ZERO { -normal } else { normal };
-        let places = viewport.directions().map(|direction| direction * height.abs());
-        let slants = viewport.directions().map(|direction| normal.dot(direction));
+        let directions = viewport.directions();
+        let places = directions.map(|direction| direction * height.abs());
+        let slants = directions.map(|direction| normal.dot(direction));
         match light {
             Source::At(light) => {
                 let light = light.to_setup();
                 let places = seen_from(light, eye, slants, places);
-                Self::Near(Vantage::new(light, places, half_size))
+                Self::At(Vantage::new(light, places, half_size))
             }
-            Source::Toward(toward) => Self::Far { toward: toward.to_setup(), slants, eye, places, half_size },
+            Source::Toward(toward) => {
+                Self::Toward { toward: toward.to_setup(), slants, eye, places, half_size }
+            }
             Source::Far(..) => Self::Unknown,
         }
     }
@@ -207,8 +210,8 @@ impl<N: Real> Projector<N> {
     /// The outline of the shadow of a ball.
     pub(super) fn outline(&self, center: Vec3<N>, radius: N) -> Outline {
         match *self {
-            Self::Near(ref vantage) => vantage.outline(center, radius),
-            Self::Far { toward, slants, eye, places, half_size } => {
+            Self::At(ref vantage) => vantage.outline(center, radius),
+            Self::Toward { toward, slants, eye, places, half_size } => {
                 let radius = radius * N::from_f32(WIDER);
                 let places = seen_from(center, eye, slants, places);
                 // What is nearer to the line toward the light than the radius.

@@ -38,18 +38,17 @@ impl Memory {
         Self { colors: [PanelColor::BLACK; COLORS], samples: [Sample::BLANK; SAMPLES] }
     }
 
-    /// Begins to trace some lines.
+    /// Begins a frame, with no lines yet.
     pub(crate) fn begin<'r, 'b>(
         &'b mut self,
         renderer: &'r Renderer<'r, 'static, Number, Set>,
-        lines: Range<u32>,
     ) -> Result<Tracing<'r, 'b>, LineError> {
         let Self { colors, samples } = self;
         Ok(match QUALITY {
-            None => Tracing::Exact(renderer.frame(lines, colors)?),
+            None => Tracing::Exact(renderer.frame(0..0, colors)?),
             Some(quality) => {
                 let buffer = RealtimeBuffer { colors, samples };
-                Tracing::Realtime(renderer.realtime_frame(lines, quality, buffer)?)
+                Tracing::Realtime(renderer.realtime_frame(0..0, quality, buffer)?)
             }
         })
     }

@@ -36,7 +36,7 @@ impl Tracer {
             let frame = job.frame;
             self.scene.set_camera(&self.orbit.camera(frame))?;
             let renderer = Renderer::new(&self.scene, SETTINGS)?;
-            let mut tracing = self.memory.begin(&renderer, job.lines.clone())?;
+            let mut tracing = self.memory.begin(&renderer)?;
             while job.frame == frame {
                 job.band.clear();
                 tracing.set_lines(job.lines.clone())?;

@@ -25,8 +25,7 @@
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
 //!   less than two cells wide or high, or aslant less than one, are traced in full. Among more than 32 objects those count that are less
 //!   than one cell wide: 91 balls of 9 to 14 pixels would take 1.6 times the rays with the others.
-//! - *Their shadows and mirror images*. Around the ray of a point of the grid is the cone of those that it
-//!   stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
+//! - *Their shadows and mirror images*. Around the ray of a point of the grid is the cone of those that it stands for. Where something thin is in that, or in the one of a shadow ray, the cell is looked at more closely, and squares of four
 //!   pixels that it is as near to are traced in full. In scenes without thin objects that costs 2 to 3 %. Among more than 32
 //!   objects only sticks are looked for, eight times as long as wide: with all, those 91 balls would take an M4F more instructions than their exact picture.
 //! - *Low shadows* on a floor that is seen aslant: the points of the grid near their outlines are known. In scenes without them that
@@ -54,7 +53,7 @@
 //! the fine ones 39.4 and 34.7 dB.
 //!
 //! In instructions per pixel of `classic` at 320×240: 272 instead of 559 on Cortex-M4F in `f32`, 383 instead of 951 on
-//! Cortex-M3 and 826 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! Cortex-M3 and 825 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: on balls, rods and tori of 11 pixels and more, with a light anywhere before them, no frame of a rotation has a quarter more
@@ -128,9 +127,9 @@ use crate::shape::Geometry;
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
 /// | 320×240 | 951 | 383 | 466 |
-/// | 160×120 | 971 | 598 | 663 |
-/// | 128×96 | 974 | 935 | 788 |
-/// | 64×48 | 1,022 | 1,362 | 1,249 |
+/// | 160×120 | 971 | 597 | 662 |
+/// | 128×96 | 974 | 934 | 788 |
+/// | 64×48 | 1,022 | 1,360 | 1,247 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.

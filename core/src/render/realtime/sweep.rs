@@ -20,14 +20,16 @@ pub(super) struct Sweep<R> {
 #[derive(Clone, Copy, Debug)]
 struct Turn<R> {
     way: Vec3<R>,
-    /// One over its squared length; of less than a degree, 0: that is none.
+    /// Its squared length, and one over that; of less than a degree, 0: that is none.
+    squared: R,
     unsquared: R,
 }
 
 impl<R: Real> Turn<R> {
     fn new(way: Vec3<R>) -> Self {
         let squared = way.length_squared();
-        Self { way, unsquared: if squared > R::from_fraction(1 << 4) { squared.recip() } else { R::ZERO } }
+        let unsquared = if squared > R::from_fraction(1 << 4) { squared.recip() } else { R::ZERO };
+        Self { way, squared, unsquared }
     }
 }
 
@@ -59,8 +61,8 @@ impl<R: Real> Sweep<R> {
 
     /// How far it reaches to the side where it is the widest, squared.
     pub(super) fn reach_squared(&self) -> R {
-        let [one, other] = self.turns.map(|turn| turn.way.length_squared());
-        one.larger(other)
+        let [one, other] = self.turns;
+        one.squared.larger(other.squared)
     }
 
     /// How closely the highlight of a light must be looked for that is less than a right angle aside: not where it is so broad that it is

@@ -131,8 +131,11 @@ impl<R: Real> Watch<R> {
         let mut glint = None;
         let (facing, ..) = normal.facing(direction);
         for light in scene.lights {
+            if self.near == Near::Tiny {
+                break;
+            }
             let Some((toward, distance, _)) = light.seen_from(point, facing) else { continue };
-            if has_thin && self.near < Near::Tiny {
+            if has_thin {
                 let shadow = Ray { origin: point, direction: toward };
                 let beside = |_| footprint.reach();
                 let is_near = scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
