@@ -72,6 +72,16 @@ pub struct PreparedTriangle<'m, R: Real> {
     normals: Option<&'m [Vec3<R>; 3]>,
 }
 
+impl<R: Real> PreparedTriangle<'_, R> {
+    /// The interpolated normal at a point of the plane.
+    #[inline(always)]
+    fn normal_at(&self, point: Vec3<R>) -> Option<Vec3<R>> {
+        let [at_a, at_b, at_c] = self.normals?;
+        let (b, c) = self.patch.coordinates(point);
+        (*at_a * (R::ONE - b - c) + *at_b * b + *at_c * c).normalized()
+    }
+}
+
 impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let inside = |b: R, c: R| b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE;
@@ -103,15 +113,11 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let surface = self.patch.plane.surface(ray, t);
-        Surface { shading_normal: self.normal_beside(&surface, Vec3::ZERO), ..surface }
+        Surface { shading_normal: self.normal_at(surface.point).unwrap_or(surface.normal), ..surface }
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        let interpolated = self.normals.and_then(|[at_a, at_b, at_c]| {
-            let (b, c) = self.patch.coordinates(surface.point + step);
-            (*at_a * (R::ONE - b - c) + *at_b * b + *at_c * c).normalized()
-        });
-        interpolated.unwrap_or(surface.normal)
+        self.normal_at(surface.point + step).unwrap_or(surface.normal)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
