@@ -1,5 +1,7 @@
 //! Every bound on time and memory, with its reason.
 
+use crate::math::FOUR_AT_ONCE;
+
 /// The most bounces that [`Settings::bounces`](crate::Settings) may ask for.
 ///
 /// Each costs one pending ray on the stack: 32 bytes in `f32`. Sixteen levels of mirrors that reflect 80 %
@@ -30,8 +32,8 @@ pub const MAX_SIDE: u32 = 65_535;
 
 /// How many lines [`Renderer::lines`](crate::Renderer::lines) traces side by side, at most: more at once save nothing.
 ///
-/// Groups of sixteen pixels are squares then.
-pub const LINES_AT_ONCE: usize = 4;
+/// What is traced side by side is a square of pixels then. Eight where a processor computes four numbers at once, else four.
+pub const LINES_AT_ONCE: usize = if FOUR_AT_ONCE { 8 } else { 4 };
 
 /// The most objects of a scene that needs no hierarchy: so many fit in a set of 32 bits.
 pub const FEW_OBJECTS: usize = 32;

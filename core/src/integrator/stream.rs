@@ -11,7 +11,9 @@
 //!
 //! On an M4F `flake` with 91 balls takes 0.40 of the instructions that it took pixel by pixel, with 820 balls 0.47. On x86-64 groups of
 //! one line took instructions down to 0.63 (balls_s3) and 0.61 (teapot_s2, rings_s1, all at 512x512). Groups of 32 pixels take 2 % less for 91
-//! balls and 3 % more for 820; lists of 16 or 32 objects instead of 24 take up to 5 % more. Where the processor computes four numbers
+//! balls and 3 % more for 820; lists of 16 or 32 objects instead of 24 take up to 5 % more. On x86-64 squares of 64 pixels take 0.96
+//! (balls_s3), 0.94 (teapot_s2) and 0.97 (rings_s1) times the time of squares of 16; 128 pixels take as long, and so do lists of 40
+//! objects, and pixels along Hilbert's curve instead of to and fro. Where the processor computes four numbers
 //! at once, four rays test the objects of a list together ([`FourRays`]): 1.00 (balls_s3), 0.93 (teapot_s2) and 0.95 (rings_s1) times the
 //! time. Rejected:
 //! - lists with the nearest first, of which a ray tests no more once something nearer was met: 1.00 to 1.03 times the time on x86-64,
@@ -26,7 +28,7 @@
 //! - to bring pixels together that are on one object but not side by side: 1.03 times.
 //!
 //! A ray through glass waits until a mirrored one is done. Pixels that have such rays are finished alone, so that one stack is enough
-//! for all. A group takes 3 KB of stack in `f32`, and the code 15 KB of flash: the feature `groups`.
+//! for all. A group of 16 takes 3 KB of stack in `f32`, and the code 15 KB of flash: the feature `groups`.
 
 use heapless::Vec;
 
@@ -35,6 +37,7 @@ use super::{Bounds, Path, PendingRay, RayBudget, Shades, Waiting};
 use crate::color::LinearRgb;
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::light::Source;
+use crate::limits::LINES_AT_ONCE;
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, FOUR_AT_ONCE, FourRays, Ray, Real, Vec3};
 use crate::prepared::candidates::{Departure, ObjectSet};
@@ -44,8 +47,8 @@ use crate::probe::Probe;
 use crate::shape::Geometry;
 use crate::share::Share;
 
-/// The most pixels in a group: a multiple of four.
-pub(crate) const WIDTH: usize = 16;
+/// The most pixels in a group: a square's, which is a multiple of four.
+pub(crate) const WIDTH: usize = LINES_AT_ONCE * LINES_AT_ONCE;
 /// The most objects that are tested one by one.
 const MOST: usize = 24;
 /// So many rays are tested four at a time, at least.

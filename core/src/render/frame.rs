@@ -71,8 +71,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'p, 'm, 'b, R
 
     /// Traces pixels until `budget_rays` are spent, and at least one; sends each buffer to the display as soon
     /// as it is full. A step spends less than `budget_rays` plus
-    /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel): of a scene with a hierarchy, in floating point, plus that for each of
-    /// 16 pixels, which are traced side by side.
+    /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel): of a scene with a hierarchy, in floating point, plus that for each
+    /// pixel of a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines.
     ///
     /// # Errors
     /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next

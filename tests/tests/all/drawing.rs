@@ -9,6 +9,7 @@ use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE};
+use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Progress,
@@ -119,10 +120,11 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
     assert_steps(&CLASSIC, SMALL.rays_per_pixel, 1);
 }
 
-/// Of many objects, sixteen pixels are traced side by side.
+/// Of many objects, a square of pixels is traced side by side.
 #[test]
 fn stepping_through_groups_of_pixels_is_bounded_too() {
-    assert_steps(&FLAKE, 16 * SMALL.rays_per_pixel, 16);
+    let pixels = LINES_AT_ONCE * LINES_AT_ONCE;
+    assert_steps(&FLAKE, pixels as u32 * SMALL.rays_per_pixel, pixels);
 }
 
 #[test]
@@ -130,7 +132,7 @@ fn several_lines_at_once_are_the_same_lines() {
     for scene in [&CLASSIC, &FLAKE] {
         with_renderer(scene, SMALL, |renderer| {
             let expected = picture(renderer);
-            for height in [1, 2, 3, 4, 5, 23] {
+            for height in [1, 2, 3, 4, 5, 8, 9, 23] {
                 let mut lines = vec![Rgb888::BLACK; 37 * height];
                 for y in [0, 3, 23 - height] {
                     let fits = y + height <= 23;
