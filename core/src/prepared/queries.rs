@@ -9,7 +9,7 @@ use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, FourRays, Interval, Ray, Real, Vec3, choose};
-use crate::shape::{Form, Geometry, Hull, Intersect};
+use crate::shape::{Form, Geometry, Hull, Intersect, Tip};
 use crate::share::Share;
 use crate::surface::Surface;
 
@@ -176,6 +176,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub(crate) fn hulls(&self, object: usize) -> impl Iterator<Item = Hull<R>> {
         let shape = self.objects.get(object).map(|object| &object.shape);
         (0..).map_while(move |part| shape?.hull(part))
+    }
+
+    /// Where an object tapers off.
+    pub(crate) fn tips(&self, object: usize) -> impl Iterator<Item = Tip<R>> {
+        let shape = self.objects.get(object).map(|object| &object.shape);
+        (0..).map_while(move |number| shape?.tip(number))
     }
 
     /// Where on an object a surface is.

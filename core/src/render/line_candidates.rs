@@ -155,6 +155,11 @@ impl Outlines {
         Some(objects.map(move |outline| outline.lines(top, bottom)))
     }
 
+    /// The largest flat object, if there is one.
+    pub(super) fn receiver(&self) -> usize {
+        self.receiver
+    }
+
     /// The outlines of shadows that are less than so many lines high.
     pub(super) fn low_shadows(&self, lines: u32) -> impl Iterator<Item = &Outline> {
         let shadows = self.shadows.iter().map(|shadow| &shadow.outline);

@@ -8,7 +8,7 @@
 //! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
 //! rings_s1.
 
-use super::{Geometry, Hull, Intersect, Spans, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -79,6 +79,9 @@ impl Geometry for Cone {
         })
     }
 }
+
+/// An end tapers off whose radius is less than this part of the other's, where the angle is less than 53°.
+const BLUNT: u16 = 8;
 
 /// A [`Cone`] or [`Cylinder`](super::Cylinder), prepared: the radius at height h along the axis is
 /// `base_radius + slope · h`.
@@ -337,6 +340,19 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         })
     }
 
+    #[inline(never)]
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let top_radius = self.base_radius + self.slope * self.length;
+        let top = self.base + self.axis * self.length;
+        let (apex, base, narrow, wide) = if top_radius < self.base_radius {
+            (top, self.base, top_radius, self.base_radius)
+        } else {
+            (self.base, top, self.base_radius, top_radius)
+        };
+        let is_sharp = narrow * R::from_u16(BLUNT) < wide && wide + wide < self.length;
+        (number == 0 && is_sharp).then_some(Tip { apex, ends: [base; 2], radius: wide })
+    }
+
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         let (true, Some(passage)) = (self.capped, self.passage(ray)) else {
             return Spans::NONE;
@@ -418,6 +434,20 @@ mod tests {
     const LEFT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
     const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
     const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
+
+    #[test]
+    fn what_tapers_off_sharply_is_a_tip() {
+        let spire = Cone { base_radius: 0.5, ..TENT };
+        let tip = |cone: Cone| prepared::<_, f64>(cone, &mut Memory::new()).unwrap().tip(0);
+        let [low, high] = [TENT.base, TENT.top].map(Vec3::to);
+        assert_eq!(tip(spire), Some(Tip { apex: high, ends: [low; 2], radius: 0.5 }));
+        let icicle = Cone { base_radius: 0.05, top_radius: 0.5, ..spire };
+        assert_eq!(tip(icicle), Some(Tip { apex: low, ends: [high; 2], radius: 0.5 }));
+        // A blunt one, a frustum and a pole.
+        for cone in [TENT, Cone { top_radius: 0.2, ..spire }, Cone { top_radius: 0.5, ..spire }] {
+            assert_eq!(tip(cone), None);
+        }
+    }
 
     #[test]
     fn four_rays_meet_it_as_single_ones_do() {

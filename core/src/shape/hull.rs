@@ -67,6 +67,29 @@ impl<R: Real> Hull<R> {
     }
 }
 
+/// Where a shape tapers off: what lies between a point and the line between two others, as a corner of a triangle does, or all that is no
+/// farther from that line than some distance, as at the end of a cone. However wide that is, next to the point there is little.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tip<R> {
+    /// The point.
+    pub apex: Vec3<R>,
+    /// The ends of the line, which may be one point.
+    pub ends: [Vec3<R>; 2],
+    /// How far it reaches around that.
+    pub radius: R,
+}
+
+impl<R: Real> Tip<R> {
+    /// Where two edges meet that lead to these points; `None` where they do not meet sharply, at 53° or more: of these there is little
+    /// that is thin.
+    #[inline(never)]
+    pub fn between(apex: Vec3<R>, ends: [Vec3<R>; 2]) -> Option<Self> {
+        let [a, b] = ends.map(|end| (end - apex).normalized());
+        let is_sharp = a?.dot(b?) > R::from_f32(0.6);
+        is_sharp.then_some(Self { apex, ends, radius: R::ZERO })
+    }
+}
+
 /// A circle around a unit vector.
 pub(crate) struct Circle<R> {
     pub(crate) center: Vec3<R>,

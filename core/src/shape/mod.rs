@@ -294,7 +294,7 @@ pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
-pub use hull::Hull;
+pub use hull::{Hull, Tip};
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
 pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
@@ -382,6 +382,11 @@ pub trait Intersect<R: Real> {
             Form::Ball { center, radius } => Some(Hull::ball(center, radius)),
             _ => self.bounds().map(Hull::aligned),
         }
+    }
+
+    /// Where the shape tapers off, so that what is thin there is known to be: numbered from 0 on, `None` for other numbers.
+    fn tip(&self, _number: usize) -> Option<Tip<R>> {
+        None
     }
 
     /// The parts of a ray's whole line that lie inside, also behind its origin. A shape that is not

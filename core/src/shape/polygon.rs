@@ -1,7 +1,7 @@
 //! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
 //! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -252,6 +252,21 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         Some(Hull::edges(corner + along * min.x + across * min.y, edges))
     }
 
+    /// At each vertex that is not turned inward.
+    #[inline(never)]
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let vertex = |i: usize| {
+            let edge = self.edges.get(i.checked_rem(self.edges.len())?)?;
+            Some(self.dropped.unflatten(edge.x, edge.y, &self.plane))
+        };
+        let at = |i: usize| {
+            let (before, apex, next) = (vertex(i)?, vertex(i + 1)?, vertex(i + 2)?);
+            let turn = (apex - before).cross(next - apex).dot(self.plane.normal);
+            if turn > R::ZERO { Tip::between(apex, [before, next]) } else { None }
+        };
+        (0..self.edges.len()).filter_map(at).nth(number)
+    }
+
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.plane.surface(ray, t)
     }
@@ -291,6 +306,17 @@ mod tests {
         }
         assert_misses(arrow, Vec3::new(0.0, 1.0, 2.0), Vec3::new(0.0, 0.0, 1.0));
         assert_misses(arrow, Vec3::new(-5.0, 1.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn sharp_corners_are_tips_and_a_notch_is_none() {
+        let mut memory = Memory::new();
+        let arrow = prepared::<_, f64>(Polygon::new(&ARROW), &mut memory).unwrap();
+        for (number, (before, apex, next)) in [(0, 1, 2), (1, 2, 3), (2, 3, 0)].into_iter().enumerate() {
+            let [before, apex, next] = [before, apex, next].map(|i: usize| ARROW[i].to());
+            assert_eq!(arrow.tip(number), Some(Tip { apex, ends: [before, next], radius: 0.0 }));
+        }
+        assert_eq!(arrow.tip(3), None);
     }
 
     #[test]

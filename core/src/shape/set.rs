@@ -122,6 +122,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn tip(&self, number: usize) -> Option<$crate::shape::Tip<R>> {
+                match self {
+                    $(Self::$Variant(shape) => shape.tip(number)),+
+                }
+            }
+
             fn spans(&self, ray: &$crate::math::Ray<R>) -> $crate::shape::Spans<R> {
                 match self {
                     $(Self::$Variant(shape) => shape.spans(ray)),+

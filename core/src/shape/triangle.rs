@@ -1,7 +1,7 @@
 //! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
@@ -109,6 +109,14 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
+    }
+
+    #[inline(never)]
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let [a, ab, ac] = self.patch.edges();
+        let [a, b, c] = [a, a + ab, a + ac].map(Vec3::from_setup);
+        let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])];
+        tips.into_iter().filter_map(|(apex, ends)| Tip::between(apex, ends)).nth(number)
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

@@ -9,8 +9,8 @@ use embedded_graphics::primitives::Rectangle;
 
 use super::budget::{Budget, Detail, Spent};
 use super::cell::{Cell, Corners, Look, Way};
+use super::close::{ClosePlaces, tapering_objects};
 use super::limits::Limits;
-use super::low::LowShadows;
 use super::paint::Paint;
 use super::seen::Marks;
 use super::strip::Strip;
@@ -51,6 +51,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     total: u32,
     /// Objects that could hide between the points of the grid; `None`: any could.
     thin: Option<ObjectSet>,
+    /// Objects that taper off.
+    tapering: ObjectSet,
     band: Option<Band>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
@@ -75,7 +77,7 @@ struct Band {
     rough_left: bool,
     strip: Option<Strip>,
     thin: ThinPlaces,
-    low: Option<LowShadows>,
+    close: Option<ClosePlaces>,
 }
 
 impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, 'm, 'b, R, S, C> {
@@ -100,12 +102,14 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         unlit.lights = &[];
         let marks = Marks::new();
         let thin = thin_objects(renderer, quality.grid);
+        let tapering = tapering_objects(renderer, quality.grid);
         Ok(Self {
             quality,
             buffer,
             total,
             lines,
             thin,
+            tapering,
             band: None,
             row: None,
             nothing: Tracer::<R, S, C, ()>::nothing(renderer),
@@ -206,8 +210,8 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             thin.add_all(self.renderer, lines);
         }
         thin.add_shadows(self.renderer, lines);
-        let low = LowShadows::new(self.renderer, self.quality.grid, lines);
-        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin, low }
+        let close = ClosePlaces::new(self.renderer, self.quality.grid, lines, self.tapering);
+        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin, close }
     }
 
     /// Draws the next cell of a band into the buffer; tells how many rays that took.
@@ -232,7 +236,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             allowed: self.budget.left(),
             marks: self.marks,
             watch: self.tiny.map(Watch::new),
-            low: band.low.as_ref(),
+            close: band.close.as_ref(),
             color: PhantomData::<C>,
             probe,
             rays: 0,
@@ -244,13 +248,17 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             top: band.top,
             side,
         };
-        // Points that are near a low shadow are to say so, whichever band finds them first.
         if let Some(nothing) = self.nothing
             && among.is_empty()
-            && band.low.is_none()
         {
             paint.blank(self.buffer.colors, nothing);
-            let corners = Corners::all(nothing);
+            let corner = |x: usize, y: usize| tracer.marked(nothing, x, y);
+            let corners = Corners {
+                top_left: corner(0, 0),
+                top_right: corner(side, 0),
+                bottom_left: corner(0, side),
+                bottom_right: corner(side, side),
+            };
             self.finish_smooth(band, corners, side);
             return Spent::default();
         }

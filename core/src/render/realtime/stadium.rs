@@ -106,9 +106,9 @@ impl<N: Real<Setup = N>> Stadium<N> {
     }
 }
 
-/// [`Viewport::project`], once in a program's code for all three places that need it.
+/// [`Viewport::project`], once in a program's code for all places that need it.
 #[inline(never)]
-fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
+pub(super) fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
     viewport: &Viewport<R>,
     point: Vec3<N>,
 ) -> Option<(N, N)> {

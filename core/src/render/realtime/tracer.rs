@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use super::Sample;
 use super::cell::Look;
+use super::close::ClosePlaces;
 use super::limits::Limits;
-use super::low::LowShadows;
 use super::seen::{Marks, Seen};
 use super::tiny::Watch;
 use crate::color::LinearRgb;
@@ -44,7 +44,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) limits: Limits,
     pub(super) marks: Marks<R>,
     pub(super) watch: Option<Watch<R>>,
-    pub(super) low: Option<&'r LowShadows>,
+    pub(super) close: Option<&'r ClosePlaces>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
@@ -68,6 +68,15 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
     /// A pixel of the grid; or, where it may not be traced or no rays are left, as its neighbor.
     pub(super) fn trace_or(&mut self, neighbor: Sample, may: bool, (x, y): (usize, usize)) -> Sample {
         if may && self.rays < self.allowed { self.trace(x, y) } else { neighbor.again() }
+    }
+
+    /// What a pixel saw, and whether that is near something small whose place is known.
+    #[inline]
+    pub(super) fn marked(&self, sample: Sample, x: usize, y: usize) -> Sample {
+        match self.close {
+            Some(close) if close.are_near(self.left + x as u32, y) => sample.near_glint(),
+            _ => sample,
+        }
     }
 
     /// From here on, so many rays more at most: then it looks nowhere.
@@ -108,10 +117,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_, '_, '_, R, S, C, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
         let sample = self.look(Asked::Marks, x, y);
-        match self.low {
-            Some(low) if low.are_near(self.left + x as u32, y) => sample.near_glint(),
-            _ => sample,
-        }
+        self.marked(sample, x, y)
     }
 
     fn tone(&mut self, x: usize, y: usize) -> Sample {

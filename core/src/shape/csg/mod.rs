@@ -20,7 +20,7 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Geometry, Hull, Intersect, Solid};
+use super::{Geometry, Hull, Intersect, Solid, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -279,6 +279,11 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let Some(part) = part.checked_sub(1) else { return self.body.bounds.map(Hull::aligned) };
         self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
+    }
+
+    /// Those of its solids: what is left of them may taper off there.
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
     }
 
     #[inline(never)]

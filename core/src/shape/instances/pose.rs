@@ -1,6 +1,6 @@
 //! Where an instance stands, and how it is turned.
 
-use super::super::{Hull, bounds_of};
+use super::super::{Hull, Tip, bounds_of};
 use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
@@ -117,5 +117,9 @@ impl<R: Real> PreparedPose<R> {
     pub(super) fn hull(&self, hull: Hull<R>) -> Hull<R> {
         let axes = hull.axes.map(|axis| self.rotation.turn(axis));
         Hull { center: self.point(hull.center), axes, ..hull }
+    }
+
+    pub(super) fn tip(&self, tip: Tip<R>) -> Tip<R> {
+        Tip { apex: self.point(tip.apex), ends: tip.ends.map(|end| self.point(end)), ..tip }
     }
 }

@@ -1,6 +1,6 @@
 //! How a ray meets instances: it is brought to where the model is, and its hit back.
 
-use super::super::{Hull, Intersect, Spans};
+use super::super::{Hull, Intersect, Spans, Tip};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
@@ -99,6 +99,13 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         let parts = (0..).take_while(|part| self.model.hull(*part).is_some()).count();
         let pose = self.group.poses.get(part.checked_div(parts)?)?;
         Some(pose.hull(self.model.hull(part.checked_rem(parts)?)?))
+    }
+
+    #[inline(never)]
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let tips = (0..).take_while(|number| self.model.tip(*number).is_some()).count();
+        let pose = self.group.poses.get(number.checked_div(tips)?)?;
+        Some(pose.tip(self.model.tip(number.checked_rem(tips)?)?))
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

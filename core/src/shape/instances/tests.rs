@@ -1,5 +1,5 @@
 use super::super::testing::*;
-use super::super::{Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Sphere, Torus};
+use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Sphere, Torus};
 use super::*;
 use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
 
@@ -217,6 +217,17 @@ fn the_hull_is_turned_too() {
     let top = hull.center + hull.axes[0];
     assert!((top - Vec3::new(-1.0, 0.0, 1.0)).magnitude() < 1e-6 && hull.radius == 0.25);
     assert_eq!(prepared.hull(1), None);
+}
+
+#[test]
+fn the_tip_is_turned_too() {
+    let top = Vec3::new(0.0, 4.0, 0.0);
+    let spire = Cone { base: Vec3::ZERO, base_radius: 0.25, top, top_radius: 0.0, capped: true };
+    let mut memory = Memory::new();
+    let prepared = prepared::<_, f64>(Instances::new(&spire, &ASIDE), &mut memory).unwrap();
+    let tip = prepared.tip(0).unwrap();
+    assert!((tip.apex - Vec3::new(-1.0, 0.0, 1.0)).magnitude() < 1e-6 && tip.radius == 0.25);
+    assert_eq!(prepared.tip(1), None);
 }
 
 #[test]
