@@ -11,8 +11,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Csg, CsgStep, Cuboid, Cylinder, Disc, Plane, Polygon, Rectangle, Shape, Solid, Sphere, Torus,
-    Triangle,
+    Cone, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Plane, Polygon, Rectangle, Shape, Solid, Sphere,
+    Torus, Triangle,
 };
 use rayline::{
     Background, Camera, DrawError, Encoding, Ends, Event, Figure, Filter, Grid, Image, Interleave, Light,
@@ -916,11 +916,24 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
     );
     let ball = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 0);
     let mirror = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 1);
+    let middle = Vec3::new(0.0, 1.5, 0.0);
+    let egg = Object::new(Shape::Ellipsoid(Ellipsoid::new(middle, Vec3::new(1.8, 1.2, 1.0))), 1);
+    let column = Cylinder { base: Vec3::ZERO, top: UP * 3.0, radius: 1.2, capped: true };
+    let column = Object::new(Shape::Cylinder(column), 1);
+    let axis = Vec3::new(0.1, 0.3, 1.0);
+    let ring =
+        Object::new(Shape::Torus(Torus { center: middle, axis, major_radius: 1.2, minor_radius: 0.5 }), 1);
+    let tower = Cone { base: Vec3::ZERO, base_radius: 1.6, top: UP * 3.0, top_radius: 0.6, capped: true };
+    let tower = Object::new(Shape::Cone(tower), 1);
     for (name, objects) in [
         ("floor", vec![floor]),
         ("wall", vec![floor, wall]),
         ("ball", vec![floor, ball]),
         ("mirror", vec![floor, mirror]),
+        ("egg", vec![floor, egg]),
+        ("column", vec![floor, column]),
+        ("ring", vec![floor, ring]),
+        ("tower", vec![floor, tower]),
     ] {
         for radius in [0.02, 0.04, 0.08] {
             let poles = [pole(-1.7, 1.2, radius), pole(2.1, 1.0, radius), pole(-0.6, 2.4, radius)];

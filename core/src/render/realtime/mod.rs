@@ -117,8 +117,7 @@ use crate::shape::Geometry;
 ///   are lower than a cell are looked for; the tails of others can be cut off;
 /// - *highlights of a pixel or two*, as those of shininess 1000 on a ball, rod or torus of 11 pixels' radius, on a grid of eight; those that
 ///   are mirrored; and on shapes of one's own that do not tell [`normal_beside`](crate::shape::Intersect::normal_beside);
-/// - *polygons seen edgewise*, unless they are four times as long as wide; *the shadows of plates that stand edgewise to a light*, and
-///   what is thin in curved mirrors other than balls;
+/// - *polygons seen edgewise*, unless they are four times as long as wide, and *the shadows of plates that stand edgewise to a light*;
 /// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that
 ///   are not blended, spots of less than a third of a cell on even ground; and shadows that fall through maps of transmittance. Squares,
 ///   stripes, bricks and texels leave the mark of the one that was seen, in maps too.
