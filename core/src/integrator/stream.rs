@@ -54,8 +54,8 @@ const MOST: usize = 24;
 /// So many rays are tested four at a time, at least.
 const FEWEST: usize = 3;
 /// For so many rays a beam is worth while, at least: for two of them an M4F takes 1.01 times the instructions of going without for 91
-/// balls, 1.04 for 820.
-const BEAM: usize = if FOUR_AT_ONCE { 2 } else { 3 };
+/// balls, 1.04 for 820, and x86-64 1.015 times the time for balls_s3.
+const BEAM: usize = 3;
 /// For so many lights beams are looked up.
 const LIGHTS: usize = 8;
 
