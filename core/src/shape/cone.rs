@@ -80,7 +80,7 @@ impl Geometry for Cone {
     }
 }
 
-/// An end tapers off whose radius is less than this part of the other's, where the angle is less than 53°.
+/// An end tapers off whose radius is less than this part of the other's.
 const BLUNT: u16 = 8;
 
 /// A [`Cone`] or [`Cylinder`](super::Cylinder), prepared: the radius at height h along the axis is
@@ -349,8 +349,8 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         } else {
             (self.base, top, self.base_radius, top_radius)
         };
-        let is_sharp = narrow * R::from_u16(BLUNT) < wide && wide + wide < self.length;
-        (number == 0 && is_sharp).then_some(Tip { apex, ends: [base; 2], radius: wide })
+        let is_tip = number == 0 && narrow * R::from_u16(BLUNT) < wide;
+        is_tip.then_some(Tip { apex, ends: [base; 2], radius: wide })
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
@@ -436,15 +436,16 @@ mod tests {
     const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
     #[test]
-    fn what_tapers_off_sharply_is_a_tip() {
+    fn an_end_that_tapers_off_is_a_tip() {
         let spire = Cone { base_radius: 0.5, ..TENT };
         let tip = |cone: Cone| prepared::<_, f64>(cone, &mut Memory::new()).unwrap().tip(0);
         let [low, high] = [TENT.base, TENT.top].map(Vec3::to);
         assert_eq!(tip(spire), Some(Tip { apex: high, ends: [low; 2], radius: 0.5 }));
         let icicle = Cone { base_radius: 0.05, top_radius: 0.5, ..spire };
         assert_eq!(tip(icicle), Some(Tip { apex: low, ends: [high; 2], radius: 0.5 }));
-        // A blunt one, a frustum and a pole.
-        for cone in [TENT, Cone { top_radius: 0.2, ..spire }, Cone { top_radius: 0.5, ..spire }] {
+        assert!(tip(spire).unwrap().is_sharp() && !tip(TENT).unwrap().is_sharp());
+        // A frustum and a pole.
+        for cone in [Cone { top_radius: 0.2, ..spire }, Cone { top_radius: 0.5, ..spire }] {
             assert_eq!(tip(cone), None);
         }
     }

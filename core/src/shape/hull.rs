@@ -68,7 +68,8 @@ impl<R: Real> Hull<R> {
 }
 
 /// Where a shape tapers off: what lies between a point and the line between two others, as a corner of a triangle does, or all that is no
-/// farther from that line than some distance, as at the end of a cone. However wide that is, next to the point there is little.
+/// farther from that line than some distance, as at the end of a cone. However wide that is, next to the point there is little. Of blunt
+/// ones it need not be told.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tip<R> {
     /// The point.
@@ -80,13 +81,12 @@ pub struct Tip<R> {
 }
 
 impl<R: Real> Tip<R> {
-    /// Where two edges meet that lead to these points; `None` where they do not meet sharply, at 53° or more: of these there is little
-    /// that is thin.
+    /// Whether it is less wide than long, at less than 53°: of others there is little that is thin.
     #[inline(never)]
-    pub fn between(apex: Vec3<R>, ends: [Vec3<R>; 2]) -> Option<Self> {
-        let [a, b] = ends.map(|end| (end - apex).normalized());
-        let is_sharp = a?.dot(b?) > R::from_f32(0.6);
-        is_sharp.then_some(Self { apex, ends, radius: R::ZERO })
+    pub(crate) fn is_sharp(&self) -> bool {
+        let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).polar());
+        // Where an end is the very point, its direction is anything.
+        a.dot(b) > R::from_f32(0.6) && self.radius + self.radius < length
     }
 }
 

@@ -130,6 +130,9 @@ fn rectangle<R: Real>(edges: &[Vec3<R>]) -> Option<[R; 4]> {
 /// So many times as long as wide, it may be thin where it is seen from its front.
 const SLENDER: u16 = 4;
 
+/// With more vertices, an outline is as good as round.
+const MOST_TIPS: usize = 64;
+
 /// The axis that is left out when a polygon is looked at in two dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Axis {
@@ -252,19 +255,19 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         Some(Hull::edges(corner + along * min.x + across * min.y, edges))
     }
 
-    /// At each vertex that is not turned inward.
+    /// At each vertex: one that is turned inward is the tip of a notch. An outline of many is taken for a round one.
     #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let count = self.edges.len();
+        if number >= count || count > MOST_TIPS {
+            return None;
+        }
         let vertex = |i: usize| {
-            let edge = self.edges.get(i.checked_rem(self.edges.len())?)?;
+            let edge = self.edges.get(i.checked_rem(count)?)?;
             Some(self.dropped.unflatten(edge.x, edge.y, &self.plane))
         };
-        let at = |i: usize| {
-            let (before, apex, next) = (vertex(i)?, vertex(i + 1)?, vertex(i + 2)?);
-            let turn = (apex - before).cross(next - apex).dot(self.plane.normal);
-            if turn > R::ZERO { Tip::between(apex, [before, next]) } else { None }
-        };
-        (0..self.edges.len()).filter_map(at).nth(number)
+        let ends = [vertex(number + count - 1)?, vertex(number + 1)?];
+        Some(Tip { apex: vertex(number)?, ends, radius: R::ZERO })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -309,14 +312,20 @@ mod tests {
     }
 
     #[test]
-    fn sharp_corners_are_tips_and_a_notch_is_none() {
+    fn each_corner_of_an_outline_of_few_is_a_tip() {
         let mut memory = Memory::new();
         let arrow = prepared::<_, f64>(Polygon::new(&ARROW), &mut memory).unwrap();
-        for (number, (before, apex, next)) in [(0, 1, 2), (1, 2, 3), (2, 3, 0)].into_iter().enumerate() {
+        let corners = [(3, 0, 1, false), (0, 1, 2, true), (1, 2, 3, true), (2, 3, 0, true)];
+        for (number, (before, apex, next, is_sharp)) in corners.into_iter().enumerate() {
             let [before, apex, next] = [before, apex, next].map(|i: usize| ARROW[i].to());
-            assert_eq!(arrow.tip(number), Some(Tip { apex, ends: [before, next], radius: 0.0 }));
+            let tip = arrow.tip(number).unwrap();
+            assert_eq!((tip, tip.is_sharp()), (Tip { apex, ends: [before, next], radius: 0.0 }, is_sharp));
         }
-        assert_eq!(arrow.tip(3), None);
+        assert_eq!(arrow.tip(4), None);
+        let round: Vec<_> =
+            (0..65).map(|i| Vec3::new((i as f32 * 0.09).cos(), (i as f32 * 0.09).sin(), 0.0)).collect();
+        let mut memory = Memory::new();
+        assert_eq!(prepared::<_, f64>(Polygon::new(&round), &mut memory).unwrap().tip(0), None);
     }
 
     #[test]

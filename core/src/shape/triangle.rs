@@ -115,8 +115,13 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let [a, ab, ac] = self.patch.edges();
         let [a, b, c] = [a, a + ab, a + ac].map(Vec3::from_setup);
-        let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])];
-        tips.into_iter().filter_map(|(apex, ends)| Tip::between(apex, ends)).nth(number)
+        let (apex, ends) = match number {
+            0 => (a, [b, c]),
+            1 => (b, [c, a]),
+            2 => (c, [a, b]),
+            _ => return None,
+        };
+        Some(Tip { apex, ends, radius: R::ZERO })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {

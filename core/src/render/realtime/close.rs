@@ -24,7 +24,7 @@ use super::places::Places;
 use super::taper::{Shade, Taper};
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Tip};
 
 /// The objects of which a tip is sharp where it is seen, or its shadow. Among more objects than a set holds there would be too many.
 pub(super) fn tapering_objects<R: Real, S: Geometry>(
@@ -49,7 +49,7 @@ fn each_taper<R: Real, S: Geometry>(
     visit: &mut dyn FnMut(Taper<R::Setup>),
 ) {
     let Renderer { scene, viewport, outlines, .. } = renderer;
-    for tip in scene.tips(object) {
+    for tip in scene.tips(object).filter(Tip::is_sharp) {
         Taper::new(viewport, &tip, None, grid).into_iter().for_each(&mut *visit);
         let Some(plane) = scene.plane_of(outlines.receiver()) else { continue };
         for shade in scene.lights.iter().filter_map(|light| Shade::new(&light.source, plane)) {

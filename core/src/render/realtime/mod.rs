@@ -110,8 +110,8 @@ use crate::shape::Geometry;
 /// - *thin things that are parts of something larger*, as a slat of a mesh or a teapot's spout. What is thin as a whole is traced, and so
 ///   are parts of tori, rings, instances and what is put together;
 /// - *the very ends of tips*: of triangles, polygons and cones that taper off by less than 53° three pixels are lost, where they are a pixel
-///   wide, and of their shadows on the largest flat object. Of corners that are blunter, and in scenes of more than 32 objects, it may be
-///   what is narrower than a cell;
+///   wide, and of their shadows on the largest flat object. Of corners that are blunter, of outlines of more than 64 vertices, of more than
+///   32 instances, and in scenes of more than 32 objects, it may be what is narrower than a cell;
 /// - in scenes of more than 32 objects, *shadows and mirror images of thin things* that are less than eight times as long as wide;
 /// - *low shadows*, on what is seen aslant. On the largest flat object of a scene of up to 32 objects, with one sample a pixel, those that
 ///   are lower than a cell are looked for; the tails of others can be cut off;

@@ -67,6 +67,9 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
     }
 }
 
+/// Of more instances than so many, none is looked at for where it tapers off.
+const MOST_TAPERING: usize = 32;
+
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
     // Much code, and many rays never come here.
     #[inline(never)]
@@ -103,6 +106,9 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
 
     #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
+        if self.group.poses.len() > MOST_TAPERING {
+            return None;
+        }
         let tips = (0..).take_while(|number| self.model.tip(*number).is_some()).count();
         let pose = self.group.poses.get(number.checked_div(tips)?)?;
         Some(pose.tip(self.model.tip(number.checked_rem(tips)?)?))
