@@ -26,83 +26,101 @@ use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::shape::{Geometry, Tip};
 
-/// The objects of which a tip is sharp where it is seen, or its shadow. Among more objects than a set holds there would be too many.
-pub(super) fn tapering_objects<R: Real, S: Geometry>(
-    renderer: &Renderer<'_, '_, R, S>,
-    grid: Grid,
-) -> ObjectSet {
-    let is_sharp = |object: usize| {
-        let mut any = false;
-        each_taper(renderer, grid, object, &mut |_| any = true);
-        any
-    };
-    renderer.scene.objects_where(is_sharp).unwrap_or(ObjectSet::NONE)
-}
-
-/// Calls `visit` with the sharp tips of an object, and their shadows on the largest flat object.
-// By a pointer: one copy of the code is enough.
-#[inline(never)]
-fn each_taper<R: Real, S: Geometry>(
-    renderer: &Renderer<'_, '_, R, S>,
-    grid: Grid,
-    object: usize,
-    visit: &mut dyn FnMut(Taper<R::Setup>),
-) {
-    let Renderer { scene, viewport, outlines, .. } = renderer;
-    for tip in scene.tips(object).filter(Tip::is_sharp) {
-        Taper::new(viewport, &tip, None, grid).into_iter().for_each(&mut *visit);
-        let Some(plane) = scene.plane_of(outlines.receiver()) else { continue };
-        for shade in scene.lights.iter().filter_map(|light| Shade::new(&light.source, plane)) {
-            Taper::new(viewport, &tip, Some(&shade), grid).into_iter().for_each(&mut *visit);
-        }
-    }
-}
-
 /// The points of the grid that are near something small, in the two rows that a band of lines lies between.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClosePlaces {
     upper: Places,
     lower: Places,
     side: usize,
+    is_empty: bool,
+}
+
+/// The objects of which a tip is sharp where it is seen, or its shadow. Among more objects than a set holds there would be too many.
+pub(super) fn tapering_objects<R: Real, S: Geometry>(
+    renderer: &Renderer<'_, '_, R, S>,
+    grid: Grid,
+) -> ObjectSet {
+    // Which rows they are near does not matter here.
+    let is_sharp =
+        |object: usize| ClosePlaces::none(renderer.width, grid).add_tips(renderer, grid, (0, 0), object);
+    renderer.scene.objects_where(is_sharp).unwrap_or(ObjectSet::NONE)
 }
 
 impl ClosePlaces {
+    fn none(width: u16, grid: Grid) -> Self {
+        let side = grid.pixels();
+        let none = Places::none(width, side.min(SQUARE).trailing_zeros());
+        Self { upper: none, lower: none, side, is_empty: true }
+    }
+
     /// Those of the rows `top` and `bottom`, if there are some: near low shadows, and near the tips of these objects. What is said of a
     /// row depends on nothing else.
     #[inline(never)]
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         grid: Grid,
-        (top, bottom): (u16, u16),
+        rows: (u16, u16),
         tapering: ObjectSet,
     ) -> Option<Self> {
-        let side = grid.pixels();
-        let none = Places::none(renderer.width, side.min(SQUARE).trailing_zeros());
-        let (mut close, mut is_empty) = (Self { upper: none, lower: none, side }, true);
-        let half = (side / 2) as u16;
-        let mut add = |places: &mut Places, Span { start, end }: Span| {
-            if start < end {
-                places.add(Span { start: start.saturating_sub(half), end: end.saturating_add(half) });
-                is_empty = false;
-            }
-        };
-        for (row, places) in [(top, &mut close.upper), (bottom, &mut close.lower)] {
-            for outline in renderer.outlines.low_shadows(LARGEST_SIDE as u32) {
-                add(places, outline.lines(row.saturating_sub(half), row.saturating_add(half)));
-            }
+        let mut close = Self::none(renderer.width, grid);
+        let half = close.half();
+        for outline in renderer.outlines.low_shadows(LARGEST_SIDE as u32) {
+            close.add(rows, |row| outline.lines(row.saturating_sub(half), row.saturating_add(half)));
         }
         for object in tapering {
-            each_taper(renderer, grid, object, &mut |taper| {
-                for (row, places) in [(top, &mut close.upper), (bottom, &mut close.lower)] {
-                    let half = R::Setup::from_u16(half);
-                    let middle = R::Setup::from_u16(row) + R::Setup::from_f32(0.5);
-                    if let Some((left, right)) = taper.extent(middle - half, middle + half) {
-                        add(places, Span { start: pixel(left, 0), end: pixel(right, 1) });
-                    }
-                }
-            });
+            close.add_tips(renderer, grid, rows, object);
         }
-        (!is_empty).then_some(close)
+        (!close.is_empty).then_some(close)
+    }
+
+    /// Adds the sharp tips of an object, and their shadows on the largest flat object. Tells whether it has any.
+    #[inline(never)]
+    fn add_tips<R: Real, S: Geometry>(
+        &mut self,
+        renderer: &Renderer<'_, '_, R, S>,
+        grid: Grid,
+        rows: (u16, u16),
+        object: usize,
+    ) -> bool {
+        let Renderer { scene, viewport, outlines, .. } = renderer;
+        let plane = scene.plane_of(outlines.receiver());
+        let half = R::Setup::from_u16(self.half());
+        let mut any = false;
+        for tip in scene.tips(object).filter(Tip::is_sharp) {
+            // First the tip, then its shadows.
+            let shades =
+                scene.lights.iter().filter_map(|light| Some(Some(Shade::new(&light.source, plane?)?)));
+            for shade in core::iter::once(None).chain(shades) {
+                let Some(taper) = Taper::new(viewport, &tip, shade.as_ref(), grid) else { continue };
+                any = true;
+                self.add(rows, |row| {
+                    let middle = R::Setup::from_u16(row) + R::Setup::from_f32(0.5);
+                    let extent = taper.extent(middle - half, middle + half);
+                    extent.map_or(Span::NOWHERE, |(left, right)| Span {
+                        start: pixel(left, 0),
+                        end: pixel(right, 1),
+                    })
+                });
+            }
+        }
+        any
+    }
+
+    /// Adds the points that are near some pixels, which `near` tells for the lines around a row.
+    fn add(&mut self, (top, bottom): (u16, u16), near: impl Fn(u16) -> Span) {
+        let half = self.half();
+        for (row, places) in [(top, &mut self.upper), (bottom, &mut self.lower)] {
+            let Span { start, end } = near(row);
+            if start < end {
+                places.add(Span { start: start.saturating_sub(half), end: end.saturating_add(half) });
+                self.is_empty = false;
+            }
+        }
+    }
+
+    /// Half the distance between points.
+    fn half(&self) -> u16 {
+        (self.side / 2) as u16
     }
 
     /// Whether something is near a pixel in this column and so many lines below the upper row, if that stands for others.
