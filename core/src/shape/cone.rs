@@ -248,6 +248,10 @@ impl<R: Real> PreparedCone<R> {
         nearest
     }
 
+    fn top_radius(&self) -> R {
+        self.base_radius + self.slope * self.length
+    }
+
     /// Whether a surface is that of a lid: these, and nothing else, have the very axis as normal.
     fn is_on_lid(&self, surface: &Surface<R>) -> bool {
         self.capped && (surface.normal == self.axis || surface.normal == -self.axis)
@@ -327,7 +331,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         if part > 0 {
             return None;
         }
-        let top_radius = self.base_radius + self.slope * self.length;
+        let top_radius = self.top_radius();
         let (half, radius) =
             (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
         let center = self.base + half;
@@ -342,7 +346,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
 
     #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
-        let top_radius = self.base_radius + self.slope * self.length;
+        let top_radius = self.top_radius();
         let top = self.base + self.axis * self.length;
         let (apex, base, narrow, wide) = if top_radius < self.base_radius {
             (top, self.base, top_radius, self.base_radius)

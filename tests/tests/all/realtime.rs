@@ -223,6 +223,17 @@ const SUN: [Light; 1] =
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const FLOOR: Shape = Shape::Plane(Plane::new(Vec3::ZERO, UP));
 
+/// Some things on the stage under the sun, in front of a sky.
+fn staged<'s>(objects: &'s [Object<Shape<'s>>], eye: Vec3, target: Vec3, vertical_fov: f32) -> Scene<'s> {
+    Scene {
+        camera: Camera { eye, target, up: UP, vertical_fov },
+        background: LinearRgb::new(0.3, 0.4, 0.6).into(),
+        objects,
+        materials: &STAGE,
+        lights: &SUN,
+    }
+}
+
 /// Four balls on a floor, seen from so high above it.
 fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
     let ball = |x: f32, z: f32, radius: f32| {
@@ -235,13 +246,7 @@ fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
         ball(1.5, 1.5, 0.3),
         ball(-0.6, 2.0, 0.2),
     ];
-    use_it(&Scene {
-        camera: Camera { eye: Vec3::new(2.0, height, 9.0), target: UP * 0.6, up: UP, vertical_fov: 0.7 },
-        background: LinearRgb::new(0.3, 0.4, 0.6).into(),
-        objects: &objects,
-        materials: &STAGE,
-        lights: &SUN,
-    });
+    use_it(&staged(&objects, Vec3::new(2.0, height, 9.0), UP * 0.6, 0.7));
 }
 
 /// Shadows on a floor that is seen aslant are lower than the cells of the grid.
@@ -903,6 +908,21 @@ fn lost<R: Real>(
     (all, lost, rays.camera as f64 / there.pixels.len() as f64)
 }
 
+/// The same of a frame: of each third in fixed point.
+fn lost_in(
+    frame: usize,
+    with: &Scene,
+    without: &Scene,
+    settings: Settings,
+    quality: Realtime,
+) -> (usize, usize, f64) {
+    if frame.is_multiple_of(3) {
+        lost::<Fixed>(with, without, settings, quality)
+    } else {
+        lost::<f32>(with, without, settings, quality)
+    }
+}
+
 #[test]
 fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
     let pole = |x: f32, z: f32, radius: f32| {
@@ -914,9 +934,9 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
         Shape::Rectangle(Rectangle::new(Vec3::new(-3.0, 0.0, -3.0), Vec3::new(6.0, 0.0, 0.0), UP * 4.0)),
         1,
     );
-    let ball = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 0);
-    let mirror = Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.5, 0.0), 1.5)), 1);
-    let middle = Vec3::new(0.0, 1.5, 0.0);
+    let middle = UP * 1.5;
+    let ball = Object::new(Shape::Sphere(Sphere::new(middle, 1.5)), 0);
+    let mirror = Object::new(Shape::Sphere(Sphere::new(middle, 1.5)), 1);
     let egg = Object::new(Shape::Ellipsoid(Ellipsoid::new(middle, Vec3::new(1.8, 1.2, 1.0))), 1);
     let column = Cylinder { base: Vec3::ZERO, top: UP * 3.0, radius: 1.2, capped: true };
     let column = Object::new(Shape::Cylinder(column), 1);
@@ -943,21 +963,10 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
                 for frame in 0..12 {
                     let angle = frame as f32 * 0.1 - 0.6;
                     let eye = Vec3::new(10.0 * angle.sin(), 4.0, 10.0 * angle.cos());
-                    let camera = Camera { eye, target: UP, up: UP, vertical_fov: 0.7 };
-                    let plain = Scene {
-                        camera,
-                        background: LinearRgb::new(0.3, 0.4, 0.6).into(),
-                        objects: &objects,
-                        materials: &STAGE,
-                        lights: &SUN,
-                    };
+                    let plain = staged(&objects, eye, UP, 0.7);
                     let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
                     let with = Scene { objects: &all, ..plain };
-                    let (there, lost, share) = if frame % 3 == 0 {
-                        lost::<Fixed>(&with, &plain, settings, quality)
-                    } else {
-                        lost::<f32>(&with, &plain, settings, quality)
-                    };
+                    let (there, lost, share) = lost_in(frame, &with, &plain, settings, quality);
                     (sum, gone, most, traced) =
                         (sum + there, gone + lost, most.max(lost), traced + share / 12.0);
                 }
@@ -995,20 +1004,10 @@ fn tips_and_their_shadows_are_shown_in_every_frame() {
             for frame in 0..24 {
                 let angle = frame as f32 * 0.05 - 0.6;
                 let eye = Vec3::new(8.0 * angle.sin(), 4.0, 8.0 * angle.cos());
-                let with = Scene {
-                    camera: Camera { eye, target: UP * 0.7, up: UP, vertical_fov: 0.6 },
-                    background: LinearRgb::new(0.3, 0.4, 0.6).into(),
-                    objects: &all,
-                    materials: &STAGE,
-                    lights: &SUN,
-                };
+                let with = staged(&all, eye, UP * 0.7, 0.6);
                 let plain = Scene { objects: &all[..1], ..with };
                 let settings = Settings::new(width, width * 3 / 4);
-                let (there, lost, share) = if frame % 3 == 0 {
-                    lost::<Fixed>(&with, &plain, settings, quality)
-                } else {
-                    lost::<f32>(&with, &plain, settings, quality)
-                };
+                let (there, lost, share) = lost_in(frame, &with, &plain, settings, quality);
                 (sum, gone, most) = (sum + there, gone + lost, most.max(lost));
                 traced += share / 24.0;
             }
@@ -1038,20 +1037,10 @@ fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
         for frame in 0..6 {
             let angle = frame as f32 * 0.2 - 0.6;
             let eye = Vec3::new(9.0 * angle.sin(), 4.0, 9.0 * angle.cos());
-            let with = Scene {
-                camera: Camera { eye, target: UP * 0.6, up: UP, vertical_fov: 0.7 },
-                background: LinearRgb::new(0.3, 0.4, 0.6).into(),
-                objects: &objects,
-                materials: &STAGE,
-                lights: &SUN,
-            };
+            let with = staged(&objects, eye, UP * 0.6, 0.7);
             let plain = Scene { objects: &objects[..2], ..with };
             let settings = Settings { bounces: 2, ..Settings::new(160, 120) };
-            let (there, lost, traced) = if frame % 3 == 0 {
-                lost::<Fixed>(&with, &plain, settings, quality)
-            } else {
-                lost::<f32>(&with, &plain, settings, quality)
-            };
+            let (there, lost, traced) = lost_in(frame, &with, &plain, settings, quality);
             (sum, gone) = (sum + there, gone + lost);
             assert!(traced < 0.6, "{traced} traced");
         }

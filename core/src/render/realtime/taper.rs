@@ -13,7 +13,8 @@ pub(super) struct Taper<N> {
     corners: [(N, N); 3],
 }
 
-/// The tangent of half the angle of a tip that is sharp: of blunter ones there is little between the points of the grid.
+/// The tangent of half the angle of a tip that is sharp as it is seen, as [`Tip::is_sharp`] says of it in space: of blunter ones there is
+/// little between the points of the grid.
 const SHARP: f32 = 0.5;
 
 /// What a tip leads to may reach behind the camera: it is moved to half the way so often.
@@ -22,7 +23,8 @@ const HALVINGS: usize = 8;
 /// A light and a plane that it throws shadows on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade<N> {
-    source: Source<N>,
+    /// The place of the light, or the direction toward it, and how much of a point is taken from that: 1 or 0.
+    light: (Vec3<N>, N),
     normal: Vec3<N>,
     distance: N,
 }
@@ -32,26 +34,22 @@ impl<N: Real<Setup = N>> Shade<N> {
         light: &Source<R>,
         (normal, distance): (Vec3<N>, N),
     ) -> Option<Self> {
-        let source = match light {
-            Source::At(position) => Source::At(position.to_setup()),
-            Source::Toward(direction) => Source::Toward(direction.to_setup()),
+        let light = match light {
+            Source::At(position) => (position.to_setup(), N::ONE),
+            Source::Toward(direction) => (direction.to_setup(), N::ZERO),
             Source::Far(..) => return None,
         };
-        Some(Self { source, normal, distance })
+        Some(Self { light, normal, distance })
     }
 
     /// Where the shadow of a point falls; `None` where it falls away from the plane, or nearly along it.
     #[inline(never)]
     fn shadow(&self, point: Vec3<N>) -> Option<Vec3<N>> {
-        let toward = match self.source {
-            Source::At(light) | Source::Far(light, _) => light - point,
-            Source::Toward(direction) => direction,
-        };
+        let toward = self.light.0 - point * self.light.1;
         let (height, rise) = (self.normal.dot(point) - self.distance, self.normal.dot(toward));
-        let steepest = height.abs().larger(toward.magnitude() * N::from_f32(1e-2));
         let (height, rise) = if rise < N::ZERO { (-height, -rise) } else { (height, rise) };
-        (height > N::ZERO && rise > N::ZERO && rise * N::from_u16(100) > steepest)
-            .then(|| point - toward * (height / rise))
+        let flattest = height.larger(toward.magnitude() * N::from_f32(1e-2));
+        (height > N::ZERO && rise * N::from_u16(100) > flattest).then(|| point - toward * (height / rise))
     }
 }
 

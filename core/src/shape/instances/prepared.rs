@@ -45,6 +45,17 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
         if let [pose] = self.group.poses { Some(pose) } else { None }
     }
 
+    /// Of what the model has several of, by their numbers, and each place has again: one, and its place.
+    fn of_a_pose<T>(
+        &self,
+        number: usize,
+        of_model: impl Fn(usize) -> Option<T>,
+    ) -> Option<(&'m PreparedPose<R>, T)> {
+        let count = (0..).take_while(|number| of_model(*number).is_some()).count();
+        let pose = self.group.poses.get(number.checked_div(count)?)?;
+        Some((pose, of_model(number.checked_rem(count)?)?))
+    }
+
     /// The instance that a ray meets at this distance: of several, the first.
     fn at(&self, ray: &Ray<R>, t: R) -> Option<(usize, &'m PreparedPose<R>)> {
         let Group { poses, hierarchy, .. } = self.group;
@@ -99,9 +110,8 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
             return Some(pose.hull(self.model.hull(part)?));
         }
         let Some(part) = part.checked_sub(1) else { return self.group.bounds.map(Hull::aligned) };
-        let parts = (0..).take_while(|part| self.model.hull(*part).is_some()).count();
-        let pose = self.group.poses.get(part.checked_div(parts)?)?;
-        Some(pose.hull(self.model.hull(part.checked_rem(parts)?)?))
+        let (pose, hull) = self.of_a_pose(part, |part| self.model.hull(part))?;
+        Some(pose.hull(hull))
     }
 
     #[inline(never)]
@@ -109,9 +119,8 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         if self.group.poses.len() > MOST_TAPERING {
             return None;
         }
-        let tips = (0..).take_while(|number| self.model.tip(*number).is_some()).count();
-        let pose = self.group.poses.get(number.checked_div(tips)?)?;
-        Some(pose.tip(self.model.tip(number.checked_rem(tips)?)?))
+        let (pose, tip) = self.of_a_pose(number, |number| self.model.tip(number))?;
+        Some(pose.tip(tip))
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
