@@ -63,6 +63,11 @@ impl<R: Real> LinearRgb<R> {
     pub(crate) fn even(value: R) -> Self {
         Self::new(value, value, value)
     }
+
+    /// All channels times a number, with all digits: for what is to add up.
+    pub(crate) fn scaled(self, by: R) -> Self {
+        Self::new(self.r * by, self.g * by, self.b * by)
+    }
 }
 
 /// Refuses emitted light that is negative or not finite; it may be above 1.
@@ -91,17 +96,19 @@ impl<R: Real> Add for LinearRgb<R> {
     }
 }
 
+/// A share of light, see [`Real::attenuated`].
 impl<R: Real> Mul<R> for LinearRgb<R> {
     type Output = Self;
-    fn mul(self, scale: R) -> Self {
-        Self::new(self.r * scale, self.g * scale, self.b * scale)
+    fn mul(self, share: R) -> Self {
+        Self::new(self.r.attenuated(share), self.g.attenuated(share), self.b.attenuated(share))
     }
 }
 
-/// Light of one color on a surface of another.
+/// Light on a surface of this color: a share in each channel.
 impl<R: Real> Mul for LinearRgb<R> {
     type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
+    fn mul(self, shares: Self) -> Self {
+        let LinearRgb { r, g, b } = shares;
+        Self::new(self.r.attenuated(r), self.g.attenuated(g), self.b.attenuated(b))
     }
 }

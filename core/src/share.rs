@@ -71,6 +71,9 @@ impl<R: Real> Mul<R> for Share<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, share: R) -> Self {
+        #[cfg(not(feature = "optics"))]
+        return Self(self.0.attenuated(share));
+        #[cfg(feature = "optics")]
         Self(self.0 * share)
     }
 }
@@ -79,6 +82,9 @@ impl<R: Real> Mul for Share<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, share: Self) -> Self {
+        #[cfg(not(feature = "optics"))]
+        return Self(self.0.attenuated(share.0));
+        #[cfg(feature = "optics")]
         Self(self.0 * share.0)
     }
 }

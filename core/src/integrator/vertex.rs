@@ -104,7 +104,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         if !R::SEEKS_FACTORS || material.ambient > R::ZERO {
             ambient = self.color * material.ambient;
             if let Some(light) = scene.ambient() {
-                ambient = ambient * light;
+                ambient = light * ambient;
             }
         }
         if let Some(optics) = optics {
@@ -124,6 +124,7 @@ impl<'s, R: Real> Vertex<'s, R> {
             let Some((toward, distance, cosine)) = seen else { continue };
             let along = match optics {
                 _ if !shines => R::ZERO,
+                None if !material.shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
                 None => self.mirrored.dot(toward),
                 Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
             };
@@ -161,8 +162,10 @@ impl<'s, R: Real> Vertex<'s, R> {
                 let shown = self.color * (material.diffuse * cosine);
                 let highlight = LinearRgb::even(material.specular * highlight);
                 let highlight = optics.map_or(highlight, |optics| optics.reflection_color * highlight);
+                // Both may add up to 2, of which there is no share.
+                let LinearRgb { r, g, b } = shown + highlight;
                 let through = through.times(R::ONE);
-                let shown = through.of(color * (shown + highlight));
+                let shown = through.of(LinearRgb::new(color.r * r, color.g * g, color.b * b));
                 probe.record(Event::Light { light: index, toward, through: through.largest(), shown });
             }
         }
@@ -170,7 +173,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         if !is_lit {
             return ambient;
         }
-        let scattered = ambient + self.color * diffuse * material.diffuse;
+        let scattered = ambient + diffuse * self.color * material.diffuse;
         if !is_glinting {
             return scattered;
         }

@@ -53,8 +53,9 @@ pub trait Real:
     const SEEKS_FACTORS: bool = false;
     /// How far [`dot3_coarse`](Self::dot3_coarse) is off at most.
     const COARSE: f32 = 0.0;
-    /// Whether [`misses_ball`](Self::misses_ball) ever tells.
-    const TELLS_MISSES: bool = false;
+    /// Whether answers from fewer digits, as of [`dot3_coarse`](Self::dot3_coarse) and [`misses_ball`](Self::misses_ball), take less time than
+    /// those from all.
+    const SAVES_DIGITS: bool = false;
 
     /// The nearest representable value.
     fn from_f32(value: f32) -> Self;
@@ -121,10 +122,16 @@ pub trait Real:
         Self::dot3(a, b)
     }
 
-    /// Whether a ray surely misses a ball, where [that](Self::TELLS_MISSES) can be told faster than by meeting it.
+    /// Whether a ray surely misses a ball, where [that](Self::SAVES_DIGITS) can be told faster than by meeting it.
     #[inline(always)]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
         false
+    }
+
+    /// What is left of an amount of light by a share of it, 0 to 1. A display shows so few levels that 15 digits of a share may do.
+    #[inline(always)]
+    fn attenuated(self, share: Self) -> Self {
+        self * share
     }
 
     /// The product, not yet rounded.

@@ -131,14 +131,14 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             if samples <= 1 {
                 return (shown, rays_per_pixel.saturating_sub(rays.0));
             }
-            light = light + if weighs_first { shown * self.sample_weight } else { shown };
+            light = light + if weighs_first { shown.scaled(self.sample_weight) } else { shown };
             sample += 1;
             if sample >= samples {
                 break;
             }
         }
         if !weighs_first {
-            light = light * self.sample_weight;
+            light = light.scaled(self.sample_weight);
         }
         (light, rays_per_pixel.saturating_sub(rays.0))
     }

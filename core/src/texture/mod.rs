@@ -120,7 +120,7 @@ fn check_unit<R: Real>(coefficient: Coefficient, value: f32) -> Result<R, Fault>
 
 /// From one color to another, by a share from 0 to 1.
 pub(crate) fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
-    from * (R::ONE - share) + to * share
+    from.scaled(R::ONE - share) + to.scaled(share)
 }
 
 /// A texture that was checked and converted.

@@ -103,6 +103,7 @@ impl<R: Real> Results<R> {
             self.take(a.x / b.x);
         }
         self.take_vector(a * b.x);
+        self.take(a.x.attenuated(b.x));
         self.take(a.y.abs().sqrt());
         self.take(R::turn(a.y, a.x));
         self.last = a;

@@ -101,11 +101,11 @@ fn digests_are_golden() {
 }
 
 const GOLDEN: [(&str, &str); 5] = [
-    ("classic", "0x18f2c441a0b4118d"),
-    ("whitted", "0x9a80cfc2cf857c08"),
-    ("flake", "0xb4c1cb94710bea98"),
-    ("prism", "0x64de824db02b1083"),
-    ("table", "0x5060de1994363738"),
+    ("classic", "0xfffd297ed1785e27"),
+    ("whitted", "0x5a85c50d7b69b401"),
+    ("flake", "0x97cba3057059e24a"),
+    ("prism", "0x674d886eb9503ef8"),
+    ("table", "0x0b3a2de61a876459"),
 ];
 
 #[test]

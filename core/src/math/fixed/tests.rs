@@ -52,6 +52,20 @@ fn products_round_down() {
 }
 
 #[test]
+fn light_is_attenuated_downward() {
+    let mut random = Random(4);
+    for _ in 0..1_000_000 {
+        let (light, share) =
+            (Fixed(random.number().0 & i32::MAX), Fixed(random.bits() & ((1 << FRACTION) - 1)));
+        let (exact, left) = (double(light) * double(share), double(light.attenuated(share)));
+        assert!(left <= exact, "{light:?} times {share:?}");
+        assert!(exact - left < double(light) * 2f64.powi(-15) + UNIT, "{light:?} times {share:?}");
+        assert_eq!(light.attenuated(Fixed::ONE), light);
+        assert_eq!(light.attenuated(Fixed(0)), Fixed(0));
+    }
+}
+
+#[test]
 fn square_roots_keep_their_bound() {
     let mut random = Random(3);
     for _ in 0..1_000_000 {
