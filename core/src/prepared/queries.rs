@@ -9,7 +9,7 @@ use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, FourRays, Interval, Ray, Real, Vec3, choose};
-use crate::shape::{Form, Geometry, Hull, Intersect, Tip};
+use crate::shape::{Form, Geometry, Hull, Intersect, Rim, Tip};
 use crate::share::Share;
 use crate::surface::Surface;
 
@@ -182,6 +182,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub(crate) fn tips(&self, object: usize) -> impl Iterator<Item = Tip<R>> {
         let shape = self.objects.get(object).map(|object| &object.shape);
         (0..).map_while(move |number| shape?.tip(number))
+    }
+
+    /// Visits the lines where objects of many parts may end as they are seen.
+    pub(crate) fn each_rim(&self, mut visit: impl FnMut(Rim<R>)) {
+        for object in self.objects {
+            object.shape.each_rim(&mut visit);
+        }
     }
 
     /// Where on an object a surface is.

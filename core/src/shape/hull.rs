@@ -2,7 +2,7 @@
 
 use core::f32::consts::FRAC_1_SQRT_2;
 
-use crate::math::{Aabb, Real, Vec3};
+use crate::math::{Aabb, Product, Real, Vec3};
 
 /// A parallelepiped, and all that is no farther from it than some distance: what holds a shape, or a part of it.
 ///
@@ -87,6 +87,37 @@ impl<R: Real> Tip<R> {
         let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).polar());
         // Where an end is the very point, its direction is anything.
         a.dot(b) > R::from_f32(0.6) && self.radius + self.radius < length
+    }
+}
+
+/// A line where a shape of many parts may end as it is seen: most often an edge of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rim<R> {
+    /// The ends.
+    pub ends: [Vec3<R>; 2],
+    /// The shape next to it.
+    pub bend: Bend<R>,
+}
+
+/// How a shape is bent next to a [`Rim`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bend<R> {
+    /// It is smooth, and these are normals around there, of any length. It ends there where some are seen from the front and some are not.
+    Smooth([Vec3<R>; 3]),
+    /// What ends there is flat, and so wide.
+    Sharp(R),
+}
+
+impl<R: Real> Rim<R> {
+    /// Whether the shape may end there, seen along this direction or against it, of any length.
+    pub(crate) fn is_seen_from(&self, toward: Vec3<R>) -> bool {
+        match self.bend {
+            Bend::Smooth(normals) => {
+                let [a, b, c] = normals.map(|normal| normal.dot_wide(toward) > R::Product::ZERO);
+                a != b || b != c
+            }
+            Bend::Sharp(_) => true,
+        }
     }
 }
 

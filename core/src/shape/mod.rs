@@ -294,7 +294,7 @@ pub use cuboid::{Cuboid, PreparedCuboid};
 pub use cylinder::Cylinder;
 pub use disc::{Disc, PreparedDisc};
 pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
-pub use hull::{Hull, Tip};
+pub use hull::{Bend, Hull, Rim, Tip};
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
 pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
@@ -354,6 +354,9 @@ pub trait Geometry: Copy + Debug {
 
 /// A shape that rays can meet.
 pub trait Intersect<R: Real> {
+    /// Whether [`each_rim`](Self::each_rim) visits any: where no shape of a program has some, nothing of them is linked.
+    const HAS_RIMS: bool = false;
+
     /// The distance to the nearest hit inside `range`. Merely touching a curved outline is a miss.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
 
@@ -388,6 +391,10 @@ pub trait Intersect<R: Real> {
     fn tip(&self, _number: usize) -> Option<Tip<R>> {
         None
     }
+
+    /// Visits the lines where a shape of many parts may end as it is seen, so that what is thin of it alone is known to be. Is
+    /// asked where [`HAS_RIMS`](Self::HAS_RIMS) is set.
+    fn each_rim(&self, _visit: impl FnMut(Rim<R>)) {}
 
     /// The parts of a ray's whole line that lie inside, also behind its origin. A shape that is not
     /// [solid](Geometry::is_solid) has none.

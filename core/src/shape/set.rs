@@ -85,6 +85,10 @@ macro_rules! shape_set {
         impl<$($life: 'm,)? 'm, R: $crate::math::Real> $crate::shape::Intersect<R>
             for $Prepared<$($life,)? 'm, R>
         {
+            const HAS_RIMS: bool = false $(
+                || <<$Type as $crate::shape::Geometry>::Prepared<'m, R> as $crate::shape::Intersect<R>>::HAS_RIMS
+            )+;
+
             #[inline(always)]
             fn intersect(
                 &self,
@@ -125,6 +129,12 @@ macro_rules! shape_set {
             fn tip(&self, number: usize) -> Option<$crate::shape::Tip<R>> {
                 match self {
                     $(Self::$Variant(shape) => shape.tip(number)),+
+                }
+            }
+
+            fn each_rim(&self, visit: impl FnMut($crate::shape::Rim<R>)) {
+                match self {
+                    $(Self::$Variant(shape) => shape.each_rim(visit)),+
                 }
             }
 

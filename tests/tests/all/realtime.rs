@@ -11,8 +11,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::builtin::{CLASSIC, PRISM};
 use rayline::math::Fixed;
 use rayline::shape::{
-    Cone, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Plane, Polygon, Rectangle, Shape, Solid, Sphere,
-    Torus, Triangle,
+    Cone, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh, Model, Plane, Polygon, Pose,
+    Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
     Background, Camera, DrawError, Encoding, Ends, Event, Figure, Filter, Grid, Image, Interleave, Light,
@@ -487,6 +487,9 @@ const GRIDS: [Grid; 3] = [Grid::Two, Grid::Four, Grid::Eight];
 #[test]
 fn lines_in_any_order_are_the_same_bytes() {
     check_order(&PRISM, SMALL);
+    // What is thin of a mesh is looked for by itself.
+    let arena = Bump::new();
+    check_order(&gallery("show-teapot", &arena).scene, Settings::new(57, 43));
     // Shadows fall beyond the edge of a table, where nothing is seen.
     let (corner, right) = (Vec3::new(-2.5, 0.0, -1.2), Vec3::new(5.0, 0.0, 0.0));
     let table = Shape::Rectangle(Rectangle::new(corner, right, Vec3::new(0.0, 0.0, 5.0)));
@@ -1017,6 +1020,90 @@ fn tips_and_their_shadows_are_shown_in_every_frame() {
             assert!(sum > 20_000 && gone <= 24 * 42 && most <= 90, "{what}");
             assert!(traced < 0.13, "{what}, {traced} traced");
         }
+    }
+}
+
+/// A box as a mesh: its corners, and two triangles for each side.
+fn slab(from: Vec3, to: Vec3, vertices: &mut Vec<Vec3>, triangles: &mut Vec<[u16; 3]>) {
+    let first = vertices.len() as u16;
+    let either = |bit: u16, low: f32, high: f32| if bit == 0 { low } else { high };
+    vertices.extend((0..8).map(|corner| {
+        Vec3::new(
+            either(corner & 1, from.x, to.x),
+            either(corner & 2, from.y, to.y),
+            either(corner & 4, from.z, to.z),
+        )
+    }));
+    for [a, b, c, d] in [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]] {
+        triangles.extend([[a, b, c], [a, c, d]].map(|corners| corners.map(|corner| first + corner)));
+    }
+}
+
+/// Of a mesh that is large as a whole: a fence of flat triangles, and a model of it that stands there twice.
+#[test]
+fn thin_parts_of_meshes_are_shown() {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    let (left, right) = (Vec3::new(-1.5, 0.0, 0.0), Vec3::new(1.5, 0.3, 0.3));
+    slab(left, right, &mut vertices, &mut triangles);
+    let foot = (vertices.len(), triangles.len());
+    for i in 0..5u8 {
+        let slat = left + Vec3::new(0.3 + 0.6 * f32::from(i), 0.3, 0.1);
+        slab(slat, slat + Vec3::new(0.06, 1.5, 0.06), &mut vertices, &mut triangles);
+    }
+    let whole = Mesh { vertices: &vertices, triangles: &triangles, normals: None, uvs: None };
+    let plain = Mesh { vertices: &vertices[..foot.0], triangles: &triangles[..foot.1], ..whole };
+    let poses = [-0.8f32, 0.9].map(|z| Pose::at(Vec3::new(0.0, 0.0, z)));
+    for is_model in [false, true] {
+        for quality in QUALITIES {
+            let (mut sum, mut gone, mut most, mut traced) = (0, 0, 0, 0.0);
+            for frame in 0..12 {
+                let angle = frame as f32 * 0.1 - 0.6;
+                let eye = Vec3::new(9.0 * angle.sin(), 4.0, 9.0 * angle.cos());
+                let models = [whole, plain].map(Model::Mesh);
+                let objects = [0, 1].map(|i| {
+                    let shape = if is_model {
+                        Shape::Instances(Instances::new(&models[i], &poses))
+                    } else {
+                        Shape::Mesh([whole, plain][i])
+                    };
+                    [Object::new(FLOOR, 0), Object::new(shape, 2)]
+                });
+                let [with, plain] = [0, 1].map(|i| staged(&objects[i], eye, UP * 0.8, 0.6));
+                let (there, lost, share) = lost_in(frame, &with, &plain, Settings::new(160, 120), quality);
+                (sum, gone, most, traced) = (sum + there, gone + lost, most.max(lost), traced + share / 12.0);
+            }
+            let what = format!(
+                "{is_model}, {:?}: {gone} of {sum} lost, {most} at most, {traced} traced",
+                quality.grid
+            );
+            // Of slats that are a pixel wide, and of their shadows, which are half as wide.
+            let (few, one) = if quality.grid == Grid::Eight { (9, 85) } else { (20, 40) };
+            assert!(sum > 3000 && gone * few < sum && most <= one && traced < 0.17, "{what}");
+        }
+    }
+}
+
+/// The teapot's handle and its spout are thinner than a cell, and so are their shadows.
+#[test]
+fn a_teapot_is_shown_whole_in_every_frame() {
+    let arena = Bump::new();
+    let teapot = gallery("show-teapot", &arena).scene;
+    for (quality, most, few) in [(QUALITIES[0], 22, 240), (QUALITIES[1], 12, 130)] {
+        let mut orbit = Orbit::new(teapot.camera, 8.0).expect("an orbit");
+        let (mut sum, mut worst) = (0, 0);
+        for _ in 0..24 {
+            let scene = Scene { camera: orbit.camera(), ..teapot };
+            let settings = Settings::new(160, 120);
+            let off = with_renderer::<f32, _>(&scene, settings, |renderer| {
+                let (there, close) = (exact(renderer, &mut ()), realtime(renderer, quality, &mut ()));
+                let pairs = there.pixels.iter().zip(&close.pixels);
+                pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 48)).count()
+            });
+            (sum, worst) = (sum + off, worst.max(off));
+            orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
+        }
+        let what = format!("{:?}: {sum} pixels are off, {worst} at most", quality.grid);
+        assert!(worst <= most && sum <= few, "{what}");
     }
 }
 

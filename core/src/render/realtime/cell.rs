@@ -82,6 +82,55 @@ impl Cell {
         }
     }
 
+    /// All points, as if nothing were between the corners.
+    pub(super) fn smooth(&mut self, corners: &Corners, side: usize) {
+        self.set(0, 0, corners.top_left);
+        self.set(side, 0, corners.top_right);
+        self.set(0, side, corners.bottom_left);
+        self.set(side, side, corners.bottom_right);
+        self.bridge((0, 0), Way::Right, side);
+        self.bridge((0, 0), Way::Down, side);
+        self.bridge((side, 0), Way::Down, side);
+        self.interpolate((0, 0), side);
+    }
+
+    /// Looks whether pixels are as they were taken to be: one in each row and each column. Where one is not, at those around it, and on along
+    /// whatever it is.
+    #[inline(never)]
+    pub(super) fn verify(&mut self, side: usize, look: &mut impl Look) {
+        // A bit for each pixel, row after row.
+        let bit = |x: usize, y: usize| 1u64 << ((y * LARGEST_SIDE + x) & 63);
+        let rows: &[u8] = match side {
+            LARGEST_SIDE => &[0, 3, 6, 1, 4, 7, 2, 5],
+            SQUARE => &[1, 3, 0, 2],
+            _ => &[0, 1],
+        };
+        let (mut asked, mut looked) = (0u64, 0u64);
+        for (x, y) in rows.iter().enumerate() {
+            asked |= bit(x, usize::from(*y));
+        }
+        while asked != 0 && look.may_trace() {
+            let place = asked.trailing_zeros() as usize;
+            let (x, y) = (place % LARGEST_SIDE, place / LARGEST_SIDE);
+            asked &= !bit(x, y);
+            looked |= bit(x, y);
+            let taken = self.get(x, y);
+            if taken.is_traced() {
+                continue;
+            }
+            let seen = look.trace(x, y);
+            // Single pixels that are a little different would show.
+            if look.differ(taken, seen, 2) {
+                self.set(x, y, seen);
+                for y in y.saturating_sub(1)..(y + 2).min(side) {
+                    for x in x.saturating_sub(1)..(x + 2).min(side) {
+                        asked |= bit(x, y) & !looked;
+                    }
+                }
+            }
+        }
+    }
+
     /// The edges that cross four points from (x, y) on, to the right or down.
     pub(super) fn crossings(&self, (x, y): (usize, usize), way: Way) -> u8 {
         let (lines, line, along) = match way {

@@ -12,6 +12,7 @@ use super::cell::{Cell, Corners, Look, Way};
 use super::close::{ClosePlaces, tapering_objects};
 use super::limits::Limits;
 use super::paint::Paint;
+use super::rims::RimPlaces;
 use super::seen::Marks;
 use super::strip::Strip;
 use super::thin::{ThinPlaces, thin_objects};
@@ -24,7 +25,7 @@ use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::render::{DisplayColor, DrawError, LineError, Progress, Renderer};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Intersect};
 
 /// Rays that would bring a smaller share than this are left out.
 const CUTOFF: f32 = 1.0 / 64.0;
@@ -53,6 +54,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     thin: Option<ObjectSet>,
     /// Objects that taper off.
     tapering: ObjectSet,
+    /// Where something may be thin in parts.
+    rims: Option<RimPlaces>,
     band: Option<Band>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
@@ -110,6 +113,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             lines,
             thin,
             tapering,
+            rims: RimPlaces::new(renderer, quality.grid),
             band: None,
             row: None,
             nothing: Tracer::<R, S, C, ()>::nothing(renderer),
@@ -290,10 +294,21 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let right = tracer.differ(corners.top_right, corners.bottom_right, side);
         let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
         let thin = detail != Detail::Grid && band.thin.holds(band.left);
+        // Said once more: the compiler does not see that there are none.
+        let has_rim = S::Prepared::<'m, R>::HAS_RIMS
+            && detail == Detail::Full
+            && self.rims.as_ref().is_some_and(|rims| rims.hold(band.left, band.top));
         if !(top || right || bottom || band.rough_left || thin) {
-            paint.smooth(self.buffer.colors, &corners);
+            if has_rim {
+                cell.smooth(&corners, side);
+                cell.verify(side, &mut tracer);
+                paint.refined(self.buffer.colors, cell);
+            } else {
+                paint.smooth(self.buffer.colors, &corners);
+            }
+            let all = tracer.rays;
             self.finish_smooth(band, corners, side);
-            return Spent { all: grid, row, refined: 0 };
+            return Spent { all, row, refined: all - grid };
         }
 
         // The sides, then what is inside.
@@ -326,6 +341,9 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
                 cell.look_along((0, 0), Way::Down, side, &mut tracer);
             }
             cell.refine(side, &mut tracer);
+            if has_rim {
+                cell.verify(side, &mut tracer);
+            }
         }
         paint.refined(self.buffer.colors, cell);
         band.rough_left = looks_right;

@@ -21,7 +21,7 @@
 //! Colors are interpolated as tones ([`DisplayColor::tone`](crate::DisplayColor::tone)): on the display's own scale,
 //! after its curve, which only traced pixels go through.
 //!
-//! Four kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
+//! Five kinds of things that lie between the points of the grid and leave no mark on them are looked for (others are lost, as [`Realtime`] says):
 //! - *Thin objects.* Each shape knows what holds it, or parts of it ([`Hull`](crate::shape::Hull)). Cells that can show one which is
 //!   less than two cells wide or high, or aslant less than one, are traced in full. Among more than 32 objects those count that are less
 //!   than one cell wide: 91 balls of 9 to 14 pixels would take 1.6 times the rays with the others.
@@ -30,6 +30,7 @@
 //!   objects only sticks are looked for, eight times as long as wide: with all, those 91 balls would take an M4F more instructions than their exact picture.
 //! - *Low shadows* on a floor that is seen aslant, *and tips*: the [points of the grid near them](close) are known. In scenes without them
 //!   that costs less than 1 %. Of a cone, a triangle and a star, whose tips have 20° to 50°, an eighth to a third is lost of what was.
+//! - *Thin parts of meshes* and their shadows, near the [rims](rims) of these.
 //! - *Highlights*. Along a surface that is curved, mirrored directions [sweep](sweep) over others, as shapes tell by their normals beside
 //!   a hit. Where the sweep around a point of the grid passes by a light, and the highlight is small beside it, the cell is looked at more
 //!   closely; where it is smaller still, the squares around that point are traced in full. That is asked of what the eye sees directly: of
@@ -52,8 +53,8 @@
 //! Of 24 frames around `classic` the worst has 41.0 dB, around `prism` 36.9 dB; at 160×120, where everything is smaller,
 //! the fine ones 39.4 and 36.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 272 instead of 559 on Cortex-M4F in `f32`, 383 instead of 951 on
-//! Cortex-M3 and 825 instead of 2,286 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 272 instead of 559 on Cortex-M4F in `f32`, 382 instead of 946 on
+//! Cortex-M3 and 806 instead of 2,197 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: on balls, rods and tori of 11 pixels and more, with a light anywhere before them, no frame of a rotation has a quarter more
@@ -81,6 +82,7 @@ mod frame;
 mod limits;
 mod paint;
 mod places;
+mod rims;
 mod sample;
 mod seen;
 mod stadium;
@@ -107,8 +109,9 @@ use crate::shape::Geometry;
 /// Every fourth or eighth pixel of every fourth or eighth line is traced; what lies between them is interpolated where they saw the
 /// same, and looked at where they did not. So what lies between them and leaves no mark on any can be lost, in one frame and not in the
 /// next:
-/// - *thin things that are parts of something larger*, as a slat of a mesh or a teapot's spout. What is thin as a whole is traced, and so
-///   are parts of tori, rings, instances and what is put together;
+/// - *thin things that are parts of something larger*. What is thin as a whole is traced, and so are parts of tori, rings, instances and what
+///   is put together. Thin parts of meshes are looked for and followed: of slats a pixel wide a tenth is lost, of their mirror images and of
+///   meshes that stand there as more than 32 instances it may be more;
 /// - *the very ends of tips*: of triangles, polygons and cones that taper off by less than 53° three pixels are lost, where they are a pixel
 ///   wide, and of their shadows on the largest flat object. Of corners that are blunter, of outlines of more than 64 vertices, of more than
 ///   32 instances, and in scenes of more than 32 objects, it may be what is narrower than a cell;

@@ -44,7 +44,7 @@ impl<N: Real<Setup = N>> Shade<N> {
 
     /// Where the shadow of a point falls; `None` where it falls away from the plane, or nearly along it.
     #[inline(never)]
-    fn shadow(&self, point: Vec3<N>) -> Option<Vec3<N>> {
+    pub(super) fn shadow(&self, point: Vec3<N>) -> Option<Vec3<N>> {
         let toward = self.light.0 - point * self.light.1;
         let (height, rise) = (self.normal.dot(point) - self.distance, self.normal.dot(toward));
         let (height, rise) = if rise < N::ZERO { (-height, -rise) } else { (height, rise) };

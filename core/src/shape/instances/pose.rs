@@ -1,6 +1,6 @@
 //! Where an instance stands, and how it is turned.
 
-use super::super::{Hull, Tip, bounds_of};
+use super::super::{Bend, Hull, Rim, Tip, bounds_of};
 use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
@@ -117,6 +117,14 @@ impl<R: Real> PreparedPose<R> {
     pub(super) fn hull(&self, hull: Hull<R>) -> Hull<R> {
         let axes = hull.axes.map(|axis| self.rotation.turn(axis));
         Hull { center: self.point(hull.center), axes, ..hull }
+    }
+
+    pub(super) fn rim(&self, rim: Rim<R>) -> Rim<R> {
+        let bend = match rim.bend {
+            Bend::Smooth(normals) => Bend::Smooth(normals.map(|normal| self.rotation.turn(normal))),
+            sharp => sharp,
+        };
+        Rim { ends: rim.ends.map(|end| self.point(end)), bend }
     }
 
     pub(super) fn tip(&self, tip: Tip<R>) -> Tip<R> {

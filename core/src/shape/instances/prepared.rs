@@ -1,6 +1,6 @@
 //! How a ray meets instances: it is brought to where the model is, and its hit back.
 
-use super::super::{Hull, Intersect, Spans, Tip};
+use super::super::{Hull, Intersect, Rim, Spans, Tip};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
@@ -82,6 +82,8 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
 const MOST_TAPERING: usize = 32;
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
+    const HAS_RIMS: bool = P::HAS_RIMS;
+
     // Much code, and many rays never come here.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -121,6 +123,14 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         }
         let (pose, tip) = self.of_a_pose(number, |number| self.model.tip(number))?;
         Some(pose.tip(tip))
+    }
+
+    fn each_rim(&self, mut visit: impl FnMut(Rim<R>)) {
+        // Of many, it would take as long as to look for them.
+        let poses = if self.group.poses.len() > MOST_TAPERING { &[] } else { self.group.poses };
+        for pose in poses {
+            self.model.each_rim(|rim| visit(pose.rim(rim)));
+        }
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {

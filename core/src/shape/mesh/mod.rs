@@ -43,7 +43,7 @@ mod tests;
 pub use baked::{BakedMesh, BakedParts};
 pub use smooth::SmallNormal;
 
-use super::{Geometry, Intersect, bounds_of};
+use super::{Bend, Geometry, Intersect, Rim, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_number, check_point, check_size};
 use crate::hierarchy::Hierarchy;
@@ -236,6 +236,29 @@ impl<R: Real> Parts<'_, R> {
         Some([vertex(a)?, vertex(b)?, vertex(c)?])
     }
 
+    /// The longest edge of a triangle.
+    #[inline(never)]
+    fn rim(&self, triangle: u16) -> Option<Rim<R>> {
+        let [a, b, c] = self.corners(triangle)?;
+        let edges = [[a, b], [b, c], [c, a]];
+        let [first, second, third] = edges.map(|[from, to]| (to - from).length_squared_wide());
+        let [ab, bc, ca] = edges;
+        let last = if second >= third { bc } else { ca };
+        let ends @ [from, to] = if first >= second && first >= third { ab } else { last };
+        let bend = match self.half_normals(triangle) {
+            Some(normals) => Bend::Smooth(normals),
+            None => Bend::Sharp((b - a).cross(c - a).length() / (to - from).length()),
+        };
+        Some(Rim { ends, bend })
+    }
+
+    /// Half the normals of a triangle's corners, if the mesh has any.
+    fn half_normals(&self, triangle: u16) -> Option<[Vec3<R>; 3]> {
+        let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
+        let at = |index: u16| self.normals.get(usize::from(index)).map(|normal| normal.half());
+        Some([at(a)?, at(b)?, at(c)?])
+    }
+
     #[inline(always)]
     fn meet(&self, triangle: usize, sight: &Sight<R>) -> Option<Meeting<R>> {
         sight.meet(self.corners(triangle as u16)?)
@@ -252,11 +275,10 @@ impl<R: Real> Parts<'_, R> {
 
     /// The interpolated normal of a triangle.
     fn shading_normal(&self, triangle: u16, meeting: Meeting<R>) -> Option<Vec3<R>> {
-        let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
-        let at = |index: u16| self.normals.get(usize::from(index)).map(|normal| normal.half());
+        let [a, b, c] = self.half_normals(triangle)?;
         let Meeting { b: weight_b, c: weight_c, .. } = meeting;
         let weight_a = R::ONE - weight_b - weight_c;
-        (at(a)? * weight_a + at(b)? * weight_b + at(c)? * weight_c).normalized()
+        (a * weight_a + b * weight_b + c * weight_c).normalized()
     }
 }
 
@@ -295,6 +317,8 @@ fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
 }
 
 impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
+    const HAS_RIMS: bool = true;
+
     // Much code, and many rays never come here.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -315,6 +339,10 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
 
     fn bounds(&self) -> Option<Aabb<R>> {
         Some(self.0.bounds)
+    }
+
+    fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
+        (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
