@@ -132,10 +132,10 @@ use crate::shape::Geometry;
 ///
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
-/// | 320×240 | 951 | 383 | 466 |
-/// | 160×120 | 971 | 597 | 662 |
-/// | 128×96 | 974 | 934 | 788 |
-/// | 64×48 | 1,022 | 1,360 | 1,247 |
+/// | 320×240 | 946 | 382 | 466 |
+/// | 160×120 | 966 | 596 | 661 |
+/// | 128×96 | 969 | 922 | 777 |
+/// | 64×48 | 1,017 | 1,353 | 1,241 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.

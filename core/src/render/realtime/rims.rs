@@ -1,10 +1,12 @@
 //! Where meshes may be thin in parts, as a teapot at its handle.
 //!
 //! Whether a mesh is thin somewhere is not known, but it ends at its rims: where normals turn away from the eye, or along the edges of
-//! triangles that are flat and narrower than a cell. They are found once for a frame. A cell that has one, or its shadow on the largest flat object, is
-//! [verified](super::cell::Cell::verify) when it is done. Of 24 frames around the teapot of the gallery, on a grid of eight, at 160×120, 231
-//! pixels are off by 48 of 255 or more, and 20 at most in one frame, in place of 424 and 64, with its handle broken and its spout cut off; for
-//! 1.20 times the rays. At 320×240 it is 480 and 40 in place of 1047 and 94, for 1.22 times the rays.
+//! triangles that are flat and narrower than a cell. They are found once for a frame. A cell that has one, or its shadow on the largest flat
+//! object, is [verified](super::cell::Cell::verify) when it is done. Of 24 frames around the teapot of the gallery, on a grid of eight, at
+//! 160×120, 231 pixels are off by 48 of 255 or more, and 20 at most in one frame, in place of 424 and 64, with its handle broken and its spout
+//! cut off; for 1.20 times the rays. At 320×240 it is 480 and 40 in place of 1047 and 94, for 1.22 times the rays. The gallery's own view takes
+//! an M4F 2,443 instructions a pixel at 160×120, for 43.9 dB, in place of 1,990 for 38.1; exactly it takes 5,775. To find the rims is next to
+//! nothing of that.
 //!
 //! Rejected: every second pixel of every second row (101 pixels and 9, for 1.51 times the rays), or half of those (176 and 12, for 1.28 times,
 //! but lines of a pixel between them are lost); to trace such cells in full (14 and 2, for 2.3 times); rims that are bent more closely than a
