@@ -217,7 +217,7 @@ mod tests {
         assert!((56.5e6..64.5e6).contains(&pico), "{pico}");
         // The others' instructions of a pixel, of 1.35 cycles each.
         for (scene, bounces, board, instructions) in [
-            (&CLASSIC, 3, "microbit", 2199.0),
+            (&CLASSIC, 3, "microbit", 2197.0),
             (&CLASSIC, 3, "bluepill", 946.0),
             (&CLASSIC, 3, "nrf52840dk", 559.0),
             (&FLAKE_10, 4, "nrf52840dk", 1376.0),

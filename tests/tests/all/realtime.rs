@@ -198,18 +198,27 @@ fn smooth_images_are_interpolated() {
     }
 }
 
+/// What a function tells of each of 24 frames around a scene, exact and in realtime quality.
+fn of_rotation<T>(
+    scene: &Scene,
+    distance: f32,
+    settings: Settings,
+    quality: Realtime,
+    tell: impl Fn(&Picture, &Picture) -> T,
+) -> impl Iterator<Item = T> {
+    let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
+    (0..24).map(move |_| {
+        orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
+        let scene = Scene { camera: orbit.camera(), ..*scene };
+        with_renderer::<f32, _>(&scene, settings, |renderer| {
+            tell(&exact(renderer, &mut ()), &realtime(renderer, quality, &mut ()))
+        })
+    })
+}
+
 /// The worst of 24 frames around a scene, in decibels.
 fn worst_of_rotation(scene: &Scene, distance: f32, settings: Settings, quality: Realtime) -> f64 {
-    let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
-    (0..24)
-        .map(|_| {
-            orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
-            let scene = Scene { camera: orbit.camera(), ..*scene };
-            with_renderer::<f32, _>(&scene, settings, |renderer| {
-                psnr(&exact(renderer, &mut ()), &realtime(renderer, quality, &mut ()))
-            })
-        })
-        .fold(f64::INFINITY, f64::min)
+    of_rotation(scene, distance, settings, quality, psnr).fold(f64::INFINITY, f64::min)
 }
 
 /// What things stand on, what mirrors them, and what they are of, for tests of what they shade.
@@ -888,6 +897,11 @@ fn lines_that_are_told_unchanged_are() {
     assert!(skipped > 60, "{skipped} lines");
 }
 
+/// How far a pixel is off, in the channel where that is most.
+fn off(a: &[u8; 3], b: &[u8; 3]) -> u8 {
+    a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
 /// How many pixels something changes that the second scene is without, how many of these are off by more than half of that, and the share
 /// of pixels that are traced.
 fn lost<R: Real>(
@@ -900,7 +914,6 @@ fn lost<R: Real>(
     let (there, plain) = (draw(with), draw(without));
     let mut rays = RayCounts::default();
     let close = with_renderer::<R, _>(with, settings, |renderer| realtime(renderer, quality, &mut rays));
-    let off = |a: &[u8; 3], b: &[u8; 3]| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
     let (mut all, mut lost) = (0, 0);
     for ((there, plain), close) in there.pixels.iter().zip(&plain.pixels).zip(&close.pixels) {
         if off(there, plain) > 24 {
@@ -1089,19 +1102,11 @@ fn a_teapot_is_shown_whole_in_every_frame() {
     let arena = Bump::new();
     let teapot = gallery("show-teapot", &arena).scene;
     for (quality, most, few) in [(QUALITIES[0], 22, 240), (QUALITIES[1], 12, 130)] {
-        let mut orbit = Orbit::new(teapot.camera, 8.0).expect("an orbit");
-        let (mut sum, mut worst) = (0, 0);
-        for _ in 0..24 {
-            let scene = Scene { camera: orbit.camera(), ..teapot };
-            let settings = Settings::new(160, 120);
-            let off = with_renderer::<f32, _>(&scene, settings, |renderer| {
-                let (there, close) = (exact(renderer, &mut ()), realtime(renderer, quality, &mut ()));
-                let pairs = there.pixels.iter().zip(&close.pixels);
-                pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 48)).count()
-            });
-            (sum, worst) = (sum + off, worst.max(off));
-            orbit.turn(core::f64::consts::TAU / 24.0, 0.0);
-        }
+        let pixels_off = |there: &Picture, close: &Picture| {
+            there.pixels.iter().zip(&close.pixels).filter(|(a, b)| off(a, b) > 48).count()
+        };
+        let frames = of_rotation(&teapot, 8.0, Settings::new(160, 120), quality, pixels_off);
+        let (sum, worst) = frames.fold((0, 0), |(sum, worst), off| (sum + off, worst.max(off)));
         let what = format!("{:?}: {sum} pixels are off, {worst} at most", quality.grid);
         assert!(worst <= most && sum <= few, "{what}");
     }
