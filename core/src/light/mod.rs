@@ -148,13 +148,9 @@ impl<'m, R: Real> PreparedLight<'m, R> {
     pub(crate) fn seen_from(&self, point: Vec3<R>, normal: Vec3<R>) -> Option<(Vec3<R>, R, R)> {
         match self.source {
             Source::At(position) => {
-                let toward = position - point;
-                // Lights behind the surface are the most frequent: find them before the root and the division.
-                let height = toward.dot(normal);
-                if !height.has_square() {
-                    return None;
-                }
-                let (direction, distance, cosine) = R::polar_with([toward.x, toward.y, toward.z], height);
+                let Vec3 { x, y, z } = position - point;
+                let (direction, distance, cosine) =
+                    R::toward_light([x, y, z], [normal.x, normal.y, normal.z])?;
                 let [x, y, z] = direction;
                 Some((Vec3::new(x, y, z), distance, cosine))
             }

@@ -53,6 +53,8 @@ pub trait Real:
     const SEEKS_FACTORS: bool = false;
     /// How far [`dot3_coarse`](Self::dot3_coarse) is off at most.
     const COARSE: f32 = 0.0;
+    /// By how much the directions of [`toward_light`](Self::toward_light) may be off, as an angle in radians.
+    const ASTRAY: f32 = 0.0;
     /// Whether answers from fewer digits, as of [`dot3_coarse`](Self::dot3_coarse) and [`misses_ball`](Self::misses_ball), take less time than
     /// those from all.
     const SAVES_DIGITS: bool = false;
@@ -153,11 +155,19 @@ pub trait Real:
         (vector.map(|coordinate| coordinate * scale), length)
     }
 
-    /// As [`polar`](Self::polar), and a product with the vector divided by its length.
-    fn polar_with(vector: [Self; 3], product: Self) -> ([Self; 3], Self, Self) {
-        let length = Self::length_squared_wide(vector).sqrt();
+    /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` where that is
+    /// not more than 0. What a shadow looks like takes fewer digits than where a ray ends: the direction is a unit vector, but
+    /// [may be off](Self::ASTRAY).
+    #[inline(always)]
+    fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)> {
+        // Lights behind a surface are the most frequent: find them before the root and the division.
+        let height = Self::dot3(way, normal);
+        if !height.has_square() {
+            return None;
+        }
+        let length = Self::length_squared_wide(way).sqrt();
         let scale = length.recip();
-        (vector.map(|coordinate| coordinate * scale), length, product * scale)
+        Some((way.map(|coordinate| coordinate * scale), length, height * scale))
     }
 
     /// `pixel + fraction/65536` pixels in units of `2^shift` pixels, where the number system needs units so large

@@ -146,14 +146,18 @@ impl<R: Real> Occluder<R> {
     }
 }
 
-/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within `reach`.
+/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within `reach`, and goes a little astray.
 #[inline(never)]
 fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
-    let largest = match light {
-        Source::At(position) => reach.larger(R::from_setup(position.to_setup().magnitude())),
-        _ => reach,
+    let (largest, farthest) = match light {
+        Source::At(position) => {
+            let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
+            // Along each axis they are no farther apart than that.
+            (R::from_setup(reach.larger(far)), (reach + far) * R::Setup::from_f32(1.74))
+        }
+        _ => (reach, R::Setup::ZERO),
     };
-    R::offset(largest).to_setup() * R::Setup::from_f32(8.0)
+    R::offset(largest).to_setup() * R::Setup::from_f32(8.0) + farthest * R::Setup::from_f32(R::ASTRAY)
 }
 
 impl<'m, R: Real> Candidates<'m, R> {
@@ -353,6 +357,14 @@ impl<R: Real> Ball<R> {
     /// Whether any of `other` may stand between a point inside and the light.
     #[inline(never)]
     fn is_shaded_by(&self, other: &Body<R>, light: &Source<R>) -> bool {
+        // How far a ray from a point inside may go astray before it is at the light.
+        let astray = match light {
+            Source::At(position) => {
+                let farthest = (position.to_setup() - self.center).length() + self.radius;
+                farthest * R::Setup::from_f32(R::ASTRAY)
+            }
+            Source::Far(..) | Source::Toward(_) => R::Setup::ZERO,
+        };
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());
@@ -364,13 +376,14 @@ impl<R: Real> Ball<R> {
                 }
                 Source::Toward(direction) => normal.dot(direction.to_setup()),
             };
-            let above = height > self.radius && toward_light > R::Setup::ZERO;
-            let below = height < -self.radius && toward_light < R::Setup::ZERO;
+            let above = height > self.radius && toward_light > astray;
+            let below = height < -self.radius && toward_light < -astray;
             if above || below {
                 return false;
             }
         }
-        let Some(ball) = other.ball else { return true };
+        let Some(mut ball) = other.ball else { return true };
+        ball.radius = ball.radius + astray;
         let reach = self.radius + ball.radius;
         match light {
             Source::At(position) => {

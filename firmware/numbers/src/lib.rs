@@ -98,6 +98,9 @@ impl<R: Real> Results<R> {
         self.take(length);
         if length > R::ZERO {
             self.take_vector(unit);
+            let seen = R::toward_light([b.x, b.y, b.z], [unit.x, unit.y, unit.z]);
+            let (toward, distance, cosine) = seen.unwrap_or(([R::ZERO; 3], R::ZERO, R::ZERO));
+            toward.into_iter().chain([distance, cosine]).for_each(|number| self.take(number));
         }
         if b.x != R::ZERO {
             self.take(a.x / b.x);

@@ -101,11 +101,11 @@ fn digests_are_golden() {
 }
 
 const GOLDEN: [(&str, &str); 5] = [
-    ("classic", "0xfffd297ed1785e27"),
-    ("whitted", "0x5a85c50d7b69b401"),
-    ("flake", "0x97cba3057059e24a"),
-    ("prism", "0x674d886eb9503ef8"),
-    ("table", "0x0b3a2de61a876459"),
+    ("classic", "0xbbbc2f14fec3ecff"),
+    ("whitted", "0x9e7970e209bcade4"),
+    ("flake", "0x1dc23fd6486a8ab4"),
+    ("prism", "0x392fc82aaa429ac5"),
+    ("table", "0x04c5aa40a93e38d6"),
 ];
 
 #[test]

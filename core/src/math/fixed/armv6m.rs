@@ -10,12 +10,13 @@
 //!
 //! Squares have their middle product twice: three of them take 33 instructions in place of 62 with the moves that a scalar product
 //! of a vector with itself needs. A root and its reciprocal take 82, in place of 117, because the compiler spills what a search for
-//! leading zeros has in eight registers. `classic` takes 0.95 of the instructions for both. Rejected: three products with the same
+//! leading zeros has in eight registers. `classic` takes 0.95 of the instructions for both, and 0.91 with directions to lights, which take 123.
+//! Rejected: three products with the same
 //! factor, in which the compiler does as well (1.01).
 
 use core::arch::{asm, naked_asm};
 
-use super::newton::{RSQRT, Root};
+use super::newton::{RSQRT, Root, SHORT_RSQRT};
 
 /// Adds `$term` to the sum of the middle products in `$sum`. The term's register is free afterwards.
 macro_rules! add_middle {
@@ -189,21 +190,59 @@ extern "C" fn squares() {
     )
 }
 
-/// Shifts the digits in `r0` up by `$step`, and counts that in `r2`, if so many are 0.
+/// Shifts digits up by `$step`, and counts that, if so many are 0.
 macro_rules! search {
-    ($step:literal, $rest:literal, $found:literal) => {
+    ($digits:literal, $free:literal, $count:literal, $step:literal, $rest:literal, $found:literal) => {
         concat!(
-            "lsrs r1, r0, #",
+            "lsrs ",
+            $free,
+            ", ",
+            $digits,
+            ", #",
             $rest,
             "\n bne ",
             $found,
-            "f\n lsls r0, r0, #",
+            "f\n lsls ",
+            $digits,
+            ", ",
+            $digits,
+            ", #",
             $step,
-            "\n adds r2, #",
+            "\n adds ",
+            $count,
+            ", #",
             $step,
             "\n",
             $found,
             ":\n"
+        )
+    };
+}
+
+/// A number of 16 bits times one in units of 2⁻¹¹, of which the lowest 6 bits are in `r5`, the others in `r6`; `$shift` tells whether it
+/// has a sign. What it leaves in `r4` is not saved.
+macro_rules! scale {
+    ($number:literal, $shift:literal) => {
+        concat!(
+            "movs r4, ",
+            $number,
+            "\n muls r4, r5, r4\n ",
+            $shift,
+            " r4, r4, #6\n muls ",
+            $number,
+            ", r6, ",
+            $number,
+            "\n adds ",
+            $number,
+            ", ",
+            $number,
+            ", r4\n ",
+            $shift,
+            " ",
+            $number,
+            ", ",
+            $number,
+            ", #5\n"
         )
     };
 }
@@ -251,10 +290,10 @@ extern "C" fn roots() {
         "movs r3, #0",
         "movs r2, #32",
         "20:",
-        search!("16", "16", "21"),
-        search!("8", "24", "22"),
-        search!("4", "28", "23"),
-        search!("2", "30", "24"),
+        search!("r0", "r1", "r2", "16", "16", "21"),
+        search!("r0", "r1", "r2", "8", "24", "22"),
+        search!("r0", "r1", "r2", "4", "28", "23"),
+        search!("r0", "r1", "r2", "2", "30", "24"),
         // A shift by 32 or more leaves nothing.
         "movs r1, #32",
         "subs r1, r1, r2",
@@ -296,6 +335,120 @@ extern "C" fn roots() {
         "lsrs r2, r2, #1",
         "lsrs r0, r2",
         "pop {{r6, r7, pc}}",
+    )
+}
+
+/// Of the vector in `r0` to `r2` and the unit normal in `r3` to `r5`, as [`toward_light`](super::coarse::toward_light): the unit vector in
+/// `r0` to `r2`, the length in `r3`, the cosine in `r4`; where that is 0 or less, nothing but that.
+#[allow(unsafe_code)]
+#[unsafe(naked)]
+extern "C" fn direction_to_light() {
+    naked_asm!(
+        "push {{r6, r7, lr}}",
+        // The height above the surface, from 15 digits of the normal.
+        "asrs r3, r3, #10",
+        "uxth r6, r0",
+        "asrs r7, r0, #16",
+        "muls r6, r3, r6",
+        "muls r7, r3, r7",
+        "asrs r4, r4, #10",
+        "uxth r3, r1",
+        "muls r3, r4, r3",
+        "adds r6, r6, r3",
+        "asrs r3, r1, #16",
+        "muls r3, r4, r3",
+        "adds r7, r7, r3",
+        "asrs r5, r5, #10",
+        "uxth r3, r2",
+        "muls r3, r5, r3",
+        "adds r6, r6, r3",
+        "asrs r3, r2, #16",
+        "muls r3, r5, r3",
+        "adds r7, r7, r3",
+        "asrs r6, r6, #14",
+        "lsls r4, r7, #2",
+        "adds r4, r4, r6",
+        "cmp r4, #0",
+        "bgt 20f",
+        "pop {{r6, r7, pc}}",
+        "20:",
+        "movs r7, r4",
+        // How far the digits can be shifted up.
+        "asrs r3, r0, #31",
+        "eors r3, r0",
+        "asrs r4, r1, #31",
+        "eors r4, r1",
+        "orrs r3, r4",
+        "asrs r4, r2, #31",
+        "eors r4, r2",
+        "orrs r3, r4",
+        "lsls r3, r3, #1",
+        "movs r4, #0",
+        search!("r3", "r5", "r4", "16", "16", "21"),
+        search!("r3", "r5", "r4", "8", "24", "22"),
+        search!("r3", "r5", "r4", "4", "28", "23"),
+        search!("r3", "r5", "r4", "2", "30", "24"),
+        search!("r3", "r5", "r4", "1", "31", "25"),
+        // 15 digits of each coordinate, and the sum of their squares.
+        "lsls r0, r4",
+        "asrs r0, r0, #16",
+        "lsls r1, r4",
+        "asrs r1, r1, #16",
+        "lsls r2, r4",
+        "asrs r2, r2, #16",
+        "movs r3, r0",
+        "muls r3, r0, r3",
+        "movs r5, r1",
+        "muls r5, r1, r5",
+        "adds r3, r3, r5",
+        "movs r5, r2",
+        "muls r5, r2, r5",
+        "adds r3, r3, r5",
+        "lsls r7, r4",
+        "lsrs r7, r7, #16",
+        // 2³⁵ over their length, by the table.
+        "mov r12, r3",
+        "mov lr, r4",
+        "movs r6, #0",
+        "lsrs r5, r3, #30",
+        "bne 26f",
+        "lsls r3, r3, #2",
+        "movs r6, #1",
+        "26:",
+        "ldr r4, 27f",
+        "lsrs r5, r3, #23",
+        "lsls r5, r5, #2",
+        "ldr r4, [r4, r5]",
+        "lsls r3, r3, #9",
+        "lsrs r3, r3, #20",
+        "adds r3, r3, #1",
+        "lsls r5, r4, #20",
+        "lsrs r5, r5, #20",
+        "muls r3, r5, r3",
+        "subs r4, r4, r3",
+        "lsrs r4, r4, #12",
+        "lsls r4, r6",
+        // Times their squares, and in two parts times all others.
+        "mov r3, r12",
+        "lsrs r3, r3, #15",
+        "lsrs r5, r4, #5",
+        "muls r3, r5, r3",
+        "mov r5, lr",
+        "lsrs r3, r5",
+        "lsls r3, r3, #1",
+        "lsrs r6, r4, #6",
+        "movs r5, #63",
+        "ands r5, r4",
+        scale!("r0", "asrs"),
+        scale!("r1", "asrs"),
+        scale!("r2", "asrs"),
+        scale!("r7", "lsrs"),
+        "movs r4, r7",
+        "pop {{r6, r7, pc}}",
+        ".p2align 2",
+        "27:",
+        ".word {table}",
+        table = sym SHORT_RSQRT,
     )
 }
 
@@ -385,4 +538,28 @@ pub(super) fn root(squared: u64) -> Root {
         );
     }
     Root { length, inverse, up }
+}
+
+/// As [`toward_light`](super::coarse::toward_light).
+#[inline(always)]
+pub(super) fn toward_light([x, y, z]: [i32; 3], [nx, ny, nz]: [i32; 3]) -> Option<([i32; 3], i32, i32)> {
+    let (ux, uy, uz, length, cosine): (i32, i32, i32, i32, i32);
+    // SAFETY: the function takes six registers, reads a table for every 9 bits, and leaves nothing changed but what is named here.
+    #[allow(unsafe_code)]
+    unsafe {
+        asm!(
+            "bl {function}",
+            function = sym direction_to_light,
+            inlateout("r0") x => ux,
+            inlateout("r1") y => uy,
+            inlateout("r2") z => uz,
+            inlateout("r3") nx => length,
+            inlateout("r4") ny => cosine,
+            inlateout("r5") nz => _,
+            out("r12") _,
+            out("lr") _,
+            options(pure, readonly),
+        );
+    }
+    if cosine > 0 { Some(([ux, uy, uz], length, cosine)) } else { None }
 }
