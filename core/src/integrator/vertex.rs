@@ -120,6 +120,10 @@ impl<'s, R: Real> Vertex<'s, R> {
         let (mut is_lit, mut is_glinting) = (false, false);
         for (index, light) in scene.lights.iter().enumerate() {
             let scene = afresh(scene);
+            // Where all that a light could bring is a highlight.
+            if !diffuses && optics.is_none() && !scene.may_glint(self.hit.object, index, self.mirrored) {
+                continue;
+            }
             let seen = light.seen_from(self.hit.surface.point, self.normal);
             let Some((toward, distance, cosine)) = seen else { continue };
             let along = match optics {

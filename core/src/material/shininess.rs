@@ -22,6 +22,11 @@ impl<R: Real> Shininess<R> {
         Self { least: R::from_f32(least), exponent: R::factor(shininess) }
     }
 
+    /// The cosine at which a highlight fades out.
+    pub(crate) fn least(&self) -> R {
+        self.least
+    }
+
     /// Whether a highlight is so small that few pixels show it.
     pub(crate) fn is_sharp(&self) -> bool {
         self.least > R::from_f32(0.85)
