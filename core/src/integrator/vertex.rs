@@ -49,7 +49,10 @@ impl<'s, R: Real> Vertex<'s, R> {
         let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
-        let mirrored = incoming + normal * (cosine + cosine);
+        // Nobody asks what is neither shiny nor mirrors where that way goes; to tell takes time as well.
+        let is_asked =
+            !R::SEEKS_FACTORS || probe.is_watching() || material.specular > R::ZERO || material.sends_rays();
+        let mirrored = if is_asked { incoming + normal * (cosine + cosine) } else { incoming };
         let throughput = throughput.color();
         probe.record(Event::Hit { kind, hit: shown, color, mirrored, throughput });
         Self { hit, material, color, incoming, normal, is_outside, cosine, mirrored }
@@ -190,8 +193,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     /// Whether any ray may have to be followed from here.
     #[inline(always)]
     pub(super) fn goes_on(&self) -> bool {
-        let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
-        reflectance.is_positive() || transmittance.is_positive() || self.material.optics().is_some()
+        self.material.sends_rays()
     }
 
     /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.
