@@ -186,7 +186,7 @@ impl<R: Real> Viewport<R> {
         let y = R::from_pixel(y, down, self.shift);
         let direction = self.corner + self.right.times_few(x) + self.down.times_few(y);
         // The length is at least 1, the distance of the picture.
-        Ray { origin: self.camera.eye, direction: direction.polar().0 }
+        Ray { origin: self.camera.eye, direction: direction.unit() }
     }
 
     /// How far a point is in front of the camera, and from it.

@@ -156,7 +156,7 @@ impl<'m, R: Real> PreparedLight<'m, R> {
             }
             Source::Far(position, shrink) => {
                 // The direction is the same in every scale.
-                let (direction, _) = (position - point * shrink).polar();
+                let direction = (position - point * shrink).unit();
                 let cosine = direction.dot(normal);
                 (cosine > R::ZERO).then_some((direction, R::FARTHEST, cosine))
             }

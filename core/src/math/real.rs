@@ -161,6 +161,12 @@ pub trait Real:
         (vector.map(|coordinate| coordinate * scale), length)
     }
 
+    /// The unit vector along a vector, and nothing else.
+    #[inline(always)]
+    fn unit(vector: [Self; 3]) -> [Self; 3] {
+        Self::polar(vector).0
+    }
+
     /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` where that is
     /// not more than 0. What a shadow looks like takes fewer digits than where a ray ends: the direction is a unit vector, but
     /// [may be off](Self::ASTRAY).

@@ -105,6 +105,13 @@ impl<R: Real> Vec3<R> {
         (Self::new(x, y, z), length)
     }
 
+    /// The unit vector of the same direction. Of one of length 0 it is anything.
+    #[inline(always)]
+    pub(crate) fn unit(self) -> Self {
+        let [x, y, z] = R::unit([self.x, self.y, self.z]);
+        Self::new(x, y, z)
+    }
+
     /// The unit vector of the same direction, or `None` where the length is 0.
     pub fn normalized(self) -> Option<Self> {
         let (unit, length) = self.polar();

@@ -119,7 +119,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let (normal, _) = (ray.at(t) - self.center).polar();
+        let normal = (ray.at(t) - self.center).unit();
         Surface {
             point: self.center + normal * self.radius,
             normal,
@@ -130,7 +130,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        (surface.normal * self.radius + step).polar().0
+        (surface.normal * self.radius + step).unit()
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {

@@ -274,67 +274,136 @@ macro_rules! upper {
     };
 }
 
-/// Of the number in `r0:r3` and the table in `r1`, as [`root`](super::newton::root): the root in `r0`, its reciprocal in `r1`, and how
-/// far the root was shifted in `r2`. What it leaves in `r3` to `r5` and `r12` is not saved.
+/// Of the number in `r0:r3` the leading zeros in `r2`, as far as they are even, and the digits after them in `r0`; of these 1/√x in `r1`, by
+/// the line of [`rsqrt`](super::newton::rsqrt), of which `$table` has the address. What it leaves in `r3` and `r4` is not saved.
+macro_rules! begin_root {
+    ($table:literal) => {
+        concat!(
+            "movs r2, #0\n cmp r0, #0\n bne 20f\n movs r0, r3\n movs r3, #0\n movs r2, #32\n 20:\n",
+            search!("r0", "r1", "r2", "16", "16", "21"),
+            search!("r0", "r1", "r2", "8", "24", "22"),
+            search!("r0", "r1", "r2", "4", "28", "23"),
+            search!("r0", "r1", "r2", "2", "30", "24"),
+            // A shift by 32 or more leaves nothing.
+            "movs r1, #32\n subs r1, r1, r2\n lsrs r3, r1\n orrs r0, r3\n",
+            "ldr r1, ",
+            $table,
+            "\n lsrs r3, r0, #25\n lsls r3, r3, #2\n ldr r1, [r1, r3]\n",
+            "lsrs r3, r0, #9\n uxth r3, r3\n adds r3, r3, #1\n uxth r4, r1\n muls r3, r4, r3\n subs r1, r1, r3\n",
+            "lsrs r1, r1, #16\n"
+        )
+    };
+}
+
+/// Newton's step from there: 1/√x in `r1` in 31 digits. The upper half of `r0` is in `r6` from here on. What it leaves in `r3` to `r5` and
+/// `r7` is not saved.
+macro_rules! end_reciprocal_root {
+    () => {
+        concat!(
+            "movs r3, r1\n muls r3, r1, r3\n lsrs r6, r0, #16\n",
+            upper!("r3"),
+            "movs r4, #1\n lsls r4, r4, #30\n subs r3, r4, r3\n asrs r3, r3, #3\n muls r3, r1, r3\n asrs r3, r3, #13\n",
+            "lsls r1, r1, #15\n adds r1, r1, r3\n"
+        )
+    };
+}
+
+/// How far a root is shifted, in `r2`, from the leading zeros there.
+macro_rules! halve_zeros {
+    () => {
+        "subs r2, r2, #1\n bcs 25f\n movs r2, #0\n 25:\n lsrs r2, r2, #1\n"
+    };
+}
+
+/// Of the number in `r0:r3`, as [`root`](super::newton::root): the root in `r0`, its reciprocal in `r1`, and how far the root was shifted in
+/// `r2`. What it leaves in `r3` to `r5` is not saved.
 #[allow(unsafe_code)]
 #[unsafe(naked)]
 extern "C" fn roots() {
     naked_asm!(
         "push {{r6, r7, lr}}",
-        "mov r12, r1",
-        // Leading zeros, and the digits after them.
-        "movs r2, #0",
-        "cmp r0, #0",
-        "bne 20f",
-        "movs r0, r3",
-        "movs r3, #0",
-        "movs r2, #32",
-        "20:",
-        search!("r0", "r1", "r2", "16", "16", "21"),
-        search!("r0", "r1", "r2", "8", "24", "22"),
-        search!("r0", "r1", "r2", "4", "28", "23"),
-        search!("r0", "r1", "r2", "2", "30", "24"),
-        // A shift by 32 or more leaves nothing.
-        "movs r1, #32",
-        "subs r1, r1, r2",
-        "lsrs r3, r1",
-        "orrs r0, r3",
-        // y, by the table.
-        "lsrs r3, r0, #25",
-        "lsls r3, r3, #2",
-        "add r3, r12",
-        "ldr r1, [r3]",
-        "lsrs r3, r0, #9",
-        "uxth r3, r3",
-        "adds r3, r3, #1",
-        "uxth r4, r1",
-        "muls r3, r4, r3",
-        "subs r1, r1, r3",
-        "lsrs r1, r1, #16",
-        // The upper half of y² times the digits.
-        "movs r3, r1",
-        "muls r3, r1, r3",
-        "lsrs r6, r0, #16",
-        upper!("r3"),
-        // Newton's step.
-        "movs r4, #1",
-        "lsls r4, r4, #30",
-        "subs r3, r4, r3",
-        "asrs r3, r3, #3",
-        "muls r3, r1, r3",
-        "asrs r3, r3, #13",
-        "lsls r1, r1, #15",
-        "adds r1, r1, r3",
+        begin_root!("29f"),
+        end_reciprocal_root!(),
         // The upper half of the digits times the reciprocal root.
         upper!("r1"),
         "lsls r0, r3, #1",
-        "subs r2, r2, #1",
-        "bcs 25f",
-        "movs r2, #0",
-        "25:",
-        "lsrs r2, r2, #1",
+        halve_zeros!(),
         "lsrs r0, r2",
         "pop {{r6, r7, pc}}",
+        ".p2align 2",
+        "29:",
+        ".word {table}",
+        table = sym RSQRT,
+    )
+}
+
+/// Of the number in `r0:r3` the square root in `r0`, as [`square_root`](super::newton::square_root). What it leaves in `r1` to `r4` is not
+/// saved.
+#[allow(unsafe_code)]
+#[unsafe(naked)]
+extern "C" fn square_root_alone() {
+    naked_asm!(
+        begin_root!("29f"),
+        "lsrs r3, r0, #16",
+        "muls r3, r1, r3",
+        "lsrs r3, r3, #15",
+        "movs r4, r3",
+        "muls r4, r3, r4",
+        "subs r0, r0, r4",
+        "asrs r0, r0, #5",
+        "muls r0, r1, r0",
+        "asrs r0, r0, #12",
+        "lsls r3, r3, #15",
+        "adds r0, r0, r3",
+        halve_zeros!(),
+        "lsrs r0, r2",
+        "bx lr",
+        ".p2align 2",
+        "29:",
+        ".word {table}",
+        table = sym RSQRT,
+    )
+}
+
+/// Of the coordinate that the stack pointer is at by `$place`, shifted up by `r2`, and the reciprocal length of which the halves are in `r5`
+/// and `r6`: that of the unit vector, in its place. What it leaves in `r0`, `r3`, `r4` and `r7` is not saved.
+macro_rules! unit_coordinate {
+    ($place:literal) => {
+        concat!(
+            "ldr r0, [sp, #",
+            $place,
+            "]\n lsls r0, r2\n uxth r3, r0\n asrs r0, r0, #16\n movs r4, r3\n muls r4, r5, r4\n lsrs r4, r4, #16\n",
+            "movs r7, r0\n muls r7, r5, r7\n adds r4, r4, r7\n uxth r7, r4\n asrs r4, r4, #16\n muls r3, r6, r3\n",
+            "adds r3, r3, r7\n lsrs r3, r3, #16\n muls r0, r6, r0\n adds r0, r0, r4\n adds r0, r0, r3\n",
+            "adds r0, #16\n asrs r0, r0, #5\n str r0, [sp, #",
+            $place,
+            "]\n"
+        )
+    };
+}
+
+/// Of the vector in `r0` to `r2`, the unit vector, as [`polar`](crate::math::Real::polar). What it leaves in `r3` to `r5` and `r12` is not
+/// saved.
+#[allow(unsafe_code)]
+#[unsafe(naked)]
+extern "C" fn unit_vector() {
+    naked_asm!(
+        "push {{r0, r1, r2, r6, r7, lr}}",
+        "bl {squares}",
+        begin_root!("29f"),
+        end_reciprocal_root!(),
+        halve_zeros!(),
+        "uxth r5, r1",
+        "lsrs r6, r1, #16",
+        unit_coordinate!("0"),
+        unit_coordinate!("4"),
+        unit_coordinate!("8"),
+        "pop {{r0, r1, r2, r6, r7, pc}}",
+        ".p2align 2",
+        "29:",
+        ".word {table}",
+        squares = sym squares,
+        table = sym RSQRT,
     )
 }
 
@@ -519,17 +588,61 @@ pub(super) fn length_squared([x, y, z]: [i32; 3]) -> u64 {
 #[inline(always)]
 pub(super) fn root(squared: u64) -> Root {
     let (length, inverse, up): (u32, u32, u32);
-    // SAFETY: the function takes three registers, reads the table of which it has 128 pieces, and leaves nothing changed but what is
-    // named here.
+    // SAFETY: the function takes two registers, reads a table for every 7 bits, and leaves nothing changed but what is named here.
     #[allow(unsafe_code)]
     unsafe {
         asm!(
             "bl {function}",
             function = sym roots,
             inlateout("r0") (squared >> 32) as u32 => length,
-            inlateout("r1") &RSQRT => inverse,
+            out("r1") inverse,
             out("r2") up,
             inlateout("r3") squared as u32 => _,
+            out("r4") _,
+            out("r5") _,
+            out("lr") _,
+            options(pure, readonly),
+        );
+    }
+    Root { length, inverse, up }
+}
+
+/// The square root alone.
+#[inline(always)]
+pub(super) fn square_root(squared: u64) -> u32 {
+    let root: u32;
+    // SAFETY: the function takes two registers, reads a table for every 7 bits, and leaves nothing changed but what is named here.
+    #[allow(unsafe_code)]
+    unsafe {
+        asm!(
+            "bl {function}",
+            function = sym square_root_alone,
+            inlateout("r0") (squared >> 32) as u32 => root,
+            out("r1") _,
+            out("r2") _,
+            inlateout("r3") squared as u32 => _,
+            out("r4") _,
+            out("lr") _,
+            options(pure, readonly),
+        );
+    }
+    root
+}
+
+/// The unit vector along a vector.
+#[inline(always)]
+pub(super) fn unit([x, y, z]: [i32; 3]) -> [i32; 3] {
+    let (ux, uy, uz): (i32, i32, i32);
+    // SAFETY: the function takes three registers, reads a table for every 7 bits, and leaves nothing changed but what is named here.
+    #[allow(unsafe_code)]
+    unsafe {
+        asm!(
+            "bl {function}",
+            function = sym unit_vector,
+            inlateout("r0") x => ux,
+            inlateout("r1") y => uy,
+            inlateout("r2") z => uz,
+            out("r3") _,
             out("r4") _,
             out("r5") _,
             out("r12") _,
@@ -537,7 +650,7 @@ pub(super) fn root(squared: u64) -> Root {
             options(pure, readonly),
         );
     }
-    Root { length, inverse, up }
+    [ux, uy, uz]
 }
 
 /// As [`toward_light`](super::coarse::toward_light).

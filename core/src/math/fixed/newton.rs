@@ -8,6 +8,7 @@
 //! | [`recip`] | 2⁻¹³ | 2⁻²⁶ of the value |
 //! | [`rsqrt`] | 2⁻¹³ | 2⁻²⁵ of the value |
 //! | [`coarse_rsqrt`] | 2⁻¹⁷·⁸ | - |
+//! | [`square_root`] | 2⁻¹² | 2⁻²⁴ of the value |
 //!
 //! A piece is one word, to be loaded at once. A step costs one long product and one or two short ones. Two steps from a table without
 //! lines would cost two more long ones, which weigh 20 instructions each on ARMv6-M.
@@ -115,6 +116,29 @@ pub(super) fn coarse_rsqrt(x: u32) -> u32 {
     at::<9, SHORT_FALL>(SHORT_RSQRT[(x >> 23) as usize], x)
 }
 
+/// The square root of a number below 2⁶², in 31 bits or fewer: by the line, and a step of Heron's method.
+#[inline(always)]
+#[allow(clippy::indexing_slicing)] // There are 128 pieces.
+pub(super) fn square_root(squared: u64) -> u32 {
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    if super::product::IS_ARMV6M {
+        return super::armv6m::square_root(squared);
+    }
+    let (zeros, x) = even_zeros(squared);
+    let y = at::<7, FALL>(RSQRT[(x >> 25) as usize], x);
+    // 16 digits of the root, and what their square leaves, times half their reciprocal.
+    let root = (x >> 16).wrapping_mul(y) >> 15;
+    let rest = x.wrapping_sub(root.wrapping_mul(root)) as i32;
+    let correction = (rest >> 5).wrapping_mul(y as i32) >> 12;
+    (root << 15).wrapping_add(correction as u32) >> shift(zeros)
+}
+
+/// How far a root is shifted down, of a number of so many leading zeros.
+#[inline(always)]
+fn shift(zeros: u32) -> u32 {
+    zeros.saturating_sub(1) >> 1 & 31
+}
+
 /// What [`root`] finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Root {
@@ -136,7 +160,7 @@ pub(super) fn root(squared: u64) -> Root {
     }
     let (zeros, digits) = even_zeros(squared);
     let inverse = rsqrt(digits);
-    let up = zeros.saturating_sub(1) >> 1 & 31;
+    let up = shift(zeros);
     Root { length: (upper(digits, inverse) << 1) >> up, inverse, up }
 }
 
@@ -172,6 +196,17 @@ mod tests {
         }
         println!("2^{}", worst.log2());
         assert!(worst < 2f64.powi(-26), "2^{}", worst.log2());
+    }
+
+    #[test]
+    fn square_roots_keep_their_bound() {
+        let mut worst = 0f64;
+        for x in normalized(1 << 30) {
+            let exact = f64::from(x).sqrt() * 32_768.0;
+            worst = worst.max((f64::from(square_root(u64::from(x) << 30)) / exact - 1.0).abs());
+        }
+        println!("2^{}", worst.log2());
+        assert!(worst < 2f64.powi(-24), "2^{}", worst.log2());
     }
 
     #[test]

@@ -4,7 +4,7 @@ use core::ops::{Add, Sub};
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 use super::armv6m;
-use super::newton::root;
+use super::newton::square_root;
 use super::product::product;
 use super::{FRACTION, Fixed, inverse};
 use crate::math::real::Product;
@@ -56,7 +56,7 @@ impl FixedProduct {
         if self.0 >> 62 != 0 {
             return Fixed(i32::MAX);
         }
-        Fixed(root(self.0 as u64).length as i32)
+        Fixed(square_root(self.0 as u64) as i32)
     }
 }
 
