@@ -124,7 +124,14 @@ pub trait Real:
         Self::dot3(a, b)
     }
 
-    /// Whether a ray surely misses a ball, where [that](Self::SAVES_DIGITS) can be told faster than by meeting it.
+    /// Whether a place is so near the middle of the scene that [`misses_ball`](Self::misses_ball) may be asked of rays from there.
+    #[inline(always)]
+    fn is_central(_place: Vec3<Self>) -> bool {
+        false
+    }
+
+    /// Whether a ray from a [central](Self::is_central) place surely misses a ball, where [that](Self::SAVES_DIGITS) can be told faster than by
+    /// meeting it.
     #[inline(always)]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
         false

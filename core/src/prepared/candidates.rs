@@ -98,14 +98,21 @@ pub(crate) struct Candidates<'m, R: Real> {
     all: ObjectSet,
     /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come out.
     leaving: &'m [[ObjectSet; 2]],
-    /// Per object and light: what can stand between them.
-    shadows: &'m [ObjectSet],
-    /// Per object and light: what tells fast that a ball is not in the way, or shows no highlight.
-    balls: &'m [SeenBall<R>],
+    /// Per object and light.
+    pairs: &'m [Pair<R>],
     lights: usize,
-    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, `balls` hold, and outlines of
+    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, [`SeenBall`]s hold, and outlines of
     /// shadows. Not much is seen of what is farther off, on floors without end.
     reach: R,
+}
+
+/// What is known of an object and a light.
+#[derive(Clone, Copy, Debug)]
+struct Pair<R: Real> {
+    /// What can stand between them.
+    between: ObjectSet,
+    /// What tells fast that a ball is not in the way of others, or shows no highlight.
+    ball: SeenBall<R>,
 }
 
 /// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where it goes.
@@ -193,9 +200,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         let objects = Self::stored(objects);
         // 32 objects and 65535 lights are far from overflowing.
         let pairs = objects.saturating_mul(lights);
-        Arena::bytes::<[ObjectSet; 2]>(objects)
-            .saturating_add(Arena::bytes::<ObjectSet>(pairs))
-            .saturating_add(Arena::bytes::<SeenBall<R>>(pairs))
+        Arena::bytes::<[ObjectSet; 2]>(objects).saturating_add(Arena::bytes::<Pair<R>>(pairs))
     }
 
     /// Works out the sets, unless the scene has too many objects.
@@ -219,33 +224,25 @@ impl<'m, R: Real> Candidates<'m, R> {
             };
             [inward, outward]
         })?;
-        // The pair of an object and a light at this position.
-        let pair = |index: usize| {
-            let object = index.checked_div(lights.len()).unwrap_or(0);
-            (object, index.checked_rem(lights.len()).and_then(|light| lights.get(light)))
-        };
-        let pairs = objects.len() * lights.len();
-        let shadows = arena.store_with(pairs, |index| {
-            let (receiver, light) = pair(index);
-            let set = among(objects, receiver, |around, other| {
-                light.is_none_or(|light| around.is_shaded_by(other, &light.source))
-            });
-            but_itself(set, receiver)
-        })?;
         let bounds = objects.iter().filter_map(|object| object.shape.bounds());
         let largest = bounds.fold(R::ZERO, |largest, bounds| largest.larger(bounds.magnitude()));
         // In fixed point objects lie within 8 units, and 120 is still a number.
         let reach = largest * R::from_u16(15);
-        let balls = arena.store_with(pairs, |index| {
-            let (object, light) = pair(index);
-            match (objects.get(object), light) {
+        let pairs = arena.store_with(objects.len() * lights.len(), |index| {
+            let receiver = index.checked_div(lights.len()).unwrap_or(0);
+            let light = index.checked_rem(lights.len()).and_then(|light| lights.get(light));
+            let between = among(objects, receiver, |around, other| {
+                light.is_none_or(|light| around.is_shaded_by(other, &light.source))
+            });
+            let ball = match (objects.get(receiver), light) {
                 (Some(PreparedObject { shape, material }), Some(light)) => {
                     SeenBall::new(shape.form(), &material.shininess, &light.source, reach)
                 }
                 _ => SeenBall::UNKNOWN,
-            }
+            };
+            Pair { between: but_itself(between, receiver), ball }
         })?;
-        Ok(Some(Self { all, leaving, shadows, balls, lights: lights.len(), reach }))
+        Ok(Some(Self { all, leaving, pairs, lights: lights.len(), reach }))
     }
 
     /// What a ray can meet that comes from far away.
@@ -277,8 +274,7 @@ impl<'m, R: Real> Candidates<'m, R> {
     /// What can stand between a surface and a light.
     #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {
-        let index = from.object.wrapping_mul(self.lights).wrapping_add(light);
-        let set = self.shadows.get(index).copied().unwrap_or(self.all);
+        let set = self.pair(from.object, light).map_or(self.all, |pair| pair.between);
         if from.outward { set } else { set.with(from.object) }
     }
 
@@ -298,19 +294,20 @@ impl<'m, R: Real> Candidates<'m, R> {
     /// floating point `classic` takes 1.003 times the instructions with it.
     #[inline(always)]
     pub(super) fn may_glint(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
-        !R::SEEKS_FACTORS || self.ball(object, light).is_none_or(|ball| ball.may_glint(mirrored))
+        !R::SEEKS_FACTORS || self.pair(object, light).is_none_or(|pair| pair.ball.may_glint(mirrored))
     }
 
     #[inline(always)]
-    fn ball(&self, object: usize, light: usize) -> Option<&SeenBall<R>> {
-        self.balls.get(object.wrapping_mul(self.lights).wrapping_add(light))
+    fn pair(&self, object: usize, light: usize) -> Option<&Pair<R>> {
+        self.pairs.get(object.wrapping_mul(self.lights).wrapping_add(light))
     }
 
     /// Those objects, from the first on that a shadow ray of this direction, toward this light, does not surely miss. What comes after it
     /// is looked at in fixed point alone: in floating point it takes as long to test it.
     #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
-        let is_passed = |object| self.ball(object, light).is_some_and(|ball| ball.is_passed_by(toward_light));
+        let is_passed =
+            |object| self.pair(object, light).is_some_and(|pair| pair.ball.is_passed_by(toward_light));
         while let Some(object) = set.lowest()
             && is_passed(object)
         {

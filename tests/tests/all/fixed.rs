@@ -101,11 +101,11 @@ fn digests_are_golden() {
 }
 
 const GOLDEN: [(&str, &str); 5] = [
-    ("classic", "0xbbbc2f14fec3ecff"),
+    ("classic", "0xdd74147b2b3c678e"),
     ("whitted", "0x9e7970e209bcade4"),
-    ("flake", "0x1dc23fd6486a8ab4"),
+    ("flake", "0x78b08c90c7fadc95"),
     ("prism", "0x392fc82aaa429ac5"),
-    ("table", "0x04c5aa40a93e38d6"),
+    ("table", "0x4803d81f8c91d85d"),
 ];
 
 #[test]

@@ -149,6 +149,27 @@ impl Fixed {
         self.0
     }
 
+    /// The nearest of these numbers to many units, shifted down by 1 to 63.
+    #[inline(always)]
+    fn shifted(bits: i64, down: u32) -> Self {
+        if IS_ARMV6M { Self::shifted_by_words(bits, down) } else { Self::saturated(bits >> (down & 63)) }
+    }
+
+    /// The same. On ARMv6-M, to shift two words together is a call.
+    #[inline(always)]
+    fn shifted_by_words(bits: i64, down: u32) -> Self {
+        let (high, low) = ((bits >> 32) as i32, bits as u32);
+        if down & 32 != 0 {
+            return Self(high >> (down & 31));
+        }
+        let down = down & 31;
+        // What is lost above must be copies of the sign.
+        let shifted = (high << 1 << (31 - down)) as u32 | low >> down;
+        let sign = high >> 31;
+        let is_held = high >> down == sign && (shifted as i32) >> 31 == sign;
+        Self(if is_held { shifted as i32 } else { sign ^ i32::MAX })
+    }
+
     /// The nearest of these numbers to many units of 2⁻²⁴.
     #[inline(always)]
     fn saturated(bits: i64) -> Self {
@@ -197,14 +218,18 @@ impl Div for Fixed {
         }
         let (zeros, inverse) = inverse(other);
         // The divisor is 2⁽⁸⁻ᶻᵉʳᵒˢ⁾ times a number in [1/2, 1), of which `inverse` holds the reciprocal in 30 bits.
-        let quotient = product(self.0, inverse) >> (38u32.wrapping_sub(zeros) & 63);
-        Self::saturated(if other.0 < 0 { quotient.wrapping_neg() } else { quotient })
+        let quotient = Self::shifted(product(self.0, inverse), 38u32.wrapping_sub(zeros));
+        if other.0 < 0 { Self(quotient.0.saturating_neg()) } else { quotient }
     }
 }
 
 /// Leading zeros of the absolute value, and the reciprocal of the digits after them.
 #[inline(always)]
 fn inverse(divisor: Fixed) -> (u32, i32) {
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    if IS_ARMV6M {
+        return armv6m::inverse(divisor.0);
+    }
     let digits = divisor.0.unsigned_abs();
     let zeros = zeros(digits) & 31;
     (zeros, recip(digits << zeros) as i32)
@@ -349,6 +374,11 @@ impl Real for Fixed {
         } else {
             Self::dot3(a, b)
         }
+    }
+
+    #[inline(always)]
+    fn is_central(Vec3 { x, y, z }: Vec3<Self>) -> bool {
+        Self::SAVES_DIGITS && coarse::is_central([x.0, y.0, z.0])
     }
 
     #[inline(always)]
