@@ -244,7 +244,7 @@ impl<'s, R: Real> Vertex<'s, R> {
         }
         let refracted = self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt());
         // What leaves a high index, or one surface after the other, is off by what `incoming` was times the square of the ratio: in `f32` by
-        // 3e-6 after glass, and by 6e-4 at 18. What makes rays faster takes directions for unit vectors.
+        // 3e-6 after glass, and by 6e-4 at 18. What makes rays faster takes directions for unit vectors. What enters is off by less.
         let is_unit = eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
         if is_unit { Some(refracted) } else { refracted.normalized() }
     }

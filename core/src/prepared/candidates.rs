@@ -181,7 +181,7 @@ fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
             let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
-            // Along each axis they are no farther apart than that.
+            // A light and a hit are no farther apart than √3 times what they can be along an axis.
             (R::from_setup(reach.larger(far)), (reach + far) * R::Setup::from_f32(1.74))
         }
         _ => (reach, R::Setup::ZERO),

@@ -428,8 +428,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// Whether an object may show a highlight of a light, with no map or law of reflection of its own, where a ray is mirrored into this
-    /// direction.
+    /// Whether an object whose highlights follow Phong's law may show one of a light, where a ray is mirrored into this direction.
     #[inline(always)]
     pub(crate) fn may_glint(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
         self.candidates().is_none_or(|candidates| candidates.may_glint(object, light, mirrored))

@@ -11,11 +11,11 @@
 //! Squares have their middle product twice: three of them take 33 instructions in place of 62 with the moves that a scalar product
 //! of a vector with itself needs. A root and its reciprocal take 82, in place of 117, because the compiler spills what a search for
 //! leading zeros has in eight registers; a unit vector takes 160 in place of 205, a square root alone 48, a reciprocal 52 in place of 70, a
-//! direction to a light 117 in place of 270. Rejected: three products with the same factor, in which the compiler does as well (1.01).
+//! direction to a light 145 in place of 270. Rejected: three products with the same factor, in which the compiler does as well (1.01).
 
 use core::arch::{asm, naked_asm};
 
-use super::newton::{RECIP, RSQRT, Root, SHORT_RSQRT};
+use super::newton::{RECIP, RSQRT, Root};
 
 /// Adds `$term` to the sum of the middle products in `$sum`. The term's register is free afterwards.
 macro_rules! add_middle {
@@ -209,8 +209,7 @@ macro_rules! search {
     };
 }
 
-/// A number of 16 bits times one in units of 2⁻¹¹, of which the lowest 6 bits are in `r5`, the others in `r6`; `$shift` tells whether it
-/// has a sign. The product is in `$result`; what else it leaves in `$number` and `r4` is not saved.
+/// A number of 16 bits times one in units of 2⁻²¹, of which the halves are in `r5` and `r6`; `$shift` tells whether it has a sign. The product is in `$result`; what else it leaves in `$number` and `r4` is not saved.
 macro_rules! scale {
     ($number:literal, $shift:literal, $result:literal) => {
         concat!(
@@ -218,7 +217,7 @@ macro_rules! scale {
             $number,
             "\n muls r4, r5, r4\n ",
             $shift,
-            " r4, r4, #6\n muls ",
+            " r4, r4, #16\n muls ",
             $number,
             ", r6, ",
             $number,
@@ -260,8 +259,8 @@ macro_rules! upper {
     };
 }
 
-/// Of the number in `r0:r3` the leading zeros in `r2`, as far as they are even, and the digits after them in `r0`; of these 1/√x in `r1`, by
-/// the line of [`rsqrt`](super::newton::rsqrt), of which `$table` has the address. What it leaves in `r3` and `r4` is not saved.
+/// Of the number in `r0:r3` the leading zeros in `r2`, as far as they are even, and the digits after them in `r0`; of these 1/√x in `r1`, as
+/// [`line_of_root`]. What it leaves in `r3` and `r4` is not saved.
 macro_rules! begin_root {
     ($table:literal) => {
         concat!(
@@ -272,11 +271,20 @@ macro_rules! begin_root {
             search!("r0", "r1", "r2", "2", "30", "24"),
             // A shift by 32 or more leaves nothing.
             "movs r1, #32\n subs r1, r1, r2\n lsrs r3, r1\n orrs r0, r3\n",
+            line_of_root!($table)
+        )
+    };
+}
+
+/// 1/√x of the digits in `r0` in `r1`, by the line of [`rsqrt`](super::newton::rsqrt), of which `$table` has the address. What it leaves in
+/// `r3` and `r4` is not saved.
+macro_rules! line_of_root {
+    ($table:literal) => {
+        concat!(
             "ldr r1, ",
             $table,
             "\n lsrs r3, r0, #25\n lsls r3, r3, #2\n ldr r1, [r1, r3]\n",
-            "lsrs r3, r0, #9\n uxth r3, r3\n uxth r4, r1\n muls r3, r4, r3\n subs r1, r1, r3\n",
-            "lsrs r1, r1, #16\n"
+            "lsrs r3, r0, #9\n uxth r3, r3\n uxth r4, r1\n muls r3, r4, r3\n subs r1, r1, r3\n lsrs r1, r1, #16\n"
         )
     };
 }
@@ -512,38 +520,28 @@ extern "C" fn direction_to_light() {
         "adds r3, r3, r5",
         "lsls r7, r4",
         "lsrs r7, r7, #16",
-        // 2³⁵ over their length, by the table.
-        "mov r12, r3",
-        "mov lr, r4",
-        "movs r6, #0",
-        "lsrs r5, r3, #30",
+        "push {{r0, r1, r2, r3, r4, r7}}",
+        // 2⁴⁵ over their length.
+        "movs r0, r3",
+        "movs r2, #1",
+        "lsrs r1, r0, #30",
         "bne 26f",
-        "lsls r3, r3, #2",
-        "movs r6, #1",
+        "lsls r0, r0, #2",
+        "movs r2, #0",
         "26:",
-        "ldr r4, 27f",
-        "lsrs r5, r3, #23",
-        "lsls r5, r5, #2",
-        "ldr r4, [r4, r5]",
-        "lsls r3, r3, #9",
-        "lsrs r3, r3, #20",
-        "lsls r5, r4, #20",
-        "lsrs r5, r5, #20",
-        "muls r3, r5, r3",
-        "subs r4, r4, r3",
-        "lsrs r4, r4, #12",
-        "lsls r4, r6",
-        // Times their squares, and in two parts times all others.
-        "mov r3, r12",
+        line_of_root!("27f"),
+        end_reciprocal_root!(),
+        "lsrs r1, r2",
+        "movs r6, r1",
+        "pop {{r0, r1, r2, r3, r4, r7}}",
+        // Times their squares, and by halves times all others.
         "lsrs r3, r3, #15",
-        "lsrs r5, r4, #5",
+        "lsrs r5, r6, #15",
         "muls r3, r5, r3",
-        "mov r5, lr",
-        "lsrs r3, r5",
+        "lsrs r3, r4",
         "lsls r3, r3, #1",
-        "lsrs r6, r4, #6",
-        "movs r5, #63",
-        "ands r5, r4",
+        "uxth r5, r6",
+        "lsrs r6, r6, #16",
         scale!("r0", "asrs", "r0"),
         scale!("r1", "asrs", "r1"),
         scale!("r2", "asrs", "r2"),
@@ -552,7 +550,7 @@ extern "C" fn direction_to_light() {
         ".p2align 2",
         "27:",
         ".word {table}",
-        table = sym SHORT_RSQRT,
+        table = sym RSQRT,
     )
 }
 
@@ -715,7 +713,7 @@ pub(super) fn unit([x, y, z]: [i32; 3]) -> [i32; 3] {
 #[inline(always)]
 pub(super) fn toward_light([x, y, z]: [i32; 3], [nx, ny, nz]: [i32; 3]) -> Option<([i32; 3], i32, i32)> {
     let (ux, uy, uz, length, cosine): (i32, i32, i32, i32, i32);
-    // SAFETY: the function takes six registers, reads a table for every 9 bits, and leaves nothing changed but what is named here.
+    // SAFETY: the function takes six registers, reads a table for every 7 bits, and leaves nothing changed but what is named here.
     #[allow(unsafe_code)]
     unsafe {
         asm!(

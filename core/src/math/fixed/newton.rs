@@ -7,7 +7,6 @@
 //! |---|---|---|
 //! | [`recip`] | 2⁻¹³ | 2⁻²⁶ of the value |
 //! | [`rsqrt`] | 2⁻¹³ | 2⁻²⁵ of the value |
-//! | [`coarse_rsqrt`] | 2⁻¹⁷·⁶ | - |
 //! | [`square_root`] | 2⁻¹² | 2⁻²⁴ of the value |
 //!
 //! A piece is one word, to be loaded at once. A step costs one long product and one or two short ones. Two steps from a table without
@@ -19,53 +18,47 @@
 use super::product::upper;
 use super::zeros::even_zeros;
 
-/// A straight piece of a curve is one word: the digits of its value at the left end, which is less than 2, and below them those of how much
-/// it falls to the right end, in the same units. So many are for the fall: 16, or fewer where pieces are short.
-const FALL: u32 = 16;
-const SHORT_FALL: u32 = 12;
+/// A straight piece of a curve in one word: its value at the left end in units of 2⁻¹⁵ above, and below how much it falls to
+/// the right end.
+type Line = u32;
 
 /// The curve 1/x over [1/2, 1) in 64 pieces.
-pub(super) static RECIP: [u32; 64] = {
+pub(super) static RECIP: [Line; 64] = {
     let mut lines = [0; 64];
     let mut i = 0;
     while i < 64 {
         let (left, right) = ((64 + i) as f64 / 128.0, (65 + i) as f64 / 128.0);
         #[allow(clippy::indexing_slicing)] // evaluated by the compiler
         {
-            lines[i] = line(1.0 / left, 2.0 / (left + right), 1.0 / right, FALL);
+            lines[i] = line(1.0 / left, 2.0 / (left + right), 1.0 / right);
         }
         i += 1;
     }
     lines
 };
 
-/// The curve 1/√x over [1/4, 1), in pieces of 1/128 and in short ones.
-pub(super) static RSQRT: [u32; 128] = rsqrt_lines(FALL);
-pub(super) static SHORT_RSQRT: [u32; 512] = rsqrt_lines(SHORT_FALL);
-
-/// That curve in pieces of 1/N. The quarter of them below 1/4 are there so that every index has one, and none is tested.
-const fn rsqrt_lines<const N: usize>(fall_bits: u32) -> [u32; N] {
-    let mut lines = [0; N];
-    let mut i = N / 4;
-    while i < N {
-        let (left, right) = (i as f64 / N as f64, (i + 1) as f64 / N as f64);
+/// The curve 1/√x over [1/4, 1) in pieces of 1/128. The 32 below 1/4 are there so that every index has one, and none is tested.
+pub(super) static RSQRT: [Line; 128] = {
+    let mut lines = [0; 128];
+    let mut i = 32;
+    while i < 128 {
+        let (left, right) = (i as f64 / 128.0, (i + 1) as f64 / 128.0);
         let middle = (left + right) / 2.0;
         #[allow(clippy::indexing_slicing)] // evaluated by the compiler
         {
-            lines[i] = line(1.0 / sqrt(left), 1.0 / sqrt(middle), 1.0 / sqrt(right), fall_bits);
+            lines[i] = line(1.0 / sqrt(left), 1.0 / sqrt(middle), 1.0 / sqrt(right));
         }
         i += 1;
     }
     lines
-}
+};
 
 /// The line that is off by as much at the ends as in the middle.
-const fn line(left: f64, middle: f64, right: f64, fall_bits: u32) -> u32 {
+const fn line(left: f64, middle: f64, right: f64) -> Line {
     let lower = ((left + right) / 2.0 - middle) / 2.0;
-    let units = (1u32 << (31 - fall_bits)) as f64;
-    let value = ((left - lower) * units + 0.5) as u32;
-    let fall = ((left - right) * units + 0.5) as u32;
-    value << fall_bits | fall
+    let value = ((left - lower) * 32768.0 + 0.5) as u16;
+    let fall = ((left - right) * 32768.0 + 0.5) as u16;
+    (value as u32) << 16 | fall as u32
 }
 
 /// By Heron's method, for tables.
@@ -79,20 +72,19 @@ const fn sqrt(x: f64) -> f64 {
     root
 }
 
-/// The value of a curve's piece at `x`, whose upper bits, `INDEX` of them, are the number of the piece.
+/// The value of a curve's piece at `x`, whose upper seven bits are the number of the piece.
 #[inline(always)]
-fn at<const INDEX: u32, const FALL: u32>(line: u32, x: u32) -> u32 {
-    let mask = (1 << FALL) - 1;
-    let along = x >> (32 - INDEX - FALL) & mask;
+fn at(line: Line, x: u32) -> u32 {
     // That the fall is below the value makes less than a unit.
-    line.wrapping_sub((line & mask).wrapping_mul(along)) >> FALL
+    let along = x >> 9 & 0xFFFF;
+    line.wrapping_sub((line & 0xFFFF).wrapping_mul(along)) >> 16
 }
 
 /// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³². Below 2³¹, as a step from either side ends below what it seeks.
 #[inline]
 #[allow(clippy::indexing_slicing)] // There are 64 pieces.
 pub(super) fn recip(x: u32) -> u32 {
-    let y = at::<7, FALL>(RECIP[(x >> 25 & 63) as usize], x);
+    let y = at(RECIP[(x >> 25 & 63) as usize], x);
     // The error, small enough to be multiplied in 32 bits.
     let error = (1i32 << 30).wrapping_sub(upper(x, y << 15) as i32);
     let correction = (y as i32).wrapping_mul(error >> 3) >> 12;
@@ -103,17 +95,10 @@ pub(super) fn recip(x: u32) -> u32 {
 #[inline]
 #[allow(clippy::indexing_slicing)] // There are 128 pieces.
 pub(super) fn rsqrt(x: u32) -> u32 {
-    let y = at::<7, FALL>(RSQRT[(x >> 25) as usize], x);
+    let y = at(RSQRT[(x >> 25) as usize], x);
     let error = (1i32 << 30).wrapping_sub(upper(x, y.wrapping_mul(y)) as i32);
     let correction = (y as i32).wrapping_mul(error >> 3) >> 13;
     (y << 15).wrapping_add(correction as u32)
-}
-
-/// 1/√x in units of 2⁻¹⁹, for x from 2³⁰ up in units of 2⁻³²: by a line alone.
-#[inline(always)]
-#[allow(clippy::indexing_slicing)] // There are 512 pieces.
-pub(super) fn coarse_rsqrt(x: u32) -> u32 {
-    at::<9, SHORT_FALL>(SHORT_RSQRT[(x >> 23) as usize], x)
 }
 
 /// The square root of a number below 2⁶², in 31 bits or fewer: by the line, and a step of Heron's method.
@@ -125,7 +110,7 @@ pub(super) fn square_root(squared: u64) -> u32 {
         return super::armv6m::square_root(squared);
     }
     let (zeros, x) = even_zeros(squared);
-    let y = at::<7, FALL>(RSQRT[(x >> 25) as usize], x);
+    let y = at(RSQRT[(x >> 25) as usize], x);
     // 16 digits of the root, and what their square leaves, times half their reciprocal.
     let root = (x >> 16).wrapping_mul(y) >> 15;
     let rest = x.wrapping_sub(root.wrapping_mul(root)) as i32;
@@ -207,17 +192,6 @@ mod tests {
         }
         println!("2^{}", worst.log2());
         assert!(worst < 2f64.powi(-24), "2^{}", worst.log2());
-    }
-
-    #[test]
-    fn coarse_reciprocal_roots_keep_their_bound() {
-        let mut worst = 0f64;
-        for x in normalized(1 << 30) {
-            let exact = 2f64.powi(35) / f64::from(x).sqrt();
-            worst = worst.max((f64::from(coarse_rsqrt(x)) / exact - 1.0).abs());
-        }
-        println!("2^{}", worst.log2());
-        assert!(worst < 2f64.powf(-17.6), "2^{}", worst.log2());
     }
 
     #[test]
