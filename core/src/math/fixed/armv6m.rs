@@ -209,7 +209,8 @@ macro_rules! search {
     };
 }
 
-/// A number of 16 bits times one in units of 2⁻²¹, of which the halves are in `r5` and `r6`; `$shift` tells whether it has a sign. The product is in `$result`; what else it leaves in `$number` and `r4` is not saved.
+/// A number of 16 bits times one in units of 2⁻²¹, of which the halves are in `r5` and `r6`; `$shift` tells whether it has a sign. The
+/// product is in `$result`; what else it leaves in `$number` and `r4` is not saved.
 macro_rules! scale {
     ($number:literal, $shift:literal, $result:literal) => {
         concat!(

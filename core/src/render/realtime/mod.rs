@@ -53,8 +53,8 @@
 //! Of 24 frames around `classic` the worst has 41.0 dB, around `prism` 36.9 dB; at 160×120, where everything is smaller,
 //! the fine ones 39.4 and 36.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 272 instead of 559 on Cortex-M4F in `f32`, 382 instead of 946 on
-//! Cortex-M3 and 806 instead of 2,197 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 272 instead of 562 on Cortex-M4F in `f32`, 377 instead of 924 on
+//! Cortex-M3 and 715 instead of 1,821 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: on balls, rods and tori of 11 pixels and more, with a light anywhere before them, no frame of a rotation has a quarter more
