@@ -174,8 +174,8 @@ pub trait Real:
         Self::polar(vector).0
     }
 
-    /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` where that is
-    /// not more than 0. What a shadow looks like takes fewer digits than where a ray ends: the direction is a unit vector, but
+    /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` where the light
+    /// is not above the surface. What a shadow looks like takes fewer digits than where a ray ends: the direction is a unit vector, but
     /// [may be off](Self::ASTRAY).
     #[inline(always)]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)> {

@@ -98,7 +98,12 @@ impl<R: Real> Results<R> {
         self.take(length);
         if length > R::ZERO {
             self.take_vector(unit);
-            let seen = R::toward_light([b.x, b.y, b.z], [unit.x, unit.y, unit.z]);
+            let [x, y, z] = R::unit([a.x, a.y, a.z]);
+            self.take_vector(Vec3::new(x, y, z));
+            // Of a vector that is out of reach, what is said to be its unit vector is none.
+            let is_unit = (unit.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
+            let normal = if is_unit { unit } else { Vec3::new(R::ONE, R::ZERO, R::ZERO) };
+            let seen = R::toward_light([b.x, b.y, b.z], [normal.x, normal.y, normal.z]);
             let (toward, distance, cosine) = seen.unwrap_or(([R::ZERO; 3], R::ZERO, R::ZERO));
             toward.into_iter().chain([distance, cosine]).for_each(|number| self.take(number));
         }

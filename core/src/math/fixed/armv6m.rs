@@ -149,7 +149,7 @@ scalar_product! {
 }
 
 /// The sum of the squares of `r0` to `r2`, in `r0:r3`. What it leaves in `r1` to `r5` and `r12` is not saved. To be followed by
-/// [`mend_squares`], after what returns.
+/// [`mend_squares`], after what goes elsewhere.
 macro_rules! add_squares {
     () => {
         concat!(
@@ -434,6 +434,10 @@ extern "C" fn unit_vector() {
     naked_asm!(
         "push {{r0, r1, r2, r6, r7, lr}}",
         add_squares!(),
+        // What an overflow goes to must be near.
+        "b 42f",
+        mend_squares!(),
+        "42:",
         begin_root!("29f"),
         end_reciprocal_root!(),
         halve_zeros!(),
@@ -443,7 +447,6 @@ extern "C" fn unit_vector() {
         unit_coordinate!("4"),
         unit_coordinate!("8"),
         "pop {{r0, r1, r2, r6, r7, pc}}",
-        mend_squares!(),
         ".p2align 2",
         "29:",
         ".word {table}",
@@ -452,7 +455,7 @@ extern "C" fn unit_vector() {
 }
 
 /// Of the vector in `r0` to `r2` and the unit normal in `r3` to `r5`, as [`toward_light`](super::coarse::toward_light): the unit vector in
-/// `r0` to `r2`, the length in `r3`, the cosine in `r4`; where that is 0 or less, nothing but that.
+/// `r0` to `r2`, the length in `r3`, the cosine in `r4`; where the light is not above the surface, -1 there and nothing else.
 #[allow(unsafe_code)]
 #[unsafe(naked)]
 extern "C" fn direction_to_light() {
@@ -483,7 +486,8 @@ extern "C" fn direction_to_light() {
         "adds r7, r7, r6",
         "cmp r7, #0",
         "bgt 20f",
-        "movs r4, r7",
+        "movs r4, #0",
+        "mvns r4, r4",
         "pop {{r6, r7, pc}}",
         "20:",
         // How far the digits can be shifted up.
@@ -731,5 +735,5 @@ pub(super) fn toward_light([x, y, z]: [i32; 3], [nx, ny, nz]: [i32; 3]) -> Optio
             options(pure, readonly),
         );
     }
-    if cosine > 0 { Some(([ux, uy, uz], length, cosine)) } else { None }
+    if cosine >= 0 { Some(([ux, uy, uz], length, cosine)) } else { None }
 }

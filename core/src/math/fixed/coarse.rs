@@ -47,8 +47,8 @@ pub(super) fn misses_ball(from_center: [i32; 3], direction: [i32; 3], radius: i3
 /// By how much directions to lights are off at most, as an angle in radians: each coordinate by less than one of at least 2¹⁴.
 pub(super) const ASTRAY: f32 = 1.0 / 8192.0;
 
-/// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal, if that is more
-/// than 0.
+/// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal, if the light is above the
+/// surface; if that is by no digit that counts, a cosine of 0.
 ///
 /// The way has 15 digits in its largest coordinate, which move shadows by a small part of a pixel. What is divided by is the exact length of
 /// those digits: the direction is as long as any unit vector, or rays would meet the surface that they leave. Rejected: to divide by what a
@@ -162,6 +162,9 @@ mod tests {
         assert!(off_unit < 2f64.powi(-22), "2^{}", off_unit.log2());
         assert!(off_length < 2f64.powi(-12), "2^{}", off_length.log2());
         assert!(off_cosine < 2f64.powi(-13), "2^{}", off_cosine.log2());
+        // A light that is above the surface by no digit that counts.
+        let grazing = toward_light([0, 0x7FFF, i32::MIN], [0, 1 << 24, 0]);
+        assert_eq!(grazing.map(|(_, _, cosine)| cosine), Some(0));
         // What has no digits, or all of them.
         assert_eq!(toward_light([0; 3], [1 << 24, 0, 0]), None);
         assert!(toward_light([-1; 3], [-1 << 24, 0, 0]).is_some());
