@@ -227,7 +227,7 @@ impl<R: Real> Path<R> {
         let light = vertex.local_light(scene, shading, rays, probe);
         self.receive(throughput, light);
 
-        if !vertex.goes_on() {
+        if !material.sends_rays() {
             return take(waiting, &mut self.next);
         }
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.

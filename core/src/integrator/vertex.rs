@@ -190,12 +190,6 @@ impl<'s, R: Real> Vertex<'s, R> {
         scattered + specular * material.specular
     }
 
-    /// Whether any ray may have to be followed from here.
-    #[inline(always)]
-    pub(super) fn goes_on(&self) -> bool {
-        self.material.sends_rays()
-    }
-
     /// The shares of light that is mirrored and refracted, and the direction of the refracted ray, if there is one.
     #[inline(always)]
     pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {

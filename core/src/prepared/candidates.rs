@@ -117,7 +117,7 @@ struct Pair<R: Real> {
 
 /// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where it goes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SeenBall<R: Real> {
+struct SeenBall<R: Real> {
     /// Unit vector toward the middle; nothing, where nothing can be told.
     toward_center: Vec3<R>,
     /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less opposite passes the ball by.

@@ -209,6 +209,26 @@ macro_rules! search {
     };
 }
 
+/// Shifts the digits in `r0` up by as many pairs of zeros as they begin with, and adds that to `r2`. What it leaves in `r1` is not saved.
+macro_rules! search_pairs {
+    () => {
+        concat!(
+            search!("r0", "r1", "r2", "16", "16", "21"),
+            search!("r0", "r1", "r2", "8", "24", "22"),
+            search!("r0", "r1", "r2", "4", "28", "23"),
+            search!("r0", "r1", "r2", "2", "30", "24")
+        )
+    };
+}
+
+/// The value of a curve's piece, in `r1`, at the digits in `r0`, as [`newton`](super::newton) has it. What it leaves in `r3` and `r4` is not
+/// saved.
+macro_rules! at {
+    () => {
+        "lsrs r3, r0, #9\n uxth r3, r3\n uxth r4, r1\n muls r3, r4, r3\n subs r1, r1, r3\n lsrs r1, r1, #16\n"
+    };
+}
+
 /// A number of 16 bits times one in units of 2⁻²¹, of which the halves are in `r5` and `r6`; `$shift` tells whether it has a sign. The
 /// product is in `$result`; what else it leaves in `$number` and `r4` is not saved.
 macro_rules! scale {
@@ -266,10 +286,7 @@ macro_rules! begin_root {
     ($table:literal) => {
         concat!(
             "movs r2, #0\n cmp r0, #0\n bne 20f\n movs r0, r3\n movs r3, #0\n movs r2, #32\n 20:\n",
-            search!("r0", "r1", "r2", "16", "16", "21"),
-            search!("r0", "r1", "r2", "8", "24", "22"),
-            search!("r0", "r1", "r2", "4", "28", "23"),
-            search!("r0", "r1", "r2", "2", "30", "24"),
+            search_pairs!(),
             // A shift by 32 or more leaves nothing.
             "movs r1, #32\n subs r1, r1, r2\n lsrs r3, r1\n orrs r0, r3\n",
             line_of_root!($table)
@@ -281,12 +298,7 @@ macro_rules! begin_root {
 /// `r3` and `r4` is not saved.
 macro_rules! line_of_root {
     ($table:literal) => {
-        concat!(
-            "ldr r1, ",
-            $table,
-            "\n lsrs r3, r0, #25\n lsls r3, r3, #2\n ldr r1, [r1, r3]\n",
-            "lsrs r3, r0, #9\n uxth r3, r3\n uxth r4, r1\n muls r3, r4, r3\n subs r1, r1, r3\n lsrs r1, r1, #16\n"
-        )
+        concat!("ldr r1, ", $table, "\n lsrs r3, r0, #25\n lsls r3, r3, #2\n ldr r1, [r1, r3]\n", at!())
     };
 }
 
@@ -371,10 +383,7 @@ extern "C" fn reciprocal() {
         "eors r0, r1",
         "subs r0, r0, r1",
         "movs r2, #0",
-        search!("r0", "r1", "r2", "16", "16", "21"),
-        search!("r0", "r1", "r2", "8", "24", "22"),
-        search!("r0", "r1", "r2", "4", "28", "23"),
-        search!("r0", "r1", "r2", "2", "30", "24"),
+        search_pairs!(),
         search!("r0", "r1", "r2", "1", "31", "25"),
         // y, by the table.
         "ldr r1, 29f",
@@ -382,12 +391,7 @@ extern "C" fn reciprocal() {
         "lsrs r3, r3, #26",
         "lsls r3, r3, #2",
         "ldr r1, [r1, r3]",
-        "lsrs r3, r0, #9",
-        "uxth r3, r3",
-        "uxth r4, r1",
-        "muls r3, r4, r3",
-        "subs r1, r1, r3",
-        "lsrs r1, r1, #16",
+        at!(),
         // The upper half of y times the digits.
         "lsrs r6, r0, #16",
         "lsls r1, r1, #15",

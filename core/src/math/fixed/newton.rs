@@ -91,11 +91,17 @@ pub(super) fn recip(x: u32) -> u32 {
     (y << 15).wrapping_add(correction as u32)
 }
 
+/// 1/√x in units of 2⁻¹⁵ by the line alone, for x from 2³⁰ up in units of 2⁻³².
+#[inline(always)]
+#[allow(clippy::indexing_slicing)] // There are 128 pieces.
+fn line_of_rsqrt(x: u32) -> u32 {
+    at(RSQRT[(x >> 25) as usize], x)
+}
+
 /// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³². Below 2³¹, as a step from either side ends below what it seeks.
 #[inline]
-#[allow(clippy::indexing_slicing)] // There are 128 pieces.
 pub(super) fn rsqrt(x: u32) -> u32 {
-    let y = at(RSQRT[(x >> 25) as usize], x);
+    let y = line_of_rsqrt(x);
     let error = (1i32 << 30).wrapping_sub(upper(x, y.wrapping_mul(y)) as i32);
     let correction = (y as i32).wrapping_mul(error >> 3) >> 13;
     (y << 15).wrapping_add(correction as u32)
@@ -103,14 +109,13 @@ pub(super) fn rsqrt(x: u32) -> u32 {
 
 /// The square root of a number below 2⁶², in 31 bits or fewer: by the line, and a step of Heron's method.
 #[inline(always)]
-#[allow(clippy::indexing_slicing)] // There are 128 pieces.
 pub(super) fn square_root(squared: u64) -> u32 {
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     if super::product::IS_ARMV6M {
         return super::armv6m::square_root(squared);
     }
     let (zeros, x) = even_zeros(squared);
-    let y = at(RSQRT[(x >> 25) as usize], x);
+    let y = line_of_rsqrt(x);
     // 16 digits of the root, and what their square leaves, times half their reciprocal.
     let root = (x >> 16).wrapping_mul(y) >> 15;
     let rest = x.wrapping_sub(root.wrapping_mul(root)) as i32;
