@@ -62,11 +62,13 @@ mod linear;
 mod newton;
 mod power;
 mod product;
+mod radius;
 mod turn;
 mod wide;
 mod zeros;
 
 pub use linear::FixedLinear;
+pub use radius::FixedRadius;
 pub use wide::FixedProduct;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -240,6 +242,7 @@ impl Real for Fixed {
     type Product = FixedProduct;
     type Factor = Factor;
     type Linear = FixedLinear;
+    type Radius = FixedRadius;
 
     const ZERO: Self = Self(0);
     const ONE: Self = Self::ONE;
@@ -417,6 +420,11 @@ impl Real for Fixed {
             return armv6m::unit(vector.map(Self::to_bits)).map(Self);
         }
         Self::polar(vector).0
+    }
+
+    #[inline(always)]
+    fn on_ball(place: [Self; 3], radius: &FixedRadius) -> ([Self; 3], [Self; 3]) {
+        radius::on_ball(place, radius)
     }
 
     #[inline(always)]

@@ -37,6 +37,16 @@ pub(super) fn upper(a: u32, b: u32) -> u32 {
     if IS_ARMV6M { upper_by_halves(a, b) } else { (u64::from(a).wrapping_mul(u64::from(b)) >> 32) as u32 }
 }
 
+/// The upper 32 bits of `a · b`, downward, of an `a` within 2³⁰ and a `b` from 0 to 2²⁷.
+#[inline(always)]
+pub(super) fn upper_of_small(a: i32, b: i32) -> i32 {
+    if IS_ARMV6M {
+        upper_of_small_by_halves(a, b)
+    } else {
+        (i64::from(a).wrapping_mul(i64::from(b)) >> 32) as i32
+    }
+}
+
 /// `a · b` without signs.
 #[inline(always)]
 pub(super) fn unsigned_product(a: u32, b: u32) -> u64 {
@@ -87,6 +97,16 @@ fn upper_by_halves(a: u32, b: u32) -> u32 {
     a_high.wrapping_mul(b_high).wrapping_add(cross >> 16).wrapping_add(other >> 16)
 }
 
+/// No sum overflows: they are below 2³⁰ + 2²⁷ + 2¹⁶.
+#[inline(always)]
+fn upper_of_small_by_halves(a: i32, b: i32) -> i32 {
+    let (a_high, a_low) = (a >> 16, a & 0xFFFF);
+    let (b_high, b_low) = (b >> 16, b & 0xFFFF);
+    let low = (a_low as u32).wrapping_mul(b_low as u32) >> 16;
+    let cross = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high)).wrapping_add(low as i32);
+    a_high.wrapping_mul(b_high).wrapping_add(cross >> 16)
+}
+
 /// The same number. The compiler must not see through it: where it recognizes a product of 64 bits, it calls its library, which
 /// takes four times as long.
 #[inline(always)]
@@ -127,6 +147,9 @@ mod tests {
             let digits = b >> 9 & 0xFFFF;
             assert_eq!(attenuated(a, b), attenuated_by_halves(a, digits), "{a} · {b}");
             assert_eq!(attenuated(a, b), (by_halves(a, digits) >> 15) as i32, "{a} · {b}");
+            let (few, fewer) = (a >> 1, (b & i32::MAX) >> 4);
+            assert_eq!(upper_of_small(few, fewer), upper_of_small_by_halves(few, fewer), "{few} · {fewer}");
+            assert_eq!(upper_of_small(few, fewer), (by_halves(few, fewer) >> 32) as i32, "{few} · {fewer}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(upper_by_halves(a, b), ((u64::from(a) * u64::from(b)) >> 32) as u32, "{a} · {b}");
             assert_eq!(upper(a, b), upper_by_halves(a, b));
