@@ -94,6 +94,12 @@ pub trait Probe<R> {
         true
     }
 
+    /// Whether it wants to be told of every hit into which direction rays are mirrored there. Where it does not, fixed point may tell some
+    /// other direction of what mirrors nothing and has no highlights.
+    fn asks_mirrored(&self) -> bool {
+        self.is_watching()
+    }
+
     /// Whether it is to be told of one pixel after the other. Where it does not mind, neighboring pixels may be traced side by
     /// side: what happens to each comes in order, but mixed with what happens to others.
     fn minds_order(&self) -> bool {

@@ -50,8 +50,10 @@ impl<'s, R: Real> Vertex<'s, R> {
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
         // Nobody asks what is neither shiny nor mirrors where that way goes; to tell takes time as well.
-        let is_asked =
-            !R::SEEKS_FACTORS || probe.is_watching() || material.specular > R::ZERO || material.sends_rays();
+        let is_asked = !R::SEEKS_FACTORS
+            || probe.asks_mirrored()
+            || material.specular > R::ZERO
+            || material.sends_rays();
         let mirrored = if is_asked { incoming + normal * (cosine + cosine) } else { incoming };
         let throughput = throughput.color();
         probe.record(Event::Hit { kind, hit: shown, color, mirrored, throughput });

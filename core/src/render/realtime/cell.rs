@@ -10,6 +10,10 @@ pub(super) const SQUARE: usize = 4;
 /// Points along a side: both corners belong to the cell.
 const POINTS: usize = LARGEST_SIDE + 1;
 
+/// The points between the ends of a side, halved again and again: place, and distance to what it lies between. The first of them serve
+/// shorter sides, in smaller units.
+const HALVES: [(u8, u8); LARGEST_SIDE - 1] = [(4, 4), (2, 2), (6, 2), (1, 1), (3, 1), (5, 1), (7, 1)];
+
 /// Traces pixels, and decides which are alike.
 pub(super) trait Look {
     /// The point of the cell at (x, y).
@@ -27,8 +31,8 @@ pub(super) trait Look {
     /// Whether there are rays left for more than the corners.
     fn may_trace(&self) -> bool;
 
-    /// Whether a pixel is looked at that is this far, in 1/16 of a pixel, from an edge.
-    fn is_near(&self, distance: u32) -> bool;
+    /// Pixels are looked at that are less than this far from an edge, in 1/16 of a pixel.
+    fn near(&self) -> u32;
 }
 
 /// A row or a column of a cell, or a part of one, from a point on.
@@ -73,6 +77,12 @@ impl Cell {
     #[inline(always)]
     pub(super) fn get(&self, x: usize, y: usize) -> Sample {
         self.points.get(y * POINTS + x).copied().unwrap_or(Sample::BLANK)
+    }
+
+    /// The points of a row.
+    #[inline(always)]
+    pub(super) fn row(&self, y: usize) -> &[Sample] {
+        self.points.get(y * POINTS..).unwrap_or_default()
     }
 
     #[inline(always)]
@@ -154,27 +164,22 @@ impl Cell {
         let (from, to) = (line.get(0), line.get(length));
         let mut crossings = 0u8;
         if look.differ(from, to, length) {
-            let mut half = length / 2;
-            while half >= 1 {
-                // Not `step_by`, which divides to count its steps.
-                let mut i = half;
-                while i < length {
-                    let (a, b) = (line.get(i - half), line.get(i + half));
-                    // The ends are known to differ.
-                    if half * 2 == length || look.differ(a, b, half * 2) {
-                        let (x, y) = line.place(i);
-                        let point = look.choose(x, y, a, b, half * 2);
-                        line.set(i, point);
-                        if half == 1 {
-                            crossings |= u8::from(look.differ(a, point, 1)) << ((i - 1) & 7);
-                            crossings |= u8::from(look.differ(point, b, 1)) << (i & 7);
-                        }
-                    } else {
-                        line.set(i, a.middle(b));
+            let shift = LARGEST_SIDE.trailing_zeros() - length.trailing_zeros();
+            for (i, half) in HALVES.iter().take(length - 1) {
+                let (i, half) = (usize::from(i >> shift), usize::from(half >> shift));
+                let (a, b) = (line.get(i - half), line.get(i + half));
+                // The ends are known to differ.
+                if half * 2 == length || look.differ(a, b, half * 2) {
+                    let (x, y) = line.place(i);
+                    let point = look.choose(x, y, a, b, half * 2);
+                    line.set(i, point);
+                    if half == 1 {
+                        crossings |= u8::from(look.differ(a, point, 1)) << ((i - 1) & 7);
+                        crossings |= u8::from(look.differ(point, b, 1)) << (i & 7);
                     }
-                    i += half * 2;
+                } else {
+                    line.set(i, a.middle(b));
                 }
-                half /= 2;
             }
         } else {
             line.interpolate(from, to, length);
@@ -264,30 +269,28 @@ impl Cell {
     }
 
     /// A row of a square that a steep edge may cross, or a column for one that is not.
+    #[inline(never)]
     fn fill_line(&mut self, edge: &Edge, (x, y): (usize, usize), i: usize, look: &mut impl Look) {
         let is_steep = edge.is_steep();
         let place = |along: usize, across: usize| {
             if is_steep { (x + along, y + across) } else { (x + across, y + along) }
         };
-        let at = |along: usize, across: usize| {
-            if is_steep { edge.at(along, across) } else { edge.at(across, along) }
-        };
         let get = |cell: &Self, (x, y): (usize, usize)| cell.get(x, y);
         let (from, to) = (get(self, place(0, i)), get(self, place(4, i)));
-        let ((begins, _), (ends, _)) = (at(0, i), at(4, i));
-        if begins == ends {
+        let begins = edge.side(0, i);
+        if begins == edge.side(4, i) {
             let (start, way) = (place(0, i), if is_steep { Way::Right } else { Way::Down });
             return Line::new(self, start, way).interpolate(from, to, 4);
         }
         for along in 1..4 {
-            let (side, distance) = at(along, i);
+            let here = edge.side(along, i);
             let (x, y) = place(along, i);
-            let point = if look.is_near(distance) {
+            let point = if edge.is_near(along, i, look.near()) {
                 look.choose(x, y, from, to, 2)
-            } else if at(along, 0).0 == side && at(along, 4).0 == side {
+            } else if edge.side(along, 0) == here && edge.side(along, 4) == here {
                 // Along the edge all is even: what changes does so on the way to it.
                 get(self, place(along, 0)).toward(get(self, place(along, 4)), i)
-            } else if side == begins {
+            } else if here == begins {
                 from.again()
             } else {
                 to.again()

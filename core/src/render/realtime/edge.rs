@@ -2,13 +2,16 @@
 
 use super::cell::{Cell, Way};
 
-/// A straight line through a square of four pixels, in half pixels.
+/// A straight line through a square of four pixels, as twice the area between it and a point, which is linear over the square: its sign
+/// tells the point's side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    from: (i32, i32),
-    way: (i32, i32),
-    /// The larger of the two sides of `way`.
-    length: i32,
+    is_steep: bool,
+    /// That of the square's upper left point.
+    first: i32,
+    /// How much it grows from one point to the next: in a row of a steep edge, and else in a column; and across.
+    along: i32,
+    across: i32,
 }
 
 impl Edge {
@@ -35,21 +38,34 @@ impl Edge {
         if next().is_some() {
             return None;
         }
+        // In half pixels.
         let way = (to.0 - from.0, to.1 - from.1);
-        Some(Self { from, way, length: way.0.abs().max(way.1.abs()) })
+        let is_steep = way.1.abs() > way.0.abs();
+        let (right, down) = (-2 * way.1, 2 * way.0);
+        let (along, across) = if is_steep { (right, down) } else { (down, right) };
+        Some(Self { is_steep, first: way.1 * from.0 - way.0 * from.1, along, across })
     }
 
-    /// Whether it crosses rows rather than columns.
+    /// Whether it crosses rows rather than columns: then `along` is that of a row, and `across` tells which row; else the other way around.
     pub(super) fn is_steep(&self) -> bool {
-        self.way.1.abs() > self.way.0.abs()
+        self.is_steep
     }
 
-    /// On which side a point of the square lies, and how far from the line along a row or a column, in sixteenths of
-    /// a pixel.
+    /// On which side a point of the square lies.
     #[inline]
-    pub(super) fn at(&self, x: usize, y: usize) -> (bool, u32) {
-        // Twice the area between the line and the point.
-        let area = self.way.0 * (y as i32 * 2 - self.from.1) - self.way.1 * (x as i32 * 2 - self.from.0);
-        (area < 0, (area.unsigned_abs() * 8).checked_div(self.length.unsigned_abs()).unwrap_or(0))
+    pub(super) fn side(&self, along: usize, across: usize) -> bool {
+        self.area(along, across) < 0
+    }
+
+    /// Whether a point of the square is less than this far from the line along the row or column, in sixteenths of a pixel.
+    #[inline]
+    pub(super) fn is_near(&self, along: usize, across: usize, distance: u32) -> bool {
+        // The area grows by this much from one point to the next: that saves a quotient.
+        self.area(along, across).unsigned_abs() * 16 < distance * self.along.unsigned_abs()
+    }
+
+    #[inline]
+    fn area(&self, along: usize, across: usize) -> i32 {
+        self.first + along as i32 * self.along + across as i32 * self.across
     }
 }

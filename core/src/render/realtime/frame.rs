@@ -62,8 +62,8 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     /// A pixel that sees nothing, where all such pixels look alike.
     nothing: Option<Sample>,
     marks: Marks<R>,
-    /// What could hide, and where it is not known.
-    tiny: Option<Tiny<R>>,
+    /// Watches for what could hide where that is not known.
+    watch: Option<Watch<R>>,
     cell: Cell,
     budget: Budget,
 }
@@ -121,7 +121,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             unlit,
             unlit_bounds: Bounds { cutoff: cutoff.larger(marks.faint), ..renderer.bounds },
             renderer,
-            tiny: Tiny::new(renderer, quality.grid),
+            watch: Tiny::new(renderer, quality.grid).map(Watch::new),
             marks,
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, total),
@@ -239,7 +239,7 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             limits: Limits::new(self.quality.threshold, detail, side),
             allowed: self.budget.left(),
             marks: self.marks,
-            watch: self.tiny.map(Watch::new),
+            watch: self.watch.as_mut(),
             close: band.close.as_ref(),
             color: PhantomData::<C>,
             probe,

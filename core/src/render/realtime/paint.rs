@@ -2,7 +2,6 @@
 
 use super::Sample;
 use super::cell::{Cell, Corners};
-use crate::render::tone::Step;
 use crate::render::{DisplayColor, Dither, Quantizer, Settings, Tone};
 
 /// Where a cell is painted: into a band of lines.
@@ -35,43 +34,39 @@ impl Paint<'_> {
         let down_left = left.step_toward(corners.bottom_left.tone(), shift);
         let down_right = right.step_toward(corners.bottom_right.tone(), shift);
         self.rows(colors, |y, row| {
-            self.between(row, y, left, left.step_toward(right, shift));
+            let (mut tone, step) = (left, left.step_toward(right, shift));
+            let tones = core::iter::repeat_with(|| {
+                let next = tone.after(step);
+                core::mem::replace(&mut tone, next)
+            });
+            self.paint(row, y, tones);
             (left, right) = (left.after(down_left), right.after(down_right));
         });
     }
 
     /// A cell whose points are all known.
     pub(super) fn refined<C: DisplayColor>(&self, colors: &mut [C], cell: &Cell) {
-        self.rows(colors, |y, row| {
-            for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = self.color(x, y, cell.get(x, y).tone());
-            }
-        });
+        self.rows(colors, |y, row| self.paint(row, y, cell.row(y).iter().map(|sample| sample.tone())));
     }
 
-    /// A row of pixels, evenly from one tone on.
+    /// A row of pixels.
     #[inline]
-    fn between<C: DisplayColor>(&self, row: &mut [C], y: usize, from: Tone, step: Step) {
-        let mut tone = from;
+    fn paint<C: DisplayColor>(&self, row: &mut [C], y: usize, tones: impl Iterator<Item = Tone>) {
         if self.settings.dither == Dither::None {
             let quantizer = self.quantizer();
-            for pixel in row {
+            for (pixel, tone) in row.iter_mut().zip(tones) {
                 *pixel = C::from_tone(tone, &quantizer);
-                tone = tone.after(step);
             }
         } else {
-            for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = self.color(x, y, tone);
-                tone = tone.after(step);
+            for (x, (pixel, tone)) in row.iter_mut().zip(tones).enumerate() {
+                *pixel = self.dithered(x, y, tone);
             }
         }
     }
 
-    #[inline]
-    fn color<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
-        if self.settings.dither == Dither::None {
-            return C::from_tone(tone, &self.quantizer());
-        }
+    // Called from both: one copy is enough.
+    #[inline(never)]
+    fn dithered<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
         let quantizer = Quantizer::new(self.settings, (self.left + x) as u16, (self.top + y as u32) as u16);
         C::from_tone(tone, &quantizer)
     }

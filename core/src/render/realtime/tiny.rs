@@ -100,6 +100,11 @@ impl<R: Real> Watch<R> {
         Some(self)
     }
 
+    /// Whether cones are followed from one hit to the next, and not only highlights looked for.
+    pub(super) fn follows(&self) -> bool {
+        self.tiny.has_thin()
+    }
+
     /// A ray hits something, and would be mirrored this way.
     #[cold]
     #[inline(never)]

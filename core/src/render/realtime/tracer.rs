@@ -14,7 +14,7 @@ use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::{Event, Probe};
-use crate::render::{DisplayColor, Light16, Quantizer, Renderer};
+use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
 use crate::shape::Geometry;
 
 /// What is less than this far from an edge is looked at, in 1/16 of a pixel: edges are known to half a pixel.
@@ -43,7 +43,7 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) top: u32,
     pub(super) limits: Limits,
     pub(super) marks: Marks<R>,
-    pub(super) watch: Option<Watch<R>>,
+    pub(super) watch: Option<&'w mut Watch<R>>,
     pub(super) close: Option<&'r ClosePlaces>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
@@ -110,7 +110,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
             self.limits = Limits::NONE;
         }
         let quantizer = Quantizer::nearest(self.renderer.settings.transfer);
-        seen.sample(C::tone(Light16::new(light), &quantizer))
+        let tone =
+            if asked == Asked::Path { Tone::new(0, 0, 0) } else { C::tone(Light16::new(light), &quantizer) };
+        seen.sample(tone)
     }
 }
 
@@ -148,7 +150,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Look for Tracer<'_, '_,
     }
 
     #[inline]
-    fn is_near(&self, distance: u32) -> bool {
-        self.limits.is_full() && distance < NEAR
+    fn near(&self) -> u32 {
+        if self.limits.is_full() { NEAR } else { 0 }
     }
 }
