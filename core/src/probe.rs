@@ -95,7 +95,7 @@ pub trait Probe<R> {
     }
 
     /// Whether it wants to be told of every hit into which direction rays are mirrored there. Where it does not, fixed point may tell some
-    /// other direction of what mirrors nothing and has no highlights.
+    /// other direction of a material that mirrors nothing and has no highlights.
     fn asks_mirrored(&self) -> bool {
         self.is_watching()
     }

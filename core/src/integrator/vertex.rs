@@ -49,11 +49,12 @@ impl<'s, R: Real> Vertex<'s, R> {
         let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
-        // Nobody asks what is neither shiny nor mirrors where that way goes; to tell takes time as well.
+        // Nobody asks what is neither shiny nor mirrors where that way goes, unless it is beside a place that does; to tell takes time as well.
         let is_asked = !R::SEEKS_FACTORS
             || probe.asks_mirrored()
             || material.specular > R::ZERO
-            || material.sends_rays();
+            || material.sends_rays()
+            || probe.is_watching() && !material.maps.is_empty();
         let mirrored = if is_asked { incoming + normal * (cosine + cosine) } else { incoming };
         let throughput = throughput.color();
         probe.record(Event::Hit { kind, hit: shown, color, mirrored, throughput });

@@ -38,6 +38,7 @@
 //! | `/`, reciprocal | 2⁻²⁵ of the value, and 1 unit |
 //! | square root, length | 2⁻²⁴ of the value, and 1 unit |
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
+//! | normal of a ball | 2 units in each coordinate of that place's direction, see [`radius`] |
 //! | direction to a light | an angle of 2⁻¹³, see [`coarse`] |
 //! | power | see [`power`](self::power) |
 //! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
