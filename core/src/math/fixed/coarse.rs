@@ -89,31 +89,8 @@ pub(super) fn toward_light(way: [i32; 3], normal: [i32; 3]) -> Option<([i32; 3],
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{Random, dot, length};
     use super::*;
-
-    /// Numbers from -1 to 1 in units of 2⁻²⁴, and unit vectors of them.
-    struct Random(u64);
-
-    impl Random {
-        fn number(&mut self) -> f64 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        }
-
-        fn place(&mut self) -> [f64; 3] {
-            [self.number(), self.number(), self.number()]
-        }
-
-        fn unit(&mut self) -> [f64; 3] {
-            let place = self.place();
-            let length = dot(place, place).sqrt();
-            place.map(|number| number / length)
-        }
-    }
-
-    fn dot([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> f64 {
-        ax * bx + ay * by + az * bz
-    }
 
     fn bits(vector: [f64; 3]) -> [i32; 3] {
         vector.map(|number| (number * 16_777_216.0) as i32)
@@ -134,7 +111,6 @@ mod tests {
     #[test]
     fn directions_to_lights_keep_their_bounds() {
         let mut random = Random(1);
-        let length = |vector: [f64; 3]| dot(vector, vector).sqrt();
         let (mut astray, mut off_length, mut off_unit, mut off_cosine) = (0f64, 0f64, 0f64, 0f64);
         for i in 0..1_000_000 {
             let (near, normal) = (random.place(), random.unit());
@@ -177,15 +153,14 @@ mod tests {
         let mut random = Random(1);
         let (mut missed, mut all) = (0, 0);
         for _ in 0..4_000_000 {
-            let (radius, from_center) = ((random.number() * 0.5).abs(), random.place());
+            let (radius, from_center) = ((random.share() * 0.5).abs(), random.place());
             // Half of them toward a place near the ball's edge.
-            let direction = if random.number() > 0.0 {
+            let direction = if random.share() > 0.0 {
                 random.unit()
             } else {
-                let (edge, around) = (radius * (1.0 + 0.02 * random.number()), random.unit());
+                let (edge, around) = (radius * (1.0 + 0.02 * random.share()), random.unit());
                 let toward = [0, 1, 2].map(|axis| around[axis] * edge - from_center[axis]);
-                let length = dot(toward, toward).sqrt();
-                toward.map(|number| number / length)
+                toward.map(|number| number / length(toward))
             };
             let outside = dot(from_center, from_center) - radius * radius;
             let along = dot(from_center, direction);

@@ -127,18 +127,15 @@ fn opaque(number: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::Random;
     use super::*;
 
     #[test]
     fn halves_give_the_same_bits() {
         let edges = [0, 1, -1, 2, 0x7FFF, 0x8000, 0xFFFF, 0x1_0000, i32::MAX, i32::MIN, -0x8000, -0x1_0000];
-        let mut state = 1u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 32) as i32
-        };
+        let mut random = Random(1);
         let pairs = edges.into_iter().flat_map(|a| edges.map(|b| (a, b)));
-        let randoms: Vec<_> = (0..1_000_000).map(|_| (random(), random())).collect();
+        let randoms: Vec<_> = (0..1_000_000).map(|_| (random.bits(), random.bits())).collect();
         for (a, b) in pairs.chain(randoms) {
             assert_eq!(by_halves(a, b), i64::from(a) * i64::from(b), "{a} · {b}");
             assert_eq!(product(a, b), by_halves(a, b));

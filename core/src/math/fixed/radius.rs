@@ -8,7 +8,7 @@
 
 use super::product::{upper, upper_of_small};
 use super::{Fixed, FixedProduct, inverse};
-use crate::math::{Real, Vec3};
+use crate::math::Real;
 
 /// A radius below 1, and what is known of it beforehand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,31 +67,24 @@ pub(super) fn on_ball(place: [Fixed; 3], known: &FixedRadius) -> ([Fixed; 3], [F
 /// The same of a place that is not quite on the ball: a tiny one, met from far away.
 #[cold]
 #[inline(never)]
-fn from_afar([x, y, z]: [Fixed; 3], known: &FixedRadius) -> ([Fixed; 3], [Fixed; 3]) {
-    let unit = Fixed::unit([x, y, z]);
-    let Vec3 { x, y, z } = Vec3::new(unit[0], unit[1], unit[2]) * known.radius;
-    (unit, [x, y, z])
+fn from_afar(place: [Fixed; 3], known: &FixedRadius) -> ([Fixed; 3], [Fixed; 3]) {
+    let unit = Fixed::unit(place);
+    (unit, unit.map(|coordinate| coordinate * known.radius))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{Random, UNIT, length};
     use super::*;
-
-    const UNIT: f64 = 1.0 / 16_777_216.0;
 
     #[test]
     fn normals_and_places_keep_their_bounds() {
-        let mut state = 1u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
-        let length = |[x, y, z]: [f64; 3]| (x * x + y * y + z * z).sqrt();
+        let mut random = Random(1);
         let (mut off_length, mut off_unit, mut off_place) = (0f64, 0f64, 0f64);
         for i in 0..1_000_000 {
             // From 2⁻¹⁷ to 1/2, and as far off as a ray is that comes from afar, or hardly.
-            let radius = Fixed(((1.5 + 0.5 * random()) * 2f64.powi(i % 16 - 17) / UNIT) as i32);
-            let (way, off) = ([random(), random(), random()], random() * if i % 2 == 0 { 64.0 } else { 2.0 });
+            let radius = Fixed(((1.5 + 0.5 * random.share()) * 2f64.powi(i % 16 - 17) / UNIT) as i32);
+            let (way, off) = (random.place(), random.share() * if i % 2 == 0 { 64.0 } else { 2.0 });
             let size = (f64::from(radius.0) + off) / length(way);
             let place = way.map(|number| Fixed((number * size) as i32));
             let exact = place.map(|number| f64::from(number.0));

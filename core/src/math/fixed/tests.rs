@@ -3,21 +3,50 @@
 use super::*;
 use crate::math::real::Product;
 
-const UNIT: f64 = 1.0 / (1u32 << FRACTION) as f64;
+pub(super) const UNIT: f64 = 1.0 / (1u32 << FRACTION) as f64;
 
-/// Numbers of all magnitudes and both signs, the same on every run.
-struct Random(u64);
+/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants), the same on every run.
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn bits(&mut self) -> i32 {
+    pub(super) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 32) as i32
+        self.0
     }
 
+    pub(super) fn bits(&mut self) -> i32 {
+        (self.next() >> 32) as i32
+    }
+
+    /// Of any magnitude and both signs.
     fn number(&mut self) -> Fixed {
         let down = self.bits() & 31;
         Fixed(self.bits() >> down)
     }
+
+    /// From -1 to 1.
+    pub(super) fn share(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    /// Three of those.
+    pub(super) fn place(&mut self) -> [f64; 3] {
+        [self.share(), self.share(), self.share()]
+    }
+
+    /// A unit vector.
+    pub(super) fn unit(&mut self) -> [f64; 3] {
+        let place = self.place();
+        place.map(|number| number / length(place))
+    }
+}
+
+pub(super) fn dot([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> f64 {
+    ax * bx + ay * by + az * bz
+}
+
+pub(super) fn length(vector: [f64; 3]) -> f64 {
+    dot(vector, vector).sqrt()
 }
 
 fn double(number: Fixed) -> f64 {

@@ -59,17 +59,17 @@ fn arc(part: u32, whole: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::Random;
     use super::*;
 
     #[test]
     fn angles_keep_their_bound() {
         let mut worst = 0f64;
-        let mut random = 1u64;
+        let mut random = Random(1);
         for step in 0..400_000u32 {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             // Of all magnitudes, down to 2⁻¹² of the unit: shorter vectors are exact as well.
             let angle = f64::from(step) * 0.618;
-            let length = 2f64.powi(12 + (random >> 60) as i32 + 3);
+            let length = 2f64.powi(12 + (random.next() >> 60) as i32 + 3);
             let (y, x) = ((angle.sin() * length) as i32, (angle.cos() * length) as i32);
             let exact = (f64::from(y).atan2(f64::from(x)) / core::f64::consts::TAU).rem_euclid(1.0);
             let error = (f64::from(turn(y, x)) - exact * 2f64.powi(24)).abs();
