@@ -16,7 +16,7 @@ impl<R: Real> Shininess<R> {
     const INVISIBLE: f32 = 1.0 / 16_777_216.0;
 
     /// The exponent 0 or more.
-    pub(super) fn new(shininess: f32) -> Self {
+    pub(crate) fn new(shininess: f32) -> Self {
         // Of exponents below 1/5, not even this power leaves the range of f32.
         let least = if shininess > 0.2 { power::powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
         Self { least: R::from_f32(least), exponent: R::factor(shininess) }
@@ -49,6 +49,11 @@ impl<R: Real> Shininess<R> {
     pub(crate) fn shows(&self, cosine: R, share: R) -> bool {
         // Near 1, the logarithm of a cosine is as good as proportional to its distance from there.
         R::ONE - cosine < (R::ONE - self.least) * share
+    }
+
+    /// The sine of the angle at which that share [shows](Self::shows).
+    pub(crate) fn sine_shown(&self, share: f32) -> R {
+        ((R::ONE - self.least) * R::from_f32(2.0 * share)).sqrt()
     }
 
     /// The power of a cosine; 0 where it is invisible.

@@ -280,7 +280,7 @@ mod solid;
 mod spans;
 mod sphere;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 mod torus;
 mod triangle;
 mod uv;

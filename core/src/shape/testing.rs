@@ -225,19 +225,19 @@ fn assert_spans_are_met_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent:
 }
 
 /// Numbers in [-1, 1) that are the same on every run (Knuth's MMIX generator).
-pub(super) struct Random(pub(super) u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    pub(super) fn next(&mut self) -> f32 {
+    pub(crate) fn next(&mut self) -> f32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / (1u32 << 23) as f32 - 1.0
     }
 
-    pub(super) fn vector(&mut self) -> Vec3 {
+    pub(crate) fn vector(&mut self) -> Vec3 {
         Vec3::new(self.next(), self.next(), self.next())
     }
 
-    pub(super) fn direction(&mut self) -> Vec3 {
+    pub(crate) fn direction(&mut self) -> Vec3 {
         loop {
             let vector = self.vector();
             if vector.length() > 0.1 && vector.length() < 1.0 {

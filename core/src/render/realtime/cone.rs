@@ -127,6 +127,14 @@ impl<R: Real> Footprint<R> {
         self.cone.radius / self.slant.abs()
     }
 
+    /// How far at most directions turn over it that a ball of this radius mirrors, as the sine of an angle.
+    pub(super) fn most_turned(&self, radius: R) -> R {
+        // To first order, by how much directions differ, and twice by how much normals do; the square is more than all that comes after.
+        let turned = (self.reach() + self.reach()).smaller(radius) / radius;
+        let first = self.cone.spread + turned;
+        first + first * first
+    }
+
     /// Whether something thin can be between a place of it and a light, in a shape of these hulls: that is so far away along `shadow`.
     pub(super) fn can_be_shaded(
         &self,
