@@ -57,9 +57,9 @@ pub trait Real:
     const COARSE: f32 = 0.0;
     /// By how much the directions of [`toward_light`](Self::toward_light) may be off, as an angle in radians.
     const ASTRAY: f32 = 0.0;
-    /// Whether answers from fewer digits, as of [`dot3_coarse`](Self::dot3_coarse) and [`misses_ball`](Self::misses_ball), take less time than
-    /// those from all.
-    const SAVES_DIGITS: bool = false;
+    /// Whether products take so long that time is saved by fewer digits first, as in [`dot3_coarse`](Self::dot3_coarse) and
+    /// [`misses_ball`](Self::misses_ball), and by a look at whether a factor is 0 or 1.
+    const SAVES_PRODUCTS: bool = false;
 
     /// The nearest representable value.
     fn from_f32(value: f32) -> Self;
@@ -132,7 +132,7 @@ pub trait Real:
         false
     }
 
-    /// Whether a ray from a [central](Self::is_central) place surely misses a ball, where [that](Self::SAVES_DIGITS) can be told faster than by
+    /// Whether a ray from a [central](Self::is_central) place surely misses a ball, where [that](Self::SAVES_PRODUCTS) can be told faster than by
     /// meeting it.
     #[inline(always)]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {

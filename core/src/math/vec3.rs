@@ -27,6 +27,18 @@ impl<R> Vec3<R> {
     }
 }
 
+/// The product with a coordinate of a unit vector that may well be 1 or -1.
+#[inline(always)]
+fn times<R: Real>(unit: R, number: R) -> R {
+    if R::SAVES_PRODUCTS && unit == R::ONE {
+        number
+    } else if R::SAVES_PRODUCTS && unit == -R::ONE {
+        -number
+    } else {
+        unit * number
+    }
+}
+
 impl Vec3 {
     /// The same vector in another number system.
     pub fn to<R: Real>(self) -> Vec3<R> {
@@ -43,18 +55,25 @@ impl<R: Real> Vec3<R> {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
-    /// The scalar product, of a vector that may well lie along an axis, as floors and walls have their normals.
+    /// The scalar product, of a unit vector that may well lie along an axis, as floors and walls have their normals.
     pub(crate) fn dot_of_few(self, other: Self) -> R {
         if R::SEEKS_FACTORS {
             let is_zero = |number: R| number == R::ZERO;
             match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
-                (false, true, true) => return self.x * other.x,
-                (true, false, true) => return self.y * other.y,
-                (true, true, false) => return self.z * other.z,
+                (false, true, true) => return times(self.x, other.x),
+                (true, false, true) => return times(self.y, other.y),
+                (true, true, false) => return times(self.z, other.z),
                 _ => {}
             }
         }
         self.dot(other)
+    }
+
+    /// The product of a unit vector that may well lie along an axis.
+    #[inline(always)]
+    pub(crate) fn few_times(self, number: R) -> Self {
+        let product = |unit: R| if R::SAVES_PRODUCTS && unit == R::ZERO { unit } else { times(unit, number) };
+        Self::new(product(self.x), product(self.y), product(self.z))
     }
 
     /// The scalar product of two unit vectors, off by less than [`Real::COARSE`].

@@ -254,7 +254,7 @@ impl Real for Fixed {
     const SEEKS_FACTORS: bool = true;
     const COARSE: f32 = 1.0 / 8192.0;
     const ASTRAY: f32 = coarse::ASTRAY;
-    const SAVES_DIGITS: bool = IS_ARMV6M;
+    const SAVES_PRODUCTS: bool = IS_ARMV6M;
 
     fn from_f32(value: f32) -> Self {
         // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
@@ -382,13 +382,13 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn is_central(Vec3 { x, y, z }: Vec3<Self>) -> bool {
-        Self::SAVES_DIGITS && coarse::is_central([x.0, y.0, z.0])
+        Self::SAVES_PRODUCTS && coarse::is_central([x.0, y.0, z.0])
     }
 
     #[inline(always)]
     fn misses_ball(ray: &Ray<Self>, center: Vec3<Self>, radius: Self) -> bool {
         let bits = |vector: Vec3<Self>| [vector.x.0, vector.y.0, vector.z.0];
-        Self::SAVES_DIGITS && coarse::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
+        Self::SAVES_PRODUCTS && coarse::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
     }
 
     fn times(self, other: Self) -> FixedProduct {
