@@ -48,6 +48,8 @@ pub enum Event<R> {
     Hit {
         /// Why the ray was traced.
         kind: RayKind,
+        /// The ray.
+        ray: Ray<R>,
         /// Where.
         hit: Hit<R>,
         /// The color of its texture there.
@@ -59,6 +61,8 @@ pub enum Event<R> {
     },
     /// That ray met nothing and sees the background.
     Miss {
+        /// The ray.
+        ray: Ray<R>,
         /// The color of that in the ray's direction.
         color: LinearRgb<R>,
         /// Share of it that reaches the pixel, in each channel.

@@ -200,7 +200,7 @@ impl<R: Real> Probe<R> for Tree<'_> {
                 self.end(throughput);
                 self.hit(&hit, color);
             }
-            Event::Miss { color: background, throughput } => {
+            Event::Miss { color: background, throughput, .. } => {
                 self.end(throughput);
                 let background = background.to_f32();
                 let (background, part) = (color(background), self.part(background));

@@ -208,7 +208,7 @@ impl<R: Real> Path<R> {
         let Some((hit, mut material)) = find(&self.next) else {
             let color = scene.background.color(ray.direction);
             let throughput = scene.dimmed(throughput, from, kind == RayKind::Reflected, None);
-            probe.record(Event::Miss { color, throughput: throughput.color() });
+            probe.record(Event::Miss { ray, color, throughput: throughput.color() });
             self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };

@@ -57,7 +57,7 @@ impl<'s, R: Real> Vertex<'s, R> {
             || probe.is_watching() && !material.maps.is_empty();
         let mirrored = if is_asked { incoming + normal * (cosine + cosine) } else { incoming };
         let throughput = throughput.color();
-        probe.record(Event::Hit { kind, hit: shown, color, mirrored, throughput });
+        probe.record(Event::Hit { kind, ray: *ray, hit: shown, color, mirrored, throughput });
         Self { hit, material, color, incoming, normal, is_outside, cosine, mirrored }
     }
 

@@ -13,7 +13,7 @@ use super::close::{ClosePlaces, tapering_objects};
 use super::limits::Limits;
 use super::paint::Paint;
 use super::rims::RimPlaces;
-use super::seen::Marks;
+use super::seen::FAINT;
 use super::strip::Strip;
 use super::thin::{ThinPlaces, thin_objects};
 use super::tiny::{Tiny, Watch};
@@ -61,7 +61,6 @@ pub struct RealtimeFrame<'p, 'm, 'b, R: Real, S: Geometry + 'm, C> {
     row: Option<u32>,
     /// A pixel that sees nothing, where all such pixels look alike.
     nothing: Option<Sample>,
-    marks: Marks<R>,
     /// Watches for what could hide where that is not known.
     watch: Option<Watch<R>>,
     cell: Cell,
@@ -103,7 +102,6 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let marks = Marks::new();
         let thin = thin_objects(renderer, quality.grid);
         let tapering = tapering_objects(renderer, quality.grid);
         Ok(Self {
@@ -119,10 +117,9 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             nothing: Tracer::<R, S, C, ()>::nothing(renderer),
             bounds: Bounds { cutoff, ..renderer.bounds },
             unlit,
-            unlit_bounds: Bounds { cutoff: cutoff.larger(marks.faint), ..renderer.bounds },
+            unlit_bounds: Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds },
             renderer,
             watch: Tiny::new(renderer, quality.grid).map(Watch::new),
-            marks,
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, total),
         })
@@ -238,7 +235,6 @@ impl<'p, 'm, 'b, R: Real, S: Geometry + 'm, C: DisplayColor> RealtimeFrame<'p, '
             top: band.top,
             limits: Limits::new(self.quality.threshold, detail, side),
             allowed: self.budget.left(),
-            marks: self.marks,
             watch: self.watch.as_mut(),
             close: band.close.as_ref(),
             color: PhantomData::<C>,

@@ -5,34 +5,18 @@ use super::Sample;
 use super::sample::{Near, Path};
 use super::tiny::Watch;
 use crate::material::PreparedMaterial;
-use crate::math::{Ray, Real, Vec3};
+use crate::math::{Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::surface::Surface;
 
-/// What leaves a mark on a pixel.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Marks<R> {
-    /// Rays that bring less of their light to the pixel than this leave none: their edges are faint, and there are
-    /// many of them.
-    pub(super) faint: R,
-    /// How far from its middle a small highlight shows, see [`Shininess::shows`](crate::material::Shininess).
-    shows: R,
-    /// The least cosine to the middle of a highlight that is seen: those of more than 17° are not small.
-    beside: R,
-}
-
-impl<R: Real> Marks<R> {
-    pub(super) fn new() -> Self {
-        Self { faint: R::from_f32(1.0 / 8.0), shows: R::from_f32(0.25), beside: R::from_f32(0.954) }
-    }
-
-    /// Nothing leaves one.
-    pub(super) fn none(self) -> Self {
-        Self { faint: R::ONE, ..self }
-    }
-}
+/// Rays that bring less of their light to the pixel than this leave no mark on it: their edges are faint, and there are many of them.
+pub(super) const FAINT: f32 = 1.0 / 8.0;
+/// How far from its middle a small highlight shows, see [`Shininess::shows`](crate::material::Shininess).
+const SHOWS: f32 = 0.25;
+/// The least cosine to the middle of a highlight that is seen: those of more than 17° are not small.
+const BESIDE: f32 = 0.954;
 
 /// Folds what happens to one pixel into a digest, and tells another probe.
 pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
@@ -47,13 +31,12 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     near_glint: bool,
     /// Watches for what is tiny, where there is any.
     watch: Option<&'p mut Watch<R>>,
-    marks: Marks<R>,
+    /// Rays that bring no more of their light leave no mark.
+    faint: R,
     /// Whether what the current ray sees counts.
     counts: bool,
-    /// Origin of the current ray.
-    origin: Vec3<R>,
-    /// Direction of the current ray, mirrored after it has hit something with a small highlight.
-    direction: Vec3<R>,
+    /// Where the current ray is mirrored to, if it has hit something with a small highlight.
+    mirrored: Vec3<R>,
     /// The material that it hit.
     hit: Option<&'s PreparedMaterial<'m, R>>,
 }
@@ -61,7 +44,7 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
 impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, P> {
     pub(super) fn new(
         scene: &'s PreparedScene<'m, R, S>,
-        marks: Marks<R>,
+        faint: R,
         watch: Option<&'p mut Watch<R>>,
         probe: &'p mut P,
     ) -> Self {
@@ -73,10 +56,9 @@ impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, 
             bounces: 0,
             near_glint: false,
             watch,
-            marks,
+            faint,
             counts: true,
-            origin: Vec3::ZERO,
-            direction: Vec3::ZERO,
+            mirrored: Vec3::ZERO,
             hit: None,
         }
     }
@@ -124,17 +106,14 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
     fn record(&mut self, event: Event<R>) {
         self.probe.record(event);
         match event {
-            Event::Ray { ray, throughput, bounces, .. } => {
+            Event::Ray { throughput, bounces, .. } => {
                 self.bounces = u32::from(bounces);
-                self.counts = throughput > self.marks.faint;
-                self.direction = ray.direction;
-                self.origin = ray.origin;
+                self.counts = throughput > self.faint;
             }
-            Event::Hit { kind, hit, color, mirrored, .. } if self.counts => {
+            Event::Hit { kind, ray, hit, color, mirrored, .. } if self.counts => {
                 if let Some(watch) = &mut self.watch {
-                    let ray = (Ray { origin: self.origin, direction: self.direction }, self.bounces == 0);
                     // By value: it may stay in registers for what comes.
-                    watch.hit(self.scene, ray, hit, mirrored);
+                    watch.hit(self.scene, (ray, self.bounces == 0), hit, mirrored);
                 }
                 let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
                 let surface = &hit.surface;
@@ -154,7 +133,7 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                     }
                     self.hit = Some(material);
                     if material.specular > R::ZERO && material.shininess.is_sharp() {
-                        self.direction = mirrored;
+                        self.mirrored = mirrored;
                     }
                 }
             }
@@ -163,23 +142,22 @@ impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
                 if let Some(material) = self.hit {
                     let sharp = material.shininess.is_sharp();
                     // Asked where it tells something alone: it is a product for each light.
-                    let cosine = || self.direction.dot(toward);
+                    let cosine = || self.mirrored.dot(toward);
                     let shows = |share| material.shininess.shows(cosine(), share);
                     if through >= R::ONE {
-                        self.near_glint |= sharp && cosine() > self.marks.beside && shows(R::ONE);
-                    } else if material.diffuse > R::ZERO || !sharp || shows(self.marks.shows) {
+                        self.near_glint |= sharp && cosine() > R::from_f32(BESIDE) && shows(R::ONE);
+                    } else if material.diffuse > R::ZERO || !sharp || shows(R::from_f32(SHOWS)) {
                         // A shadow that is mirrored is another than one that is seen.
                         let what = self.bounces << 25 | 1 << 24 | (light as u32) << 17 | through.to_q16();
                         self.shade = fold(self.shade, what);
                     }
                 }
             }
-            Event::Miss { color, .. } if self.counts => {
-                let mark = self.scene.background.mark(self.direction, color);
+            Event::Miss { ray, color, .. } if self.counts => {
+                let mark = self.scene.background.mark(ray.direction, color);
                 self.path = fold(self.path, 1 << 25 ^ mark);
                 if let Some(watch) = &mut self.watch {
-                    let ray = (Ray { origin: self.origin, direction: self.direction }, self.bounces == 0);
-                    watch.miss(self.scene, ray);
+                    watch.miss(self.scene, (ray, self.bounces == 0));
                 }
             }
             Event::Hit { .. }

@@ -6,11 +6,11 @@ use super::Sample;
 use super::cell::Look;
 use super::close::ClosePlaces;
 use super::limits::Limits;
-use super::seen::{Marks, Seen};
+use super::seen::{FAINT, Seen};
 use super::tiny::Watch;
 use crate::color::LinearRgb;
 use crate::integrator::{Bounds, Sight};
-use crate::math::Real;
+use crate::math::{Ray, Real, Vec3};
 use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::{Event, Probe};
@@ -42,7 +42,6 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     pub(super) left: u32,
     pub(super) top: u32,
     pub(super) limits: Limits,
-    pub(super) marks: Marks<R>,
     pub(super) watch: Option<&'w mut Watch<R>>,
     pub(super) close: Option<&'r ClosePlaces>,
     pub(super) color: PhantomData<C>,
@@ -57,8 +56,9 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
     pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Option<Sample> {
         let color = renderer.scene.background.solid()?;
         let mut probe = ();
-        let mut seen = Seen::new(renderer.scene, Marks::new(), None, &mut probe);
-        seen.record(Event::Miss { color, throughput: LinearRgb::even(R::ONE) });
+        let mut seen = Seen::new(renderer.scene, R::from_f32(FAINT), None, &mut probe);
+        let ray = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
+        seen.record(Event::Miss { ray, color, throughput: LinearRgb::even(R::ONE) });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
         Some(seen.sample(C::tone(Light16::new(color), &quantizer)))
     }
@@ -97,11 +97,11 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
             Asked::Path => (self.unlit, self.unlit_bounds),
             _ => (self.renderer.scene, self.bounds),
         };
-        let (marks, watch) = match asked {
-            Asked::Tone => (self.marks.none(), None),
-            _ => (self.marks, self.watch.as_mut().and_then(|watch| watch.stand_for(x, y))),
+        let (faint, watch) = match asked {
+            Asked::Tone => (R::ONE, None),
+            _ => (R::from_f32(FAINT), self.watch.as_mut().and_then(|watch| watch.stand_for(x, y))),
         };
-        let mut seen = Seen::new(scene, marks, watch, self.probe);
+        let mut seen = Seen::new(scene, faint, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, (x, y), sight, &mut seen);
