@@ -41,7 +41,8 @@ impl<R: Real> Shininess<R> {
     /// Whether a highlight may be seen between these unit vectors, where that can be told faster than by their cosine.
     #[inline(always)]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
-        !R::SAVES_PRODUCTS || self.is_visible(mirrored.dot_coarse(toward) + R::from_f32(R::COARSE))
+        !R::SAVES_PRODUCTS
+            || self.is_visible(mirrored.coarse().dot_coarse(toward.coarse()) + R::from_f32(R::COARSE))
     }
 
     /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at

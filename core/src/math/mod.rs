@@ -18,6 +18,7 @@ mod vec3;
 
 pub use aabb::Aabb;
 pub use cell::Cell;
+pub(crate) use fixed::trailing_zeros;
 pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct, FixedRadius};
 pub use four::FourRays;
 pub(crate) use four::{FOUR_AT_ONCE, choose, each};
@@ -30,3 +31,4 @@ pub use scale::{Extent, Scale};
 #[cfg(feature = "serde")]
 pub(crate) use triple::triple;
 pub use vec3::Vec3;
+pub(crate) use vec3::times;

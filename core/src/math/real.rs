@@ -120,7 +120,13 @@ pub trait Real:
         ax * bx + ay * by + az * bz
     }
 
-    /// The sum of three products of coordinates between -1 and 1, for what must be fast and is asked again where it is close.
+    /// A coordinate between -1 and 1, as [`dot3_coarse`](Self::dot3_coarse) takes it.
+    #[inline(always)]
+    fn coarse(self) -> Self {
+        self
+    }
+
+    /// The sum of three products of [coarse](Self::coarse) coordinates, for what must be fast and is asked again where it is close.
     #[inline(always)]
     fn dot3_coarse(a: [Self; 3], b: [Self; 3]) -> Self {
         Self::dot3(a, b)

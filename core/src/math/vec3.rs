@@ -29,7 +29,7 @@ impl<R> Vec3<R> {
 
 /// The product with a coordinate of a unit vector that may well be 1 or -1.
 #[inline(always)]
-fn times<R: Real>(unit: R, number: R) -> R {
+pub(crate) fn times<R: Real>(unit: R, number: R) -> R {
     if R::SAVES_PRODUCTS && unit == R::ONE {
         number
     } else if R::SAVES_PRODUCTS && unit == -R::ONE {
@@ -69,14 +69,26 @@ impl<R: Real> Vec3<R> {
         self.dot(other)
     }
 
-    /// The product of a unit vector that may well lie along an axis.
+    /// Whether this is a unit vector along a coordinate axis, to the bit.
     #[inline(always)]
-    pub(crate) fn few_times(self, number: R) -> Self {
-        let product = |unit: R| if R::SAVES_PRODUCTS && unit == R::ZERO { unit } else { times(unit, number) };
-        Self::new(product(self.x), product(self.y), product(self.z))
+    pub(crate) fn is_along_axis(self) -> bool {
+        let (is_zero, is_one) =
+            (|number: R| number == R::ZERO, |number: R| number == R::ONE || number == -R::ONE);
+        match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
+            (false, true, true) => is_one(self.x),
+            (true, false, true) => is_one(self.y),
+            (true, true, false) => is_one(self.z),
+            _ => false,
+        }
     }
 
-    /// The scalar product of two unit vectors, off by less than [`Real::COARSE`].
+    /// A unit vector, as [`dot_coarse`](Self::dot_coarse) takes it.
+    #[inline(always)]
+    pub(crate) fn coarse(self) -> Self {
+        Self::new(self.x.coarse(), self.y.coarse(), self.z.coarse())
+    }
+
+    /// The scalar product of two [coarse](Self::coarse) unit vectors, off by less than [`Real::COARSE`].
     #[inline(always)]
     pub(crate) fn dot_coarse(self, other: Self) -> R {
         R::dot3_coarse([self.x, self.y, self.z], [other.x, other.y, other.z])

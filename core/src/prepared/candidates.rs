@@ -15,7 +15,7 @@ use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
 use crate::limits::FEW_OBJECTS;
 use crate::material::Shininess;
-use crate::math::{Real, Vec3};
+use crate::math::{Real, Vec3, trailing_zeros};
 use crate::shape::{Form, Intersect};
 
 /// A set of up to [`ObjectSet::CAPACITY`] objects, by position.
@@ -56,8 +56,8 @@ impl ObjectSet {
 
     /// The lowest position.
     #[inline(always)]
-    const fn lowest(self) -> Option<usize> {
-        if self.0 == 0 { None } else { Some(self.0.trailing_zeros() as usize) }
+    fn lowest(self) -> Option<usize> {
+        if self.0 == 0 { None } else { Some(trailing_zeros(self.0) as usize) }
     }
 
     #[inline(always)]
@@ -118,7 +118,7 @@ struct Pair<R: Real> {
 /// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where it goes.
 #[derive(Clone, Copy, Debug)]
 struct SeenBall<R: Real> {
-    /// Unit vector toward the middle; nothing, where nothing can be told.
+    /// Unit vector toward the middle, [coarse](Real::coarse); nothing, where nothing can be told.
     toward_center: Vec3<R>,
     /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less opposite passes the ball by.
     least_opposite: R,
@@ -156,13 +156,13 @@ impl<R: Real> SeenBall<R> {
             R::Setup::ONE
         };
         Self {
-            toward_center: Vec3::from_setup(toward_center),
+            toward_center: Vec3::from_setup(toward_center).coarse(),
             least_opposite: R::from_setup(coarse - cosine),
             least_glinting: R::from_setup(least_glinting),
         }
     }
 
-    /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
+    /// Whether a shadow ray of this [coarse](Real::coarse) direction, toward the light, surely misses the ball.
     #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_coarse(toward_light) > self.least_opposite
@@ -171,7 +171,7 @@ impl<R: Real> SeenBall<R> {
     /// Whether the ball may show a highlight where a ray is mirrored into this direction.
     #[inline(always)]
     fn may_glint(&self, mirrored: Vec3<R>) -> bool {
-        !(self.toward_center.dot_coarse(mirrored) > self.least_glinting)
+        !(self.toward_center.dot_coarse(mirrored.coarse()) > self.least_glinting)
     }
 }
 
@@ -306,6 +306,7 @@ impl<'m, R: Real> Candidates<'m, R> {
     /// is looked at in fixed point alone: in floating point it takes as long to test it.
     #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
+        let toward_light = toward_light.coarse();
         let is_passed =
             |object| self.pair(object, light).is_some_and(|pair| pair.ball.is_passed_by(toward_light));
         while let Some(object) = set.lowest()

@@ -71,6 +71,7 @@ mod zeros;
 pub use linear::FixedLinear;
 pub use radius::FixedRadius;
 pub use wide::FixedProduct;
+pub(crate) use zeros::trailing_zeros;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -369,6 +370,11 @@ impl Real for Fixed {
         }
         #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
         Self((FixedProduct::dot3(a, b).bits() >> FRACTION) as i32)
+    }
+
+    #[inline(always)]
+    fn coarse(self) -> Self {
+        if IS_ARMV6M { Self(coarse::coordinate(self.0)) } else { self }
     }
 
     #[inline(always)]
