@@ -53,8 +53,8 @@
 //! Of 24 frames around `classic` the worst has 41.0 dB, around `prism` 36.9 dB; at 160×120, where everything is smaller,
 //! the fine ones 39.4 and 36.6 dB.
 //!
-//! In instructions per pixel of `classic` at 320×240: 264 instead of 562 on Cortex-M4F in `f32`, 367 instead of 920 on
-//! Cortex-M3 and 678 instead of 1,764 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
+//! In instructions per pixel of `classic` at 320×240: 261 instead of 562 on Cortex-M4F in `f32`, 361 instead of 920 on
+//! Cortex-M3 and 649 instead of 1,702 on Cortex-M0 in fixed point. Three quarters of them trace; of what is left, a
 //! third compares samples along the sides of cells.
 //!
 //! What is lost: on balls, rods and tori of 11 pixels and more, with a light anywhere before them, no frame of a rotation has a quarter more
@@ -134,10 +134,10 @@ use crate::shape::Geometry;
 ///
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
-/// | 320×240 | 920 | 367 | 439 |
-/// | 160×120 | 940 | 576 | 630 |
-/// | 128×96 | 943 | 892 | 739 |
-/// | 64×48 | 991 | 1,321 | 1,191 |
+/// | 320×240 | 920 | 361 | 429 |
+/// | 160×120 | 940 | 569 | 620 |
+/// | 128×96 | 943 | 884 | 730 |
+/// | 64×48 | 991 | 1,310 | 1,182 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
     /// How far apart the pixels are that are always traced.
