@@ -156,10 +156,7 @@ mod tests {
             let sweep = Sweep::new(&footprint, viewport.sides(), (direction, mirrored), beside);
             let toward = vector(random.direction());
             let cosine = toward.dot(mirrored);
-            if !(cosine > R::ZERO) {
-                continue;
-            }
-            if cosine * cosine > least_cosine_squared(&footprint, radius, &shininess) {
+            if !(cosine > R::ZERO) || cosine * cosine > least_cosine_squared(&footprint, radius, &shininess) {
                 continue;
             }
             let near = sweep.nearness(toward, &shininess, false);
