@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_needs_no_memory() {
+    fn empty_lists_need_no_memory() {
         let mut arena = Arena::new(&mut []);
         assert!(arena.store_with(0, |i| i as u64).unwrap().is_empty());
     }

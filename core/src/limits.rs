@@ -2,7 +2,7 @@
 
 use crate::math::FOUR_AT_ONCE;
 
-/// The most bounces that [`Settings::bounces`](crate::Settings) may ask for.
+/// The largest [`Settings::bounces`](crate::Settings).
 ///
 /// Each bounce takes one pending ray on the stack: 32 bytes in `f32`. Sixteen mirrors that reflect 80 % leave
 /// 3 % of the light.

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_right_in_the_picture_is_on_the_right() {
+    fn the_right_half_of_the_image_is_on_the_right() {
         assert_around::<f32>();
         assert_around::<f64>();
         assert_around::<Fixed>();
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn it_turns_as_textures_do() {
+    fn panoramas_turn_like_textures() {
         let quarter = core::f32::consts::FRAC_PI_2;
         let turned = |rotation| Panorama { rotation, ..Panorama::new(AROUND) };
         for (rotation, direction) in [

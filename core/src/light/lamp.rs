@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_bright_inside_and_dark_outside() {
+    fn lamps_are_bright_inside_of_the_cone_and_dark_outside() {
         for share in [share::<f32>, share::<f64>, share::<Fixed>] {
             for (angle, left) in [(0.0, 1.0), (0.29, 1.0), (-0.29, 1.0), (0.61, 0.0), (3.0, 0.0)] {
                 assert_eq!(share(SPOT, angle), left, "{angle}");

@@ -118,7 +118,7 @@ mod tests {
     use crate::math::{Fixed, Scale};
 
     #[test]
-    fn all_can_be_prepared() {
+    fn all_presets_can_be_prepared() {
         let all = [GOLD, SILVER, COPPER, ALUMINUM, IRON, CHROMIUM, GLASS, FLINT, DIAMOND, ICE, WATER];
         for material in all.into_iter().chain([glossy(LinearRgb::WHITE)]) {
             let mut memory = Workspace::<512>::new();

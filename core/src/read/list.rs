@@ -45,7 +45,7 @@ struct List<'r, 'm, T> {
 }
 
 impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
-    /// Stores the values in the reader's memory. `count` is their number, if the format knows it in advance.
+    /// Stores the values in the reader's memory. `count` is their number, if the format stores it.
     fn collect<E: Error>(
         self,
         count: Option<usize>,
@@ -65,7 +65,8 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
         Ok(room.filled())
     }
 
-    /// Stores values of which the format does not know the number: they are collected in a `Vec` first.
+    /// Stores the values of a list whose length the format does not store: they are collected in a `Vec`
+    /// first.
     #[cfg(feature = "std")]
     fn collect_any<E: Error>(
         self,

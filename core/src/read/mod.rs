@@ -5,8 +5,7 @@
 //! reader a seed. A type without lists is [`plain`], and is read by serde's derived code.
 //!
 //! Formats for people (`is_human_readable`) allow more. A field with a default may be left out. A list may be
-//! written as a map, whose keys are comments for people. An item that [`Names`] knows may be referred to by
-//! its name.
+//! written as a map, whose keys are comments for people. An item in [`Names`] may be referred to by its name.
 
 mod fields;
 mod list;

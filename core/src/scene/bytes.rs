@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_in_front_is_checked_first() {
+    fn mark_and_version_are_checked_first() {
         let (mut room, mut memory) = ([0; 2048], [MaybeUninit::uninit(); 2048]);
         let bytes = CLASSIC.to_bytes(&mut room).unwrap();
         let mut read = |bytes: &[u8]| Scene::<Shape<'_>>::from_bytes(bytes, &mut memory).err();
