@@ -1,4 +1,4 @@
-//! Rayline beside POV-Ray: the same scenes, the same pictures, one thread each.
+//! Measures Rayline beside POV-Ray, with the same scenes and one thread each.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::povray::{self, PovrayPicture};
 use crate::table::Table;
 use crate::{RenderOptions, nff, render};
 
-/// Spheres, triangles and cylinders: scenes of the Standard Procedural Databases.
+/// Scenes of spheres, triangles and cylinders, from the Standard Procedural Databases.
 const SCENES: [(&str, &str); 3] = [
     ("balls_s3", include_str!("../../../tests/scenes/balls_s3.nff")),
     ("teapot_s2", include_str!("../../../tests/scenes/teapot_s2.nff")),
@@ -24,7 +24,7 @@ pub(super) fn measure(
     directory: &Path,
     say: &dyn Fn(&str),
 ) -> Result<Option<String>, BenchError> {
-    let side = bench.rival_side;
+    let side = bench.povray_side;
     let mut table = Table::new(
         1,
         [
@@ -68,15 +68,15 @@ pub(super) fn measure(
         ]);
     }
     Ok(Some(format!(
-        "Rayline (f32, exact; preparing and tracing; built for {}) and POV-Ray (tracing alone) at {side}x{side} on one \
-         thread each: medians of the processor's time for {} pictures in turn. \
-         Pixels are alike where no channel differs by more than 2 of 255.\n\n{table}",
+        "Rayline (f32, exact; preparing and tracing; built for {}) and POV-Ray (tracing alone) at \
+         {side}x{side} on one thread each: medians of the processor's time for {} pictures in turn. Pixels \
+         are alike where no channel differs by more than 2 of 255.\n\n{table}",
         built_for(),
         bench.runs
     )))
 }
 
-/// The processors that this program was built for: with what it may count on, it is faster.
+/// The processors that this program was built for. It is faster if it may use AVX2.
 fn built_for() -> String {
     let arch = std::env::consts::ARCH;
     if cfg!(target_feature = "avx2") { format!("{arch} with AVX2") } else { format!("any {arch}") }
@@ -86,7 +86,7 @@ fn seconds(picture: &PovrayPicture, step: &'static str) -> Result<f64, BenchErro
     picture.cpu_seconds(step).ok_or(BenchError::NoTime(step))
 }
 
-/// The share of pixels, 0 to 1, whose channels all are within 2 of 255.
+/// The share of pixels, 0 to 1, whose channels all differ by at most 2 of 255.
 fn share_alike(ours: &[u8], theirs: &[u8]) -> f64 {
     let is_alike = |(a, b): (&[u8], &[u8])| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= 2);
     let pixels = ours.chunks_exact(3).zip(theirs.chunks_exact(3));

@@ -13,7 +13,7 @@ pub(super) fn point(point: Vec3) -> String {
 }
 
 pub(super) fn xyz(vector: Vec3<f64>) -> String {
-    // -0 + 0 is 0, which reads better.
+    // Adding 0 turns -0 into 0, which reads better.
     list(&[vector.x, vector.y, vector.z].map(|number| number + 0.0))
 }
 
@@ -29,7 +29,7 @@ pub(super) fn unit(vector: Vec3<f64>) -> Vec3<f64> {
     vector * vector.length().recip()
 }
 
-/// What turns the axes, and then the origin, into these.
+/// The matrix that maps the three axes and the origin to these images.
 pub(super) fn matrix(images: [Vec3<f64>; 4]) -> String {
     let rows =
         images.map(|image| [image.x, image.y, image.z].map(|number| (number + 0.0).to_string()).join(", "));

@@ -1,4 +1,4 @@
-//! What is known of a file before and after it is read: the names in it, and where things stand.
+//! Partial reading of a file: the names of its materials, and the positions of its parts.
 
 use core::fmt;
 
@@ -8,14 +8,14 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 
 use super::{Position, options};
 
-/// The names of the materials, in their order; none where they have no names.
+/// The names of the materials, in their order; empty if they have no names.
 pub(super) fn material_names(text: &str) -> Result<Vec<String>, SpannedError> {
     let mut names = Vec::new();
     options().from_str_seed(text, Field { name: "materials", inside: &mut Keys(&mut names) })?;
     Ok(names)
 }
 
-/// Where a part is described.
+/// The position of a part in the text.
 pub(super) fn position_of(text: &str, part: Part) -> Option<Position> {
     let (name, index) = match part {
         Part::Camera => ("camera", None),
@@ -26,17 +26,17 @@ pub(super) fn position_of(text: &str, part: Part) -> Option<Position> {
         _ => return None,
     };
     let stopped = options().from_str_seed(text, Field { name, inside: &mut StopAt(index) });
-    // The text was read before, so nothing else can be wrong with it.
-    // The span begins before the white space, and ends at the value.
+    // The text was read before, so this is its only error. The span of the error begins before the white
+    // space, and ends at the value.
     stopped.err().map(|error| Position::from(error.span.end))
 }
 
-/// What is done inside of a field.
+/// An action on the value of a field.
 trait Inside {
     fn visit<'de, D: Deserializer<'de>>(&mut self, value: D) -> Result<(), D::Error>;
 }
 
-/// Does it with one field of a struct, and goes past the others.
+/// Applies the action to one field of the scene, and skips the others.
 struct Field<'i, I> {
     name: &'static str,
     inside: &'i mut I,
@@ -69,7 +69,7 @@ impl<'de, I: Inside> Visitor<'de> for Field<'_, I> {
     }
 }
 
-/// Reads the name of a field.
+/// A seed that reads the name of a field.
 struct Name;
 
 impl<'de> DeserializeSeed<'de> for Name {
@@ -92,7 +92,7 @@ impl Visitor<'_> for Name {
     }
 }
 
-/// Does what there is to do with a value.
+/// A seed that applies the action to a value.
 struct Do<'i, I>(&'i mut I);
 
 impl<'de, I: Inside> DeserializeSeed<'de> for Do<'_, I> {
@@ -103,7 +103,7 @@ impl<'de, I: Inside> DeserializeSeed<'de> for Do<'_, I> {
     }
 }
 
-/// Collects the keys of a map; a list has none.
+/// The action that collects the keys of a map; a list has none.
 struct Keys<'k>(&'k mut Vec<String>);
 
 impl Inside for Keys<'_> {
@@ -115,7 +115,8 @@ impl Inside for Keys<'_> {
     }
 }
 
-/// Fails on purpose: the error of the format tells where. At the value, or at one of those in it.
+/// The action that fails on purpose, at the value or at the element of this index: the error of the format
+/// then has the position.
 struct StopAt(Option<usize>);
 
 impl Inside for StopAt {
@@ -126,7 +127,8 @@ impl Inside for StopAt {
     }
 }
 
-/// Goes through a list, or a map as one, as long as the function wants; it is told the key of each value.
+/// A visitor for the elements of a list or a map. It calls the function with the key of each element, and
+/// fails if that returns false.
 struct Elements<F>(F);
 
 impl<'de, F: FnMut(Option<String>) -> bool> Visitor<'de> for Elements<F> {
@@ -149,7 +151,7 @@ impl<'de, F: FnMut(Option<String>) -> bool> Visitor<'de> for Elements<F> {
     }
 }
 
-/// Goes past a value, or fails in front of it if that is wanted.
+/// A seed that skips a value, or fails in front of it if the function returns false.
 struct Element<F>(F);
 
 impl<'de, F: FnOnce() -> bool> DeserializeSeed<'de> for Element<F> {
