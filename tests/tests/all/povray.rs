@@ -1,4 +1,4 @@
-//! The core in `f32` against POV-Ray, where it is installed.
+//! Comparisons of the core in `f32` with POV-Ray, if it is installed.
 
 use std::path::{Path, PathBuf};
 
@@ -23,7 +23,8 @@ fn check(name: &str) {
         let Some(povray) = PovrayPicture::render(scene, settings, &directory(), name) else { return };
         let core = core_picture::<f32>(scene, settings);
         if name == "teapot_s1" {
-            // No bar: handle and spout are pairs of triangles in one place, of which POV-Ray sees the other one.
+            // Printed without a limit: the handle and the spout have coincident triangles, of which POV-Ray
+            // shows the other one.
             let alike = Comparison::new(&core, &povray.picture).alike;
             println!("{name:12} f32 / povray: {:.3} % of pixels alike", alike * 100.0);
         } else {
@@ -32,8 +33,8 @@ fn check(name: &str) {
     });
 }
 
-/// The material without what POV-Ray computes in another way: it does not color highlights as it does mirrors, and light that
-/// was mirrored inside of glass is not absorbed there.
+/// The material without the properties that POV-Ray computes differently: it colors highlights differently
+/// from reflections, and does not absorb light that was mirrored inside of glass.
 fn as_in_povray(material: Material) -> Material {
     let Some(optics) = material.optics else { return material };
     let is_metal = optics.reflection_color != LinearRgb::WHITE;
@@ -51,15 +52,16 @@ fn ray_counts_of_balls_s3() {
         let core = ray_counts(scene, settings);
         assert_eq!(core.camera, povray.reported("Pixels"));
         for (what, ours, theirs) in [
-            // POV-Ray counts a mirrored ray before it looks whether that is one too many.
+            // POV-Ray counts a mirrored ray before it checks the limit of bounces.
             (
                 "reflected",
                 core.reflected + core.cut_bounces + core.cut_throughput,
                 povray.reported("Reflected Rays"),
             ),
-            // It counts one for each transparent surface on the way to a light, but nothing is transparent here.
+            // POV-Ray counts a test for each transparent surface in front of a light, but nothing is
+            // transparent here.
             ("shadow", core.shadow, povray.reported("Shadow Ray Tests")),
-            // Rays from the eye and mirrored rays.
+            // Camera rays and mirrored rays.
             (
                 "camera and reflected",
                 core.camera + core.reflected + core.cut_bounces + core.cut_throughput,
@@ -72,7 +74,7 @@ fn ray_counts_of_balls_s3() {
     });
 }
 
-/// A picture without symmetry.
+/// An image without symmetry.
 const PICTURE: Image = Image {
     width: 3,
     height: 2,

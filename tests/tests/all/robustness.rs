@@ -1,4 +1,5 @@
-//! Bad input: every bad number is refused with its place, and whatever is accepted renders finite pixels.
+//! Tests of bad input: every bad number is refused with its part, and every accepted scene renders finite
+//! pixels.
 
 use std::mem::MaybeUninit;
 
@@ -20,7 +21,7 @@ fn prepare(scene: &Scene) -> Result<(), SceneError> {
     PreparedScene::<f32, _>::new(scene, &mut memory).map(|_| ())
 }
 
-/// The classic scene with one object, material or light replaced is refused for that part.
+/// Asserts that the classic scene with one object, material or light replaced is refused for that part.
 #[track_caller]
 fn assert_refused(change: impl FnOnce(&mut Parts), part: Part, fault: Fault) {
     let mut parts = Parts {
@@ -75,7 +76,7 @@ const BAD: [(f32, Fault); 5] = [
     (-3e38, Fault::TooFar),
 ];
 
-/// Something to have instances of.
+/// A model for instances.
 static TILE: Model = Model::Polygon(Polygon::new(&[
     Vec3::new(0.0, 0.0, 0.0),
     Vec3::new(1.0, 0.0, 0.0),
@@ -89,7 +90,7 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
         let point = Vec3::new(1.0, bad, 2.0);
         let color = LinearRgb::new(0.1, 0.2, bad);
         let instead = |other: Fault| if fault == Fault::TooFar { other } else { fault };
-        // What is no length is not mended by another scale of the scene.
+        // Scaling the scene would not help with a number that is no length.
         let number = instead(Fault::TooLarge { given: bad });
         let share = |coefficient| instead(Fault::OutsideUnit { coefficient, given: bad });
         assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
@@ -195,7 +196,7 @@ fn numbers_out_of_range_are_refused_with_kind_and_index() {
     }
 }
 
-/// Cells without size were not finite, and tiny ones had to do with the scale of the scene.
+/// Earlier versions called cells of size 0 not finite, and blamed the scale of the scene for tiny ones.
 #[test]
 fn cells_of_a_checker_that_are_too_small_are_told_so() {
     for size in [0.0, -0.0, 1e-7, -1e-7] {
@@ -209,7 +210,7 @@ fn cells_of_a_checker_that_are_too_small_are_told_so() {
     );
 }
 
-/// The coefficient was not named, and its number not told.
+/// Earlier errors had neither the name nor the value of the coefficient.
 #[test]
 fn a_coefficient_outside_0_to_1_is_named() {
     const TINTED: Optics = Optics { transmission_color: LinearRgb::new(0.5, -1.0, 0.5), ..Optics::PLAIN };
@@ -230,11 +231,13 @@ fn a_coefficient_outside_0_to_1_is_named() {
         (|glass| glass.ambient = 1e7, "material 1: `ambient` is 10000000.0, outside 0 to 1; scale it"),
         (
             |glass| glass.color = LinearRgb::new(0.5, 200.0, 0.5).into(),
-            "material 1: a component of `color` is 200.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+            "material 1: a component of `color` is 200.0, outside 0 to 1; scale it (of 255 levels, divide by \
+             255)",
         ),
         (
             |glass| glass.optics = Some(&TINTED),
-            "material 1: a component of `transmission_color` is -1.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+            "material 1: a component of `transmission_color` is -1.0, outside 0 to 1; scale it (of 255 \
+             levels, divide by 255)",
         ),
         (
             |glass| glass.color = Texture::Placed(&WIDE),
@@ -245,7 +248,7 @@ fn a_coefficient_outside_0_to_1_is_named() {
     }
 }
 
-/// A fault of a solid or a model seemed to be one of the whole object.
+/// An earlier version reported the fault of a solid or a model as one of the whole object.
 #[test]
 fn a_fault_inside_of_a_shape_names_the_part() {
     const BALL: Solid = Solid::Sphere(Sphere::new(Vec3::new(0.0, 0.0, -9.0), 1.0));
@@ -383,7 +386,7 @@ fn too_little_memory_is_refused_and_just_enough_is_enough() {
             let error = PreparedScene::<f32, _>::new(scene, &mut memory).expect_err("refused");
             assert_eq!(error, SceneError { part: Part::Memory, fault: Fault::Memory { needed, lent } });
         }
-        // At any alignment.
+        // Memory of any alignment is accepted.
         for offset in 0..16 {
             let mut memory = vec![MaybeUninit::uninit(); needed + offset];
             assert!(PreparedScene::<f32, _>::new(scene, &mut memory[offset..]).is_ok());
@@ -421,7 +424,7 @@ fn a_full_scene_hands_back_what_does_not_fit() {
     assert!(scene.as_scene().objects.is_empty());
 }
 
-/// Any float at all, and often one that is legal.
+/// Any float, and often a legal one.
 fn number() -> BoxedStrategy<f32> {
     prop_oneof![1 => any::<f32>(), 24 => numbers()].boxed()
 }
@@ -473,7 +476,11 @@ fn material() -> BoxedStrategy<Material<'static>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 20_000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn any_scene_is_refused_or_renders_finite_pixels(
@@ -484,7 +491,7 @@ proptest! {
         lights in proptest::collection::vec(lights(&number(), &light_color()), 0..3),
     ) {
         let (eye, target, up, vertical_fov) = camera;
-        // Parts that are refused are left out, so that most cases render something.
+        // Leave out the refused parts, so that most cases render a picture.
         let camera = Camera { eye, target, up, vertical_fov };
         let accepted = |scene: &Scene| prepare(scene).is_ok();
         let empty = Scene { objects: &[], materials: &[], lights: &[], ..CLASSIC };
@@ -494,7 +501,8 @@ proptest! {
         let materials: Vec<_> = materials
             .into_iter()
             .map(|material| {
-                if accepted(&Scene { materials: &[material], ..empty }) { material } else { CLASSIC.materials[1] }
+                let is_accepted = accepted(&Scene { materials: &[material], ..empty });
+                if is_accepted { material } else { CLASSIC.materials[1] }
             })
             .collect();
         let objects: Vec<_> = shapes
