@@ -140,7 +140,10 @@ fn parse<'a>(
     }
 }
 
-/// Writes a scene as text. /// /// # Errors /// The format cannot express the scene.
+/// Writes a scene as text.
+///
+/// # Errors
+/// The format cannot express the scene.
 pub fn write(scene: &Scene<'_>) -> Result<String, ron::Error> {
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
     let style = style.depth_limit(5).separate_tuple_members(false);

@@ -129,36 +129,42 @@ fn pictures_lie_on_surfaces_as_in_povray() {
         ),
         ("mesh", Shape::Mesh(mesh)),
     ];
+    for (name, shape) in shapes {
+        assert_textured(name, shape);
+    }
+}
+
+/// Asserts that an image on this shape looks as in POV-Ray, with both filters.
+fn assert_textured(name: &str, shape: Shape<'_>) {
+    let v = Vec3::new;
     let placement =
         Placement::SURFACE.turned(v(0.0, 0.0, 0.5)).stretched(v(0.5, 0.25, 1.0)).at(v(0.125, 0.25, 0.0));
     let blended = Image { filter: Filter::Bilinear, ends: Ends::Mirror, ..PICTURE };
-    for (name, shape) in shapes {
-        for (filter, image) in [("nearest", PICTURE), ("blended", blended)] {
-            let placed = Placed::new(Figure::Image(image), placement);
-            let material = Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) };
-            let scene = Scene {
-                camera: Camera {
-                    eye: v(1.0, 2.0, 4.0),
-                    target: Vec3::ZERO,
-                    up: v(0.0, 1.0, 0.0),
-                    vertical_fov: 0.6,
-                },
-                background: Background::gray(0.25),
-                objects: &[Object::new(shape, 0)],
-                materials: &[material],
-                lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
-            };
-            let name = format!("{name}-{filter}");
-            let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {
-                return;
-            };
-            assert_alike(
-                &directory(),
-                &name,
-                ("f32", &core_picture::<f32>(&scene, settings(0))),
-                ("povray", &povray.picture),
-            );
-        }
+    for (filter, image) in [("nearest", PICTURE), ("blended", blended)] {
+        let placed = Placed::new(Figure::Image(image), placement);
+        let material = Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) };
+        let scene = Scene {
+            camera: Camera {
+                eye: v(1.0, 2.0, 4.0),
+                target: Vec3::ZERO,
+                up: v(0.0, 1.0, 0.0),
+                vertical_fov: 0.6,
+            },
+            background: Background::gray(0.25),
+            objects: &[Object::new(shape, 0)],
+            materials: &[material],
+            lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
+        };
+        let name = format!("{name}-{filter}");
+        let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {
+            return;
+        };
+        assert_alike(
+            &directory(),
+            &name,
+            ("f32", &core_picture::<f32>(&scene, settings(0))),
+            ("povray", &povray.picture),
+        );
     }
 }
 

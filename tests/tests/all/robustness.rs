@@ -85,115 +85,147 @@ static TILE: Model = Model::Polygon(Polygon::new(&[
 
 #[test]
 fn numbers_out_of_range_are_refused_with_kind_and_index() {
-    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
     for (bad, fault) in BAD {
         let point = Vec3::new(1.0, bad, 2.0);
         let color = LinearRgb::new(0.1, 0.2, bad);
-        let instead = |other: Fault| if fault == Fault::TooFar { other } else { fault };
-        // Scaling the scene would not help with a number that is no length.
-        let number = instead(Fault::TooLarge { given: bad });
-        let share = |coefficient| instead(Fault::OutsideUnit { coefficient, given: bad });
-        assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.up = point, Part::Camera, number);
-        let view = instead(Fault::FieldOfView);
-        assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, view);
-        assert_refused(|parts| parts.background = color.into(), Part::Background, number);
-        let sky = Sky::new(color, LinearRgb::WHITE);
-        assert_refused(
-            |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
-            Part::Background,
-            number,
-        );
-        let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
-        assert_refused(
-            |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
-            Part::Background,
-            number,
-        );
-        for (i, object) in [
-            Shape::Sphere(Sphere::new(point, 1.0)),
-            Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
-            Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
-            Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
-            Shape::Cone(Cone {
-                base: point,
-                base_radius: 1.0,
-                top: Vec3::ZERO,
-                top_radius: 0.0,
-                capped: false,
-            }),
-            Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
-            Shape::Torus(Torus {
-                center: point,
-                axis: Vec3::new(0.0, 1.0, 0.0),
-                major_radius: 2.0,
-                minor_radius: 1.0,
-            }),
-            Shape::Torus(Torus {
-                center: Vec3::ZERO,
-                axis: Vec3::new(0.0, 1.0, 0.0),
-                major_radius: bad,
-                minor_radius: 1.0,
-            }),
-            Shape::Quadric(Quadric {
-                center: Vec3::ZERO,
-                coefficients: [1.0; 10],
-                min: Vec3::ZERO,
-                max: point,
-                capped: true,
-            }),
-            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
-            Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            let index = i % 5;
-            assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
-        }
-        for object in [
-            Shape::Plane(Plane::new(Vec3::ZERO, point)),
-            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
-                Blob::new(Vec3::ZERO, 1.0),
-                Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
-            ])))),
-            Shape::Instances(Instances::new(
-                &TILE,
-                Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])),
-            )),
-            Shape::Instances(Instances::new(&TILE, &HERE).sized(bad)),
-        ] {
-            assert_refused(|parts| parts.objects[2].shape = object, Part::Object(2), number);
-        }
-        for (index, (light, fault)) in [
-            (Light::Point { position: point, color: LinearRgb::WHITE }, fault),
-            (Light::Directional { direction: point, color: LinearRgb::WHITE }, number),
-            (Light::Point { position: Vec3::ZERO, color }, number),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
-        }
-        type Field = for<'m> fn(&'m mut Material<'static>) -> &'m mut f32;
-        let fields: [(Field, Fault); 7] = [
-            (|material| &mut material.ambient, share(Coefficient::Ambient)),
-            (|material| &mut material.diffuse, share(Coefficient::Diffuse)),
-            (|material| &mut material.specular, share(Coefficient::Specular)),
-            (|material| &mut material.shininess, number),
-            (|material| &mut material.reflectance, share(Coefficient::Reflectance)),
-            (|material| &mut material.transmittance, share(Coefficient::Transmittance)),
-            (|material| &mut material.ior, number),
-        ];
-        for (field, fault) in fields {
-            assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
-        }
-        let channel = share(Coefficient::Color);
-        assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), channel);
-        let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
-        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), channel);
+        let number = Number { bad, fault, point, color };
+        refuse_camera_and_background(number);
+        refuse_shapes(number);
+        refuse_lights_and_materials(number);
     }
+}
+
+/// A bad number, the fault of a length with this value, and a point and a color that contain it.
+#[derive(Clone, Copy)]
+struct Number {
+    bad: f32,
+    fault: Fault,
+    point: Vec3,
+    color: LinearRgb,
+}
+
+impl Number {
+    /// The fault of a number that is no length: scaling the scene would not help with that.
+    fn no_length(self) -> Fault {
+        self.instead(Fault::TooLarge { given: self.bad })
+    }
+
+    /// The fault of a coefficient.
+    fn share(self, coefficient: Coefficient) -> Fault {
+        self.instead(Fault::OutsideUnit { coefficient, given: self.bad })
+    }
+
+    /// Another fault for a number that is too large; NaN and infinity have the same fault everywhere.
+    fn instead(self, other: Fault) -> Fault {
+        if self.fault == Fault::TooFar { other } else { self.fault }
+    }
+}
+
+fn refuse_camera_and_background(of: Number) {
+    let Number { bad, fault, point, color } = of;
+    let number = of.no_length();
+    assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
+    assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
+    assert_refused(|parts| parts.camera.up = point, Part::Camera, number);
+    let view = of.instead(Fault::FieldOfView);
+    assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, view);
+    assert_refused(|parts| parts.background = color.into(), Part::Background, number);
+    let sky = Sky::new(color, LinearRgb::WHITE);
+    assert_refused(
+        |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
+        Part::Background,
+        number,
+    );
+    let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
+    assert_refused(
+        |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
+        Part::Background,
+        number,
+    );
+}
+
+fn refuse_shapes(of: Number) {
+    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
+    let Number { bad, fault, point, .. } = of;
+    let number = of.no_length();
+    for (i, object) in [
+        Shape::Sphere(Sphere::new(point, 1.0)),
+        Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
+        Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
+        Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
+        Shape::Cone(Cone { base: point, base_radius: 1.0, top: Vec3::ZERO, top_radius: 0.0, capped: false }),
+        Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
+        Shape::Torus(Torus {
+            center: point,
+            axis: Vec3::new(0.0, 1.0, 0.0),
+            major_radius: 2.0,
+            minor_radius: 1.0,
+        }),
+        Shape::Torus(Torus {
+            center: Vec3::ZERO,
+            axis: Vec3::new(0.0, 1.0, 0.0),
+            major_radius: bad,
+            minor_radius: 1.0,
+        }),
+        Shape::Quadric(Quadric {
+            center: Vec3::ZERO,
+            coefficients: [1.0; 10],
+            min: Vec3::ZERO,
+            max: point,
+            capped: true,
+        }),
+        Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
+        Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let index = i % 5;
+        assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
+    }
+    for object in [
+        Shape::Plane(Plane::new(Vec3::ZERO, point)),
+        Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
+            Blob::new(Vec3::ZERO, 1.0),
+            Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
+        ])))),
+        Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])))),
+        Shape::Instances(Instances::new(&TILE, &HERE).sized(bad)),
+    ] {
+        assert_refused(|parts| parts.objects[2].shape = object, Part::Object(2), number);
+    }
+}
+
+fn refuse_lights_and_materials(of: Number) {
+    let Number { bad, fault, point, color } = of;
+    let number = of.no_length();
+    for (index, (light, fault)) in [
+        (Light::Point { position: point, color: LinearRgb::WHITE }, fault),
+        (Light::Directional { direction: point, color: LinearRgb::WHITE }, number),
+        (Light::Point { position: Vec3::ZERO, color }, number),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
+    }
+    type Field = for<'m> fn(&'m mut Material<'static>) -> &'m mut f32;
+    let fields: [(Field, Fault); 7] = [
+        (|material| &mut material.ambient, of.share(Coefficient::Ambient)),
+        (|material| &mut material.diffuse, of.share(Coefficient::Diffuse)),
+        (|material| &mut material.specular, of.share(Coefficient::Specular)),
+        (|material| &mut material.shininess, number),
+        (|material| &mut material.reflectance, of.share(Coefficient::Reflectance)),
+        (|material| &mut material.transmittance, of.share(Coefficient::Transmittance)),
+        (|material| &mut material.ior, number),
+    ];
+    for (field, fault) in fields {
+        assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
+    }
+    let channel = of.share(Coefficient::Color);
+    assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), channel);
+    let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
+    assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), channel);
 }
 
 /// Earlier versions called cells of size 0 not finite, and blamed the scale of the scene for tiny ones.
