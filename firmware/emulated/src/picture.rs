@@ -1,4 +1,4 @@
-//! The picture: scene, size, bounces, number system and mode, chosen when the program is built.
+//! The picture's scene, size, bounces, number system and mode, which `build.rs` wrote.
 
 use embedded_graphics::prelude::PixelColor;
 use rayline::limits::LINES_AT_ONCE;

@@ -1,19 +1,20 @@
 //! Bands of lines: handed out to whichever core has time, and from there to the panel.
 //!
-//! A core that is done takes the next band, of the next frame if need be, so that neither waits for the other at the end of
-//! a frame. What a band looks like does not depend on the others, so it does not matter which core traces it.
+//! A core that is done takes the next band, of the next frame if need be, so that neither waits for the other
+//! at the end of a frame. What a band looks like does not depend on the others, so it does not matter which
+//! core traces it.
 
 use core::ops::Range;
 
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
 use crate::band::Band;
 use crate::picture::{HEIGHT, LINES};
 
-/// Bands that there is memory for: a frame. Some parts of a picture take twenty times as long as others: with so many, the core
-/// that has an easy part is not soon held up by the other.
+/// Bands that there is memory for: a frame. Some parts of a picture take twenty times as long as others: with
+/// so many, the core that has an easy part is not soon held up by the other.
 pub(crate) const BANDS: usize = 5;
 
 /// Some lines of a frame, and the memory for them.

@@ -1,5 +1,5 @@
-//! A Raspberry Pi Pico (RP2040) with a panel of 320x240 pixels: a camera goes around a ray-traced scene, frame after
-//! frame. Both cores trace bands of lines while DMA sends those that are done to the panel.
+//! A Raspberry Pi Pico (RP2040) with a panel of 320x240 pixels: a camera goes around a ray-traced scene,
+//! frame after frame. Both cores trace bands of lines while DMA sends those that are done to the panel.
 //!
 //! # Wiring
 //!
@@ -18,19 +18,21 @@
 //!
 //! # Running
 //!
-//! `cargo boards pico` runs this very program in an emulator. For a Pico with a debug probe, from this folder:
+//! `cargo boards pico` runs this very program in an emulator. For a Pico with a debug probe, from this
+//! folder:
 //!
 //! ```sh
 //! RAYLINE_MODE=realtime cargo build --release --target thumbv6m-none-eabi --features second-core
 //! probe-rs run --chip RP2040 ../target/thumbv6m-none-eabi/release/pico
 //! ```
 //!
-//! Without a probe: `elf2uf2-rs ../target/thumbv6m-none-eabi/release/pico pico.uf2`, and copy that file to the drive
-//! that appears while the button BOOTSEL is held.
+//! Without a probe: `elf2uf2-rs ../target/thumbv6m-none-eabi/release/pico pico.uf2`, and copy that file to
+//! the drive that appears while the button BOOTSEL is held.
 //!
 //! # Panics
 //!
-//! The HAL has panics. Tracing has none: `cargo boards --prove-no-panic pico` follows every call from `tracer::step`.
+//! The HAL has panics. Tracing has none: `cargo boards --prove-no-panic pico` follows every call from
+//! `tracer::step`.
 
 #![no_std]
 #![no_main]
@@ -69,8 +71,9 @@ use picture::{SCENE, Workspace};
 use quality::Memory;
 use tracer::Tracer;
 
-/// The fastest that the chip's maker supports, at 1.15 V, which is set with it: Raspberry Pi Pico SDK 2.1.1, "RP2040 is now
-/// certified to run at 200 MHz", its option `PICO_USE_FASTEST_SUPPORTED_CLOCK`. Before that it was 133 MHz.
+/// The fastest that the chip's maker supports, at 1.15 V, which is set with it: Raspberry Pi Pico SDK 2.1.1,
+/// "RP2040 is now certified to run at 200 MHz", its option `PICO_USE_FASTEST_SUPPORTED_CLOCK`. Before that it
+/// was 133 MHz.
 const CLOCK_HZ: u32 = 200_000_000;
 
 bind_interrupts!(struct Interrupts {

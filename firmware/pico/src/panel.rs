@@ -34,8 +34,8 @@ pub(crate) type Bus = Spi<'static, SPI0, Async>;
 /// How the bus is run.
 pub(crate) fn bus() -> Config {
     let mut config = Config::default();
-    // The fastest that the controller takes (Sitronix, "ST7789V", 16 ns a bit). The bus divides the chip's clock by an even
-    // number: of 200 MHz it makes 50.
+    // The fastest that the controller takes (Sitronix, "ST7789V", 16 ns a bit). The bus divides the chip's
+    // clock by an even number: of 200 MHz it makes 50.
     config.frequency = 62_500_000;
     config
 }

@@ -3,12 +3,11 @@
 use core::ops::Range;
 
 use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
-use rayline_show::Number;
 
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::panel_color::PanelColor;
-use crate::picture::{QUALITY, Set, WIDTH};
+use crate::picture::{Number, QUALITY, Set, WIDTH};
 
 const COLORS: usize = match QUALITY {
     None => WIDTH,

@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embassy_futures::yield_now;
 use rayline::Renderer;
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
 use crate::band::Band;
 use crate::fault::Fault;
@@ -12,8 +12,9 @@ use crate::job::{TO_TRACE, TRACED};
 use crate::picture::{DESCRIPTION, Prepared, SETTINGS};
 use crate::quality::{Memory, Tracing};
 
-/// Rays between two looks at whether the panel waits for a band: about two milliseconds. With four times as many, bands would come
-/// back to the cores late, and frames take 5 % longer; with half as many, exact lines would be begun too often.
+/// Rays between two looks at whether the panel waits for a band: about two milliseconds. With four times as
+/// many, bands would come back to the cores late, and frames take 5 % longer; with half as many, exact lines
+/// would be begun too often.
 const RAYS: u32 = 128;
 
 /// Traces bands. Each core has its own, and what they trace is the same.
@@ -51,8 +52,8 @@ impl Tracer {
     }
 }
 
-/// Traces a little more of a band; tells whether it is complete. A function of its own: `cargo boards` looks at all that
-/// it calls, and finds no panic.
+/// Traces a little more of a band; tells whether it is complete. A function of its own: `cargo boards` looks
+/// at all that it calls, and finds no panic.
 #[inline(never)]
 fn step(tracing: &mut Tracing<'_, '_>, band: &mut Band) -> Result<bool, Fault> {
     #[cfg(feature = "twin-linked")]

@@ -1,7 +1,9 @@
-//! Who calls whom in a linked program for ARMv6-M (Arm, "ARMv6-M Architecture Reference Manual", A5 and A6.7).
+//! Who calls whom in a linked program for ARMv6-M (Arm, "ARMv6-M Architecture Reference Manual", A5 and
+//! A6.7).
 //!
-//! Only the instructions that leave a function matter: `BL` and `B` name where they go, `BLX` and `BX` of a register do
-//! not. A program that does the latter anywhere below a function is refused, because then nothing is known of it.
+//! Only the instructions that leave a function matter: `BL` and `B` name where they go, `BLX` and `BX` of a
+//! register do not. A program that does the latter anywhere below a function is refused, because then nothing
+//! is known of it.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -55,8 +55,8 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
     Ok((report, picture))
 }
 
-/// Runs a program in rp2040js, and gives the counts that it wrote: for each address how often what is there was executed, and the cycles
-/// that took.
+/// Runs a program in rp2040js, and gives the counts that it wrote: for each address how often what is there
+/// was executed, and the cycles that took.
 pub(crate) fn profile(board: &Board, program: &Path, timeout: Duration) -> Result<String> {
     let mut emulator = Emulator::start(board, program, &[], timeout)?;
     emulator.report()?;
@@ -77,8 +77,8 @@ impl Emulator {
             fs::write(folder.path().join(name), bytes)?;
         }
         let mut process = match board.emulator {
-            board::Emulator::Qemu { command, machine, .. } => qemu::command(command, machine, program),
-            board::Emulator::Rp2040js { frames } => rp2040js::command(program, frames),
+            board::EmulatorKind::Qemu { command, machine, .. } => qemu::command(command, machine, program),
+            board::EmulatorKind::Rp2040js { frames } => rp2040js::command(program, frames),
         }
         .current_dir(&folder)
         .stdin(Stdio::null())
@@ -101,7 +101,8 @@ impl Emulator {
         Ok(emulator)
     }
 
-    /// Waits until the program has told everything about one more picture, for which it has all the time again.
+    /// Waits until the program has told everything about one more picture, for which it has all the time
+    /// again.
     pub(crate) fn next_report(&mut self) -> Result<Report> {
         self.deadline = Instant::now() + self.timeout;
         self.report()

@@ -11,16 +11,16 @@ use rayline::math::Fixed;
 use rayline::{
     Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
 };
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
-use crate::board::{Board, Emulator, Output};
+use crate::board::{Board, EmulatorKind, Output};
 use crate::picture::{Mode, Number, Picture, Size};
 
 /// The bytes of a picture's pixels, line by line, as the board's emulator hands them out.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
     match (board.output, board.emulator) {
         (Output::Panel(_), _) => bytes_of_frame(picture, 0, Gray4::BLACK),
-        (Output::Frames(panel), Emulator::Rp2040js { frames }) => {
+        (Output::Frames(panel), EmulatorKind::Rp2040js { frames }) => {
             let mut bytes = Vec::new();
             for frame in 0..frames {
                 bytes.extend(centered(&bytes_of_frame(picture, frame, Rgb565::BLACK)?, picture.size, panel));
@@ -53,8 +53,8 @@ where
 /// The digest of many numbers, as a board tells it before it draws a gallery.
 pub(crate) fn digest_of_numbers(number: Number) -> u64 {
     match number {
-        Number::F32 => rayline_numbers::digest::<f32>(),
-        Number::Fixed => rayline_numbers::digest::<Fixed>(),
+        Number::F32 => rayline_arithmetic_digest::digest::<f32>(),
+        Number::Fixed => rayline_arithmetic_digest::digest::<Fixed>(),
     }
 }
 

@@ -1,5 +1,5 @@
-//! `cargo boards`: builds the program for each board, runs it in the board's emulator, and checks it against this
-//! computer.
+//! `cargo boards`: builds the program for each board, runs it in the board's emulator, and checks it against
+//! this computer.
 
 mod bench;
 mod board;
@@ -16,6 +16,7 @@ mod qemu;
 mod qmp;
 mod quality;
 mod record;
+mod request;
 mod rp2040js;
 mod screen;
 mod session;
@@ -33,7 +34,8 @@ use clap::Parser;
 use clap::builder::PossibleValuesParser;
 
 use crate::board::{BOARDS, Board};
-use crate::picture::{Mode, Number, Request, Size};
+use crate::picture::{Mode, Number, Size};
+use crate::request::Request;
 
 /// Renders a scene on emulated boards, and checks picture, panics and sizes against this computer.
 ///
@@ -65,7 +67,8 @@ struct Arguments {
     #[arg(long, value_name = "MODE", default_value = "exact")]
     mode: Mode,
 
-    /// Leaves out of the program what only makes exact pictures faster: the same picture, with less flash and stack.
+    /// Leaves out of the program what only makes exact pictures faster: the same picture, with less flash and
+    /// stack.
     #[arg(long)]
     small: bool,
 
@@ -73,8 +76,9 @@ struct Arguments {
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
 
-    /// Writes what was measured: sizes, instructions, rays, and the PSNR of the picture in 8-bit sRGB, of a realtime one
-    /// against the exact one in the same number system, of an exact one in fixed point against f64.
+    /// Writes what was measured: sizes, instructions, rays, and the PSNR of the picture in 8-bit sRGB, of a
+    /// realtime one against the exact one in the same number system, of an exact one in fixed point against
+    /// f64.
     #[arg(long, value_name = "FILE.json")]
     json: Option<PathBuf>,
 
@@ -86,19 +90,19 @@ struct Arguments {
     #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = clap::value_parser!(u64).range(1..))]
     timeout: u64,
 
-    /// Shows instead that the check for panics can fail: that a program with a panic does not link, and that its
-    /// panic is found if it does.
+    /// Shows instead that the check for panics can fail: that a program with a panic does not link, and that
+    /// its panic is found if it does.
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     prove_no_panic: bool,
 
-    /// Shows which functions a board's instructions go to, and which lines, for this scene, number and mode, and on the Pico their
-    /// cycles; the picture has 80x60 pixels if no --size is given.
+    /// Shows which functions a board's instructions go to, and which lines, for this scene, number and mode,
+    /// and on the Pico their cycles; the picture has 80x60 pixels if no --size is given.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["boards", "picture", "json", "prove_no_panic"], value_parser = PossibleValuesParser::new(BOARDS.iter().map(|board| board.name)))]
     profile: Option<String>,
 
-    /// Draws instead all .ron scenes of a folder, docs/gallery if none is given, in one run of one program that reads their bytes;
-    /// compares the digests of their pictures, 24x18 if no --size is given. With --all-required it fails as well if a board has no
-    /// room for a scene.
+    /// Draws instead all .ron scenes of a folder, docs/gallery if none is given, in one run of one program
+    /// that reads their bytes; compares the digests of their pictures, 24x18 if no --size is given. With
+    /// --all-required it fails as well if a board has no room for a scene.
     #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "docs/gallery", conflicts_with_all = ["scene", "picture", "json", "prove_no_panic", "profile", "bench"])]
     gallery: Option<PathBuf>,
 
@@ -110,8 +114,8 @@ struct Arguments {
     #[arg(long, requires = "bench")]
     update: bool,
 
-    /// Fails if instructions or flash have risen by more than 2 % over firmware/boards.json. That holds for one
-    /// compiler, which it names; with another, nothing is compared.
+    /// Fails if instructions or flash have risen by more than 2 % over firmware/boards.json. That holds for
+    /// one compiler, which it names; with another, nothing is compared.
     #[arg(long, requires = "bench", conflicts_with = "update")]
     check: bool,
 }
@@ -191,8 +195,8 @@ fn run(arguments: &Arguments) -> Result<bool> {
     Ok(records.iter().all(|record| record.is_accepted(arguments.all_required)))
 }
 
-/// The boards that were named, in the order of the names; if there is none, all that there are, and for the gallery all that can read
-/// scenes.
+/// The boards that were named, in the order of the names; if there is none, all that there are, and for the
+/// gallery all that can read scenes.
 fn chosen(arguments: &Arguments) -> Vec<&'static Board> {
     match (&*arguments.boards, &arguments.gallery) {
         ([], None) => BOARDS.iter().filter(|board| !board.stands_in).collect(),

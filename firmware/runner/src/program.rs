@@ -7,7 +7,7 @@ use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 
-use crate::board::Source;
+use crate::board::ProgramSource;
 use crate::calls::Calls;
 
 /// Parts of the names of functions that every panic goes through.
@@ -41,7 +41,7 @@ pub(crate) struct Program {
 
 impl Program {
     /// Reads a linked program.
-    pub(crate) fn read(file: &Path, source: Source) -> Result<Self> {
+    pub(crate) fn read(file: &Path, source: ProgramSource) -> Result<Self> {
         let bytes = fs::read(file).with_context(|| file.display().to_string())?;
         let elf = object::File::parse(&*bytes)?;
         let (mut text_bytes, mut static_ram_bytes) = (0, 0);

@@ -5,8 +5,8 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::board::Board;
-use crate::picture::Request;
 use crate::program::Program;
+use crate::request::Request;
 use crate::toolchain::{Built, PANIC, Toolchain};
 
 /// Builds the program of each board and its twins; tells whether no board that was required was skipped.

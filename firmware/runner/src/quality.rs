@@ -13,8 +13,9 @@ use crate::picture::{Mode, Number, Picture};
 pub(crate) struct Quality {
     /// Rays that were traced.
     pub(crate) rays: u64,
-    /// Peak signal-to-noise ratio in 8-bit sRGB: of a realtime picture against the exact one in the same number system,
-    /// of an exact one in fixed point against the exact one in f64. An exact one in f32 is the measure itself.
+    /// Peak signal-to-noise ratio in 8-bit sRGB: of a realtime picture against the exact one in the same
+    /// number system, of an exact one in fixed point against the exact one in f64. An exact one in f32 is the
+    /// measure itself.
     pub(crate) psnr_db: Option<f64>,
 }
 
@@ -53,7 +54,7 @@ fn psnr_db(a: &[Rgb888], b: &[Rgb888]) -> f64 {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
     fn quality(number: Number, mode: Mode) -> Quality {
         let size = Some("32x24".parse().unwrap());

@@ -192,7 +192,7 @@ pub(crate) fn table(records: &[Record]) -> Table {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
     fn record(outcome: Outcome) -> Record {
         let board = &BOARDS[0];

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use crate::board::{Board, Emulator, Output};
+use crate::board::{Board, EmulatorKind, Output};
 use crate::picture::{Picture, Size};
 use crate::program::Program;
 use crate::quality::Quality;
@@ -53,11 +53,11 @@ impl Session<'_> {
             Output::File | Output::Panel(_) | Output::Frames(_) => {}
         }
         match self.board.emulator {
-            Emulator::Qemu { command, package, .. } if !toolchain::is_on_path(command) => {
+            EmulatorKind::Qemu { command, package, .. } if !toolchain::is_on_path(command) => {
                 return Err(format!("no {command}: run `apt install {package}`"));
             }
-            Emulator::Qemu { .. } => {}
-            Emulator::Rp2040js { .. } => rp2040js::install()?,
+            EmulatorKind::Qemu { .. } => {}
+            EmulatorKind::Rp2040js { .. } => rp2040js::install()?,
         }
         Toolchain::find(self.board.target)
     }

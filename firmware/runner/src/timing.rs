@@ -8,8 +8,8 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Timing {
     frames: u64,
-    /// Of the chip's clock, for all frames, from the first command of one to the first command of the next: the bus
-    /// is busy meanwhile, and all cores run.
+    /// Of the chip's clock, for all frames, from the first command of one to the first command of the next:
+    /// the bus is busy meanwhile, and all cores run.
     cycles: u64,
     clock_hz: u64,
     spi_hz: u64,

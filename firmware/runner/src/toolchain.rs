@@ -1,5 +1,5 @@
-//! The compiler for a board: that of rustup where the board's target is installed, else that of Debian, which builds
-//! the core library from its source.
+//! The compiler for a board: that of rustup where the board's target is installed, else that of Debian, which
+//! builds the core library from its source.
 
 use std::env;
 use std::ffi::OsString;

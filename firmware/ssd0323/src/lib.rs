@@ -1,5 +1,6 @@
-//! Driver for OLED panels of 128×64 pixels in 16 grays with the controller SSD0323 (Solomon Systech, "SSD0323:
-//! 128 x 80, 16 Gray Scale Dot Matrix OLED/PLED Segment/Common Driver with Controller", 2005), over SPI.
+//! Driver for OLED panels of 128×64 pixels in 16 grays with the controller SSD0323 (Solomon Systech,
+//! "SSD0323: 128 x 80, 16 Gray Scale Dot Matrix OLED/PLED Segment/Common Driver with Controller", 2005), over
+//! SPI.
 //!
 //! There is no frame buffer. An area is one window of the panel, and each of its lines one burst on the bus.
 //!

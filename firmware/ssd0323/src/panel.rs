@@ -93,8 +93,8 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
     type Color = Gray4;
     type Error = Error<S::Error, P::Error>;
 
-    /// Draws pixels that come in pairs, the left one first. A window is opened wherever a pair does not lie to the
-    /// right of the one before.
+    /// Draws pixels that come in pairs, the left one first. A window is opened wherever a pair does not lie
+    /// to the right of the one before.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Self::Error>
     where
         I: IntoIterator<Item = Pixel<Gray4>>,

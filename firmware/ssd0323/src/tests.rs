@@ -18,7 +18,8 @@ struct Panel {
     is_data: bool,
     /// Bytes of commands since the last data.
     commands: Vec<u8>,
-    /// Each window that data was written to, as first and last column byte, first and last row; and its bursts.
+    /// Each window that data was written to, as first and last column byte, first and last row; and its
+    /// bursts.
     windows: Vec<([u8; 4], Vec<Vec<u8>>)>,
     memory: [[u8; 64]; 64],
     /// How many more writes the bus survives.

@@ -9,7 +9,8 @@ use std::time::Duration;
 use anyhow::{Result, bail};
 
 use crate::board::BOARDS;
-use crate::picture::{Mode, Number, Request, Size};
+use crate::picture::{Mode, Number, Size};
+use crate::request::Request;
 use crate::session::Session;
 use crate::toolchain::Toolchain;
 use committed::Committed;

@@ -1,5 +1,5 @@
-//! `cargo boards --gallery`: all scenes of a folder on each board, in one run of one program, each compared with this
-//! computer's picture by its digest.
+//! `cargo boards --gallery`: all scenes of a folder on each board, in one run of one program, each compared
+//! with this computer's picture by its digest.
 
 mod results;
 mod scenes;
@@ -10,22 +10,24 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use rayline_choice::USUAL_BOUNCES;
+use rayline_build_support::BOUNCES_OF_FILES;
 
-use crate::board::{Board, Emulator as Kind, Output, Source};
+use crate::board::{Board, EmulatorKind, Output, ProgramSource};
 use crate::emulator::Emulator;
 use crate::host;
-use crate::picture::{Mode, Picture, Request, Size};
+use crate::picture::{Mode, Picture, Size};
 use crate::program::Program;
+use crate::request::Request;
 use crate::session::Session;
 use crate::toolchain::Toolchain;
-use results::{Drawn, Exhibit, Outcome, table};
+use results::{Drawn, Exhibit, TourOutcome, table};
 use scenes::Scenes;
 
 /// Size of the pictures, if none is asked for.
 const SIZE: Size = Size { width: 24, height: 18 };
 
-/// Boards with 256 KB of flash and little RAM: all shapes have room in a program only without what makes it faster.
+/// Boards with 256 KB of flash and little RAM: all shapes have room in a program only without what makes it
+/// faster.
 const LITTLE: [&str; 2] = ["lm3s6965evb", "microbit"];
 
 /// How often it is told how far a board has come.
@@ -49,7 +51,7 @@ pub(crate) fn run(
         let small = request.small || LITTLE.contains(&board.name);
         let picture = Picture {
             size: request.size.unwrap_or(SIZE),
-            bounces: request.bounces.unwrap_or(USUAL_BOUNCES),
+            bounces: request.bounces.unwrap_or(BOUNCES_OF_FILES),
             small,
             ..request.on(board)
         };
@@ -70,14 +72,14 @@ pub(crate) fn run(
 
 /// Whether a board's program can read scenes: those in QEMU can, from files of this computer.
 pub(crate) fn can_run(board: &Board) -> bool {
-    matches!(board.emulator, Kind::Qemu { .. })
+    matches!(board.emulator, EmulatorKind::Qemu { .. })
 }
 
 /// The board with the program that draws any scene, and shows it nowhere.
 fn with_program(board: &Board, small: bool) -> Board {
     let features: &'static [&'static str] =
         if small { &["gallery"] } else { &["gallery", "candidates", "hierarchy"] };
-    let program = Source { binary: "gallery", features, ..board.program };
+    let program = ProgramSource { binary: "gallery", features, ..board.program };
     Board { program, output: Output::File, ..*board }
 }
 
@@ -106,23 +108,23 @@ struct Tour<'a> {
 
 impl Tour<'_> {
     /// Draws them, and says how it goes.
-    fn run(&self) -> Outcome {
+    fn run(&self) -> TourOutcome {
         let Self { board, picture, timeout, .. } = *self;
         let session = Session { board, picture, picture_file: None, timeout };
         let outcome = match session.toolchain() {
             _ if picture.small && picture.mode == Mode::Realtime => {
-                Outcome::Skipped("its flash has no room for all shapes and realtime quality".into())
+                TourOutcome::Skipped("its flash has no room for all shapes and realtime quality".into())
             }
-            Err(reason) => Outcome::Skipped(reason),
+            Err(reason) => TourOutcome::Skipped(reason),
             Ok(toolchain) => {
-                self.draw(&toolchain).unwrap_or_else(|error| Outcome::Failed(format!("{error:#}")))
+                self.draw(&toolchain).unwrap_or_else(|error| TourOutcome::Failed(format!("{error:#}")))
             }
         };
         self.say(&outcome);
         outcome
     }
 
-    fn draw(&self, toolchain: &Toolchain) -> Result<Outcome> {
+    fn draw(&self, toolchain: &Toolchain) -> Result<TourOutcome> {
         self.say(&"building (the first time takes a minute)");
         let file = toolchain.program(self.board, &self.picture)?;
         let program = Program::read(&file, self.board.program)?;
@@ -153,7 +155,7 @@ impl Tour<'_> {
             });
         }
         emulator.finish()?;
-        Ok(Outcome::Ran { picture: self.picture, text_bytes: program.text_bytes, exhibits })
+        Ok(TourOutcome::Ran { picture: self.picture, text_bytes: program.text_bytes, exhibits })
     }
 
     fn say(&self, what: &dyn std::fmt::Display) {

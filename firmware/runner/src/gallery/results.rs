@@ -7,7 +7,7 @@ use crate::table::{Align, Table, with_commas};
 
 /// How it went with a board.
 #[derive(Debug)]
-pub(super) enum Outcome {
+pub(super) enum TourOutcome {
     /// It ran; pictures may still be wrong.
     Ran {
         /// How each scene was drawn.
@@ -30,7 +30,8 @@ pub(super) struct Exhibit {
     pub(super) drawn: Option<Drawn>,
     /// This computer's digest.
     pub(super) expected: u64,
-    /// Memory that it takes: its bytes, their lists, and the prepared scene; that much at least, if it was not drawn.
+    /// Memory that it takes: its bytes, their lists, and the prepared scene; that much at least, if it was
+    /// not drawn.
     pub(super) memory_bytes: u64,
 }
 
@@ -47,7 +48,7 @@ impl Exhibit {
     }
 }
 
-impl Outcome {
+impl TourOutcome {
     fn exhibits(&self) -> &[Exhibit] {
         match self {
             Self::Ran { exhibits, .. } => exhibits,
@@ -59,7 +60,8 @@ impl Outcome {
         self.exhibits().iter().filter_map(|exhibit| Some((exhibit, exhibit.drawn?)))
     }
 
-    /// Whether this is no failure. A board that was skipped, and a scene that it has no room for, are if all are required.
+    /// Whether this is no failure. A board that was skipped, and a scene that it has no room for, are if all
+    /// are required.
     pub(super) fn is_accepted(&self, all_required: bool) -> bool {
         match self {
             Self::Ran { exhibits, .. } => {
@@ -116,7 +118,7 @@ impl Outcome {
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for TourOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Ran { exhibits, .. } => {
@@ -146,7 +148,7 @@ const HEADINGS: [(&str, Align); 10] = [
 ];
 
 /// All boards as a table.
-pub(super) fn table(outcomes: &[(&str, &str, Outcome)]) -> Table {
+pub(super) fn table(outcomes: &[(&str, &str, TourOutcome)]) -> Table {
     let mut table = Table::new(HEADINGS);
     for (board, core, outcome) in outcomes {
         table.push(outcome.cells(board, core));
@@ -158,7 +160,7 @@ pub(super) fn table(outcomes: &[(&str, &str, Outcome)]) -> Table {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
     const SAME: Exhibit = Exhibit {
         scene: "ball",
@@ -174,9 +176,9 @@ mod tests {
     };
     const TOO_LARGE: Exhibit = Exhibit { scene: "teapot", drawn: None, memory_bytes: 160_000, ..SAME };
 
-    fn ran(exhibits: &[Exhibit]) -> Outcome {
+    fn ran(exhibits: &[Exhibit]) -> TourOutcome {
         let picture = Request::new("classic").unwrap().on(&BOARDS[1]);
-        Outcome::Ran { picture, text_bytes: 200_000, exhibits: exhibits.to_vec() }
+        TourOutcome::Ran { picture, text_bytes: 200_000, exhibits: exhibits.to_vec() }
     }
 
     #[test]
@@ -203,7 +205,7 @@ mod tests {
     fn the_table_names_the_scenes_that_take_most() {
         let outcomes = [
             ("board", "core", ran(&[SAME, OTHER, TOO_LARGE])),
-            ("other", "core", Outcome::Skipped("no emulator".into())),
+            ("other", "core", TourOutcome::Skipped("no emulator".into())),
         ];
         let text = table(&outcomes).to_string();
         let lines: Vec<&str> = text.lines().collect();

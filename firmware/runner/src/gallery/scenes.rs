@@ -6,13 +6,14 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::picture::{Request, Source};
+use crate::picture::SceneSource;
+use crate::request::Request;
 use crate::toolchain;
 
 /// All scenes of a folder.
 #[derive(Debug)]
 pub(super) struct Scenes {
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<SceneSource>,
     /// What the program reads: how many bytes a scene has, these, and so on.
     pub(super) file: Vec<u8>,
 }
@@ -43,7 +44,8 @@ impl Scenes {
 
 /// Has `rayline` write the bytes of each scene into a folder.
 fn convert(texts: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>> {
-    // Started as a program: linked into this one, its readers of files would take longer to build than all the rest.
+    // Started as a program: linked into this one, its readers of files would take longer to build than all
+    // the rest.
     let rayline = toolchain::build_here("rayline")?;
     let convert = |text: &PathBuf| {
         let bytes = folder.join(text.file_stem().unwrap_or_default()).with_extension("rayline");

@@ -1,13 +1,14 @@
 //! `cargo boards --profile`: which functions the instructions of a board's program go to.
 //!
-//! QEMU writes down every instruction that it executes, one at a time; those between the two marks that also start and
-//! stop the program's own count are taken. rp2040js counts instructions and their cycles, from the beginning of a frame to that
-//! of another. They are attributed to functions by the program's line tables, inlined functions among them. Line tables change no
-//! instruction: the total is what `cargo boards` counts.
+//! QEMU writes down every instruction that it executes, one at a time; those between the two marks that also
+//! start and stop the program's own count are taken. rp2040js counts instructions and their cycles, from the
+//! beginning of a frame to that of another. They are attributed to functions by the program's line tables,
+//! inlined functions among them. Line tables change no instruction: the total is what `cargo boards` counts.
 
+mod costs;
+mod line_tables;
 mod memory_access;
-mod report;
-mod source;
+
 mod trace;
 
 use std::fs;
@@ -16,13 +17,14 @@ use std::time::Duration;
 use anyhow::{Context, Result, anyhow};
 use object::{Object, ObjectSection};
 
-use crate::board::{Board, Emulator};
+use crate::board::{Board, EmulatorKind};
 use crate::picture::{Picture, Size};
 use crate::session::Session;
 use crate::{emulator, qemu};
+use costs::Costs;
+use line_tables::LineTables;
 use memory_access::touches_memory;
-use report::Report;
-use source::Source;
+
 use trace::{Marks, Trace};
 
 /// Size of the picture, if none is asked for: every instruction is a line of text.
@@ -39,18 +41,18 @@ pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) ->
 
     eprintln!("{}: running, one instruction at a time", board.name);
     let trace = match board.emulator {
-        Emulator::Qemu { command, machine, .. } => {
+        EmulatorKind::Qemu { command, machine, .. } => {
             Trace::of_qemu(qemu::command(command, machine, &file), &Marks::find(&elf)?, timeout)?
         }
-        Emulator::Rp2040js { frames } => {
+        EmulatorKind::Rp2040js { frames } => {
             Trace::of_frames(&emulator::profile(board, &file, timeout)?, frames)?
         }
     };
 
-    let source = Source::read(&elf)?;
+    let source = LineTables::read(&elf)?;
     let code: Vec<(u64, &[u8])> =
         elf.sections().filter_map(|section| Some((section.address(), section.data().ok()?))).collect();
-    let mut report = Report::default();
+    let mut report = Costs::default();
     for (address, executed) in trace.counts() {
         let instruction = code.iter().find_map(|(start, data)| {
             let offset = usize::try_from(address.checked_sub(*start)?).ok()?;

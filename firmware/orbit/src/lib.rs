@@ -1,22 +1,29 @@
-//! A camera that goes around a scene.
+//! A camera that goes around a scene, frame after frame.
+//!
+//! Board and host both take the camera from here, so that their pictures are the same bytes.
+
+#![cfg_attr(not(test), no_std)]
 
 use core::f32::consts::TAU;
 
 use rayline::shape::Shape;
 use rayline::{Camera, Scene, Vec3};
 
-/// Goes around the vertical axis through the middle of a scene.
+/// A camera that goes around the vertical axis through the middle of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
+    /// The scene's own camera.
     start: Camera,
+    /// A point of the axis.
     middle: Vec3,
 }
 
 impl Orbit {
-    /// Frames of one turn: at ten a second it takes nine seconds.
+    /// Frames of one turn, which takes nine seconds at ten frames a second.
     pub const FRAMES: u32 = 90;
 
-    /// Starts where the scene's own camera is. The middle is that of the spheres; without one, the camera's target.
+    /// An orbit that starts at the scene's own camera. Its axis goes through the mean center of the scene's
+    /// spheres, or through the camera's target if there is no sphere.
     pub fn around(scene: &Scene<'_>) -> Self {
         let (mut sum, mut spheres) = (Vec3::new(0.0, 0.0, 0.0), 0.0);
         for object in scene.objects {
@@ -29,7 +36,7 @@ impl Orbit {
         Self { start: scene.camera, middle }
     }
 
-    /// The camera of a frame. Frame 0 is the scene's own.
+    /// The camera of a frame. Frame 0 has the scene's own camera.
     pub fn camera(&self, frame: u32) -> Camera {
         let step = frame % Self::FRAMES;
         if step == 0 {
@@ -54,6 +61,7 @@ impl Orbit {
 mod tests {
     use super::*;
     use rayline::builtin;
+    use rayline::math::Fixed;
 
     fn distance(a: Vec3, b: Vec3) -> f32 {
         (a - b).length()
@@ -92,9 +100,8 @@ mod tests {
     #[test]
     fn every_frame_can_be_prepared() {
         for builtin in &builtin::ALL {
-            let mut memory = vec![core::mem::MaybeUninit::uninit(); builtin.scene.bytes::<crate::Number>()];
-            let mut scene =
-                rayline::PreparedScene::<crate::Number, _>::new(builtin.scene, &mut memory).unwrap();
+            let mut memory = vec![core::mem::MaybeUninit::uninit(); builtin.scene.bytes::<Fixed>()];
+            let mut scene = rayline::PreparedScene::<Fixed, _>::new(builtin.scene, &mut memory).unwrap();
             let orbit = Orbit::around(builtin.scene);
             for frame in 0..Orbit::FRAMES {
                 scene.set_camera(&orbit.camera(frame)).unwrap();

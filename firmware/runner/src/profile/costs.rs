@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 
-use super::source::Place;
+use super::line_tables::Place;
 use super::trace::Executed;
 use crate::table::{Align, Table};
 
@@ -36,10 +36,10 @@ type Function = (String, String);
 
 /// What was counted so far.
 #[derive(Debug, Default)]
-pub(super) struct Report {
+pub(super) struct Costs {
     total: Count,
-    /// What stands in a function itself. The project's functions are charged with what is inlined into them from
-    /// other crates, such as the addition of two numbers.
+    /// What stands in a function itself. The project's functions are charged with what is inlined into them
+    /// from other crates, such as the addition of two numbers.
     itself: HashMap<Function, Count>,
     /// The project's functions, with all that is inlined into them.
     whole: HashMap<Function, Count>,
@@ -51,7 +51,7 @@ pub(super) struct Report {
     folders: HashMap<String, Count>,
 }
 
-impl Report {
+impl Costs {
     /// Counts an instruction. The innermost function comes first.
     pub(super) fn add(&mut self, places: &[Place], executed: Executed, touches_memory: bool) {
         self.total.add(executed, touches_memory);
@@ -151,7 +151,7 @@ mod tests {
     fn an_instruction_counts_for_all_functions_that_it_stands_in() {
         let (add, run) = (place("add", "(core/src/ops.rs)", 1), place("run", "core/src/run.rs", 9));
         let dot = place("dot", "core/src/vec3.rs", 5);
-        let mut report = Report::default();
+        let mut report = Costs::default();
         report.add(&[add.clone(), dot.clone(), run.clone()], times(30), false);
         report.add(&[dot, run.clone()], times(10), true);
         report.add(&[run], times(60), false);
@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn where_cycles_are_known_they_rank() {
-        let mut report = Report::default();
+        let mut report = Costs::default();
         report.add(&[place("sums", "core/src/sums.rs", 1)], Executed { times: 30, cycles: 30 }, false);
         report.add(&[place("calls", "core/src/calls.rs", 1)], Executed { times: 20, cycles: 60 }, true);
         let text = report.tables(10);

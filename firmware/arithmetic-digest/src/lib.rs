@@ -1,21 +1,21 @@
-//! Arithmetic on many numbers, as a digest.
+//! A digest of the results of arithmetic on many numbers.
 //!
-//! Board and host both compute it, so that it tells whether a number system gives the same bits on both: pictures ask little of what
-//! lies far from the origin, where halves of products overflow.
+//! Board and host both compute it, and the two must agree to the bit. Pictures do not test that enough: few
+//! of them have coordinates far from the origin, where halves of products overflow.
 
 #![cfg_attr(not(test), no_std)]
 
 use rayline::Digest;
 use rayline::math::{Product, Real, Vec3};
 
-/// Numbers where something ends, in units of 2⁻²⁴.
+/// Numbers at the ends of ranges, in units of 2⁻²⁴.
 const EDGES: [i32; 12] =
     [0, 1, -1, 0x7FFF, 0x8000, 0xFFFF, 0x1_0000, -0x1_0000, 1 << 24, 1 << 30, i32::MAX, i32::MIN];
 
-/// How many vectors are not made of edges.
+/// The number of random vectors.
 const RANDOM: usize = 3_000;
 
-/// The digest of what comes out.
+/// The digest of all results in a number system.
 pub fn digest<R: Real>() -> u64 {
     let mut results = Results { digest: Digest::new(), last: Vec3::new(R::ONE, R::ZERO, R::ZERO) };
     for x in EDGES {
@@ -32,17 +32,17 @@ pub fn digest<R: Real>() -> u64 {
     results.digest.value()
 }
 
-/// A number in units of 2⁻²⁴, of which the type keeps as many digits as it has.
+/// The number `bits` × 2⁻²⁴, rounded to the digits that the number system has.
 fn number<R: Real>(bits: i32) -> R {
     let (upper, lower) = ((bits >> 16) as f32, (bits & 0xFFFF) as f32);
     R::from_f32(upper / 256.0) + R::from_f32(lower / 16_777_216.0)
 }
 
-/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2, for the generator; MMIX's constants).
+/// A linear congruential generator (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants).
 struct Random(u64);
 
 impl Random {
-    /// A number of any magnitude.
+    /// A random number of random magnitude.
     fn number<R: Real>(&mut self) -> R {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         number((self.0 >> 32) as i32 >> (self.0 >> 27 & 31))
@@ -53,19 +53,19 @@ impl Random {
     }
 }
 
-/// What came out so far.
+/// The results so far.
 struct Results<R> {
     digest: Digest,
-    /// The vector before this one.
+    /// The previous vector.
     last: Vec3<R>,
 }
 
 impl<R: Real> Results<R> {
-    /// Takes in all digits of a number.
+    /// Adds all digits of a number to the digest.
     fn take(&mut self, number: R) {
         let upper = number.to_f32();
         let lower = (number - R::from_f32(upper)).to_f32();
-        // One zero: a number without digits has no sign.
+        // Adding 0 turns -0 into +0: the sign of zero may differ.
         for part in [upper, lower] {
             self.digest.update(&(part + 0.0).to_bits().to_le_bytes());
         }
@@ -75,7 +75,7 @@ impl<R: Real> Results<R> {
         [x, y, z].into_iter().for_each(|number| self.take(number));
     }
 
-    /// Takes in a sum of products: its upper digits, and its root if it has one.
+    /// Adds a sum of products to the digest: its upper digits, its sign, and its square root if that is real.
     fn take_product(&mut self, product: R::Product) {
         self.take(product.over(R::ONE));
         let is_negative = product < R::Product::ZERO;
@@ -85,22 +85,22 @@ impl<R: Real> Results<R> {
         }
     }
 
-    /// Computes with a vector and the one before it.
+    /// Computes with a vector and the previous one.
     fn compute(&mut self, a: Vec3<R>) {
         let b = self.last;
         self.take(a.dot(b));
         self.take_product(a.dot_wide(b));
-        // Of these the lowest digits alone are left.
+        // The upper digits cancel: these two results consist of the lowest digits.
         self.take_product(a.dot_wide(b) - a.x.times(b.x) - a.y.times(b.y) - a.z.times(b.z));
         self.take_product(a.length_squared_wide() - a.x.times(a.x) - a.y.times(a.y) - a.z.times(a.z));
-        // What is divided by nothing may be anything.
+        // Division by zero is undefined.
         let (unit, length) = a.polar();
         self.take(length);
         if length > R::ZERO {
             self.take_vector(unit);
             let [x, y, z] = R::unit([a.x, a.y, a.z]);
             self.take_vector(Vec3::new(x, y, z));
-            // Of a vector that is out of reach, what is said to be its unit vector is none.
+            // The unit vector of a vector beyond the supported range is undefined.
             let is_unit = (unit.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
             let normal = if is_unit { unit } else { Vec3::new(R::ONE, R::ZERO, R::ZERO) };
             let seen = R::toward_light([b.x, b.y, b.z], [normal.x, normal.y, normal.z]);

@@ -27,14 +27,14 @@ impl Place {
 }
 
 /// The line tables of a program, and its functions.
-pub(super) struct Source<'e> {
+pub(super) struct LineTables<'e> {
     context: Context<Reader<'e>>,
     functions: SymbolMap<SymbolMapName<'e>>,
     /// Where the project's files are.
     root: PathBuf,
 }
 
-impl<'e> Source<'e> {
+impl<'e> LineTables<'e> {
     pub(super) fn read(elf: &object::File<'e>) -> Result<Self> {
         let section = |id: gimli::SectionId| -> Result<Reader<'e>, gimli::Error> {
             let data = elf.section_by_name(id.name()).and_then(|section| section.data().ok());
@@ -45,8 +45,8 @@ impl<'e> Source<'e> {
         Ok(Self { context, functions: elf.symbol_map(), root })
     }
 
-    /// Where an instruction comes from: the innermost function first, then what that is inlined into. Of what has no line tables, such
-    /// as functions in assembly, the function alone is known.
+    /// Where an instruction comes from: the innermost function first, then what that is inlined into. Of what
+    /// has no line tables, such as functions in assembly, the function alone is known.
     pub(super) fn places(&self, address: u64) -> Result<Vec<Place>> {
         let frames = self.context.find_frames(address);
         let mut frames = match frames {
