@@ -48,7 +48,7 @@ where
     Ok(Figures { digest, instructions, stack_bytes })
 }
 
-/// Draws in the mode that was chosen.
+/// Draws the picture in the program's mode.
 #[inline(always)]
 pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,
@@ -63,8 +63,8 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     })
 }
 
-/// Draws some lines at a time: the way that spends nothing on anything but pixels.
-// A function of its own: how the compiler puts tracing together shall not hang on how a scene is prepared.
+/// Draws an exact picture, a few lines at a time.
+// Not inlined, so that preparing a scene does not change the machine code of tracing.
 #[inline(never)]
 fn draw_exact<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,
