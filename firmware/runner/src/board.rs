@@ -17,8 +17,8 @@ pub(crate) struct Board {
     pub(crate) output: Output,
     /// Default size of the picture: what the board renders in about a second.
     pub(crate) size: Size,
-    /// Whether this is not a real board: it has the processor of another board, and more memory. It runs only if it is
-    /// named, for `--gallery` and for `--bench`.
+    /// Whether this is not a real board: it has the processor of another board, and more memory. It runs only
+    /// if it is named, for `--gallery` and for `--bench`.
     pub(crate) stands_in: bool,
 }
 
@@ -47,8 +47,8 @@ pub(crate) struct ProgramSource {
     /// The program's name in its package.
     pub(crate) binary: &'static str,
     pub(crate) features: &'static [&'static str],
-    /// Whether the program uses a hardware abstraction layer (HAL). A HAL holds panics, so only the functions that render
-    /// are checked for panics.
+    /// Whether the program uses a hardware abstraction layer (HAL). A HAL holds panics, so only the functions
+    /// that render are checked for panics.
     pub(crate) has_hal: bool,
     /// The modes that it can draw in.
     pub(crate) modes: &'static [Mode],
@@ -78,8 +78,8 @@ pub(crate) enum Output {
     File,
     /// A panel of this size, in 16 grays, two pixels a byte.
     Panel(Size),
-    /// The middle of a panel of this size, frame after frame, as RGB565. The emulator writes the whole panel to a file after
-    /// each frame.
+    /// The middle of a panel of this size, frame after frame, as RGB565. The emulator writes the whole panel
+    /// to a file after each frame.
     Frames(Size),
 }
 
@@ -205,7 +205,8 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an385-v6m",
         core: "Cortex-M3",
-        description: "code for a Cortex-M0 (ARMv6-M) on a Cortex-M3 with 4 MB of RAM: for scenes too large for a microbit",
+        description: "code for a Cortex-M0 (ARMv6-M) on a Cortex-M3 with 4 MB of RAM: for scenes too large \
+         for a microbit",
         target: "thumbv6m-none-eabi",
         program: bare_metal("picture", "mps2-an385"),
         emulator: arm(&["-M", "mps2-an385"]),

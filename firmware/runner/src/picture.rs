@@ -162,7 +162,8 @@ mod tests {
         let error = |source: &str| SceneSource::open(source).unwrap_err().to_string();
         assert_eq!(
             error("a/ball.ron"),
-            "boards read .rayline files: run `rayline convert a/ball.ron a/ball.rayline`, then use --scene a/ball.rayline"
+            "boards read .rayline files: run `rayline convert a/ball.ron a/ball.rayline`, then use --scene \
+             a/ball.rayline"
         );
         assert!(error("clasic").starts_with("there is no built-in scene \"clasic\": name one of classic, "));
         assert!(SceneSource::open("classic").is_ok());

@@ -1,4 +1,4 @@
-//! Where instructions go, as tables.
+//! Instructions and cycles by folder, function and line, as tables.
 
 use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
@@ -7,10 +7,11 @@ use super::line_tables::Place;
 use super::trace::Executed;
 use crate::table::{Align, Table};
 
-/// The most rows of each table: the rest is small.
+/// The most rows of a table.
 const ROWS: usize = 40;
 
-/// Instructions, how many of them load or store, and the cycles that they take, where the emulator knows.
+/// Executed instructions, those of them that load or store, and their cycles, which are 0 if the emulator
+/// counts none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Count {
     instructions: u64,
@@ -25,7 +26,7 @@ impl Count {
         self.cycles += executed.cycles;
     }
 
-    /// What the rows of a table are sorted by, and shares are of.
+    /// The cost that orders rows and that shares are computed from: cycles if they are known.
     fn cost(&self) -> u64 {
         if self.cycles > 0 { self.cycles } else { self.instructions }
     }
@@ -34,25 +35,25 @@ impl Count {
 /// A function's name and its file.
 type Function = (String, String);
 
-/// What was counted so far.
+/// The counts of a program.
 #[derive(Debug, Default)]
 pub(super) struct Costs {
     total: Count,
-    /// What stands in a function itself. The project's functions are charged with what is inlined into them
-    /// from other crates, such as the addition of two numbers.
+    /// Functions without the project's functions that are inlined into them. Functions of other crates, such
+    /// as the addition of two numbers, count for the project's function that they are inlined into.
     itself: HashMap<Function, Count>,
-    /// The project's functions, with all that is inlined into them.
+    /// The project's functions, with all functions that are inlined into them.
     whole: HashMap<Function, Count>,
-    /// Functions that are called, with all that is inlined into them: together they are everything.
+    /// Functions that are called, with all functions that are inlined into them. They add up to the total.
     called: HashMap<Function, Count>,
-    /// As `itself`, by line.
+    /// The counts of `itself`, by line.
     lines: HashMap<(String, u32), Count>,
-    /// As `itself`, by the folder that the function's file stands in.
+    /// The counts of `itself`, by the folder of the function's file.
     folders: HashMap<String, Count>,
 }
 
 impl Costs {
-    /// Counts an instruction. The innermost function comes first.
+    /// Counts an instruction. `places` begins with the innermost function.
     pub(super) fn add(&mut self, places: &[Place], executed: Executed, touches_memory: bool) {
         self.total.add(executed, touches_memory);
         let function = |place: Option<&Place>| {
@@ -65,14 +66,14 @@ impl Costs {
         if let Some(place) = innermost {
             self.lines.entry((place.file.clone(), place.line)).or_default().add(executed, touches_memory);
         }
-        // A function that is inlined into itself counts once.
+        // Count a function that is inlined into itself once.
         let own = places.iter().filter(|place| place.is_own());
         for function in own.map(|place| function(Some(place))).collect::<BTreeSet<_>>() {
             self.whole.entry(function).or_default().add(executed, touches_memory);
         }
     }
 
-    /// Everything, per pixel.
+    /// All tables, with counts per pixel.
     pub(super) fn tables(&self, pixels: usize) -> String {
         let total = self.total;
         let named = |(function, file): &Function| [function.clone(), file.clone()];
@@ -84,9 +85,9 @@ impl Costs {
         format!(
             "{:.1} instructions per pixel, {} of them loads and stores.{cycles}\n\
              \nBy folder of the function's file:\n\n{}\
-             \nBy function, without what is inlined into it from the project:\n\n{}\
-             \nBy function, with all that is inlined into it:\n\n{}\
-             \nBy function that is called, with all that is inlined into it:\n\n{}\
+             \nBy function, without the project's functions that are inlined into it:\n\n{}\
+             \nBy function, with all functions that are inlined into it:\n\n{}\
+             \nBy function that is called, with all functions that are inlined into it:\n\n{}\
              \nBy line:\n\n{}",
             total.instructions as f64 / pixels as f64,
             percent(total.memory, total.instructions),
@@ -99,14 +100,14 @@ impl Costs {
     }
 }
 
-/// The folder of a place in the project; all other crates are one.
+/// The folder of a place in the project; one name for all other crates.
 fn folder(place: Option<&Place>) -> String {
     let own = place.filter(|place| place.is_own());
     let folder = own.and_then(|place| Path::new(&place.file).parent());
     folder.map_or("(other crates)".into(), |folder| folder.display().to_string())
 }
 
-/// The rows that cost most, per pixel.
+/// The rows with the highest costs, per pixel.
 fn table<K: Ord, const NAMES: usize>(
     counts: &HashMap<K, Count>,
     headings: [&str; NAMES],

@@ -1,4 +1,4 @@
-//! Where in the source an instruction comes from.
+//! The places in the source that an instruction comes from.
 
 use std::path::{Path, PathBuf};
 
@@ -12,15 +12,15 @@ type Reader<'e> = gimli::EndianSlice<'e, gimli::LittleEndian>;
 /// A place in a function.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Place {
-    /// The function's name, without its module and what it is generic over.
+    /// The function's name, without its module and generic arguments.
     pub(super) function: String,
-    /// The file that it stands in; that of another crate is in parentheses.
+    /// The function's file, in parentheses if it belongs to another crate.
     pub(super) file: String,
     pub(super) line: u32,
 }
 
 impl Place {
-    /// Whether the file is one of the project's, not of another crate.
+    /// Whether the file is the project's, not that of another crate.
     pub(super) fn is_own(&self) -> bool {
         !self.file.starts_with('(')
     }
@@ -30,7 +30,7 @@ impl Place {
 pub(super) struct LineTables<'e> {
     context: Context<Reader<'e>>,
     functions: SymbolMap<SymbolMapName<'e>>,
-    /// Where the project's files are.
+    /// The folder of the project's files.
     root: PathBuf,
 }
 
@@ -45,13 +45,13 @@ impl<'e> LineTables<'e> {
         Ok(Self { context, functions: elf.symbol_map(), root })
     }
 
-    /// Where an instruction comes from: the innermost function first, then what that is inlined into. Of what
-    /// has no line tables, such as functions in assembly, the function alone is known.
+    /// The places of an instruction: the innermost function first, then the function that it is inlined into,
+    /// and so on. Functions without line tables, such as those in assembly, give one place without a line.
     pub(super) fn places(&self, address: u64) -> Result<Vec<Place>> {
         let frames = self.context.find_frames(address);
         let mut frames = match frames {
             LookupResult::Output(frames) => frames?,
-            // Nothing is split off these programs.
+            // These programs have no split debug information.
             LookupResult::Load { .. } => return Ok(Vec::new()),
         };
         let mut places = Vec::new();
@@ -73,9 +73,9 @@ impl<'e> LineTables<'e> {
         Ok(places)
     }
 
-    /// The function that an address lies in, of the core's functions with the file of its module.
+    /// The function at an address, from the symbol table. A function of the core has the file of its module.
     fn function(&self, address: u64) -> Option<Place> {
-        // The lowest bit of a function's address tells that it is Thumb code.
+        // The lowest bit of a function's address marks Thumb code.
         let name = format!("{:#}", demangle(self.functions.containing(address | 1)?.name()));
         let module = name.strip_prefix("rayline::").and_then(|path| Some(path.rsplit_once("::")?.0));
         let file = module
@@ -84,7 +84,7 @@ impl<'e> LineTables<'e> {
         Some(Place { function: short(&name), file: file.unwrap_or("(?)".into()), line: 0 })
     }
 
-    /// A file's name from the project's folder on, or from that of the crate that it belongs to.
+    /// A file's path, relative to the folder of the project or of its crate.
     fn file(&self, file: &str) -> String {
         let path = Path::new(file);
         if let Ok(path) = path.strip_prefix(&self.root) {
@@ -96,7 +96,7 @@ impl<'e> LineTables<'e> {
     }
 }
 
-/// A function's name without its path and without what stands in angle brackets.
+/// A function's name without its path and without angle brackets.
 fn short(name: &str) -> String {
     let mut depth = 0u32;
     let mut plain = String::new();
