@@ -160,8 +160,8 @@ impl<'a, S: Geometry + 'a> Geometry for Csg<'a, S> {
         let magnitude = solid.larger(flat).larger(plane.unwrap_or(0.0));
         let rounding: R = scale.length(R::Setup::from_f32(f32::offset(magnitude)));
         let tolerance = rounding.larger(R::offset(scale.length(R::Setup::from_f32(magnitude))));
-        // Rays begin at the middle of the whole, so a small solid is met with the rounding of all; and of boundaries that are one
-        // place, the surface may be either.
+        // Rays begin at the middle of the whole, so a small solid is met with the rounding of all; and of
+        // boundaries that are one place, the surface may be either.
         let bounds = bounds(self.steps, solids)?.map(|bounds| bounds.padded(tolerance + tolerance));
         let ball = bounds.map(|bounds| {
             let center = bounds.center();

@@ -17,15 +17,17 @@
 //! exchange of coordinates; and there is nothing to decide, as it does no harm if both triangles of an edge are met.
 //!
 //! # What is no hit
-//! A triangle may be so thin beside its distance that all three differences are nothing but rounding: they have the same sign by
-//! chance, and their shares put the hit anywhere between the depths of the corners. So the place of a hit must lie in the
-//! triangle's own box, with the room that hierarchies have around boxes. What is met in earnest is off by a small part of that.
+//! A triangle may be so thin beside its distance that all three differences are nothing but rounding: they
+//! have the same sign by chance, and their shares put the hit anywhere between the depths of the corners. So
+//! the place of a hit must lie in the triangle's own box, with the room that hierarchies have around boxes.
+//! What is met in earnest is off by a small part of that.
 //!
 //! # In fixed point
 //! Corners lie within 8 units and rays begin within 59, so coordinates across a ray stay below 116, and the difference of two
 //! of their products below 2 · 116² units, which 64 bits hold exactly: signs are always right.
 
-use crate::math::{Aabb, Product, Ray, Real, Vec3};
+use crate::math::{Product, Ray, Real, Vec3};
+use crate::shape::bounds_of;
 
 /// A ray, prepared to look at corners.
 pub(super) struct Sight<R> {
@@ -64,10 +66,10 @@ impl<R: Real> Sight<R> {
     }
 
     /// Whether the place at this distance lies in the box around a triangle, but for its rounding.
-    fn is_beside(&self, [a, b, c]: [Vec3<R>; 3], t: R) -> bool {
+    fn is_beside(&self, corners: [Vec3<R>; 3], t: R) -> bool {
         let place = self.origin + self.direction * t;
         let room = R::offset(self.origin.magnitude().larger(place.magnitude()));
-        Aabb::point(a).joined(Aabb::point(b)).joined(Aabb::point(c)).padded(room).contains(place)
+        bounds_of(corners.into_iter()).is_some_and(|bounds| bounds.padded(room).contains(place))
     }
 
     /// Where the whole line of the ray meets a triangle. One that is seen edge-on is not met.
