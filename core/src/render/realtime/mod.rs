@@ -75,24 +75,17 @@
 //! (44.6 dB for 0.02, 40.7 for 0.05); twice the threshold two pixels apart, in place of one and a half times (0.2 dB for 1.5 % of
 //! the rays, but 1.5 dB at 160×120); a third channel of 11 bits for longer digests (0.2 dB more, but even areas may be off by a level).
 
+mod band;
 mod budget;
 mod cell;
-mod close;
-mod cone;
 mod edge;
 mod frame;
-mod limits;
+mod marks;
 mod paint;
-mod places;
-mod rims;
 mod sample;
-mod seen;
-mod stadium;
+mod small;
 mod strip;
-mod sweep;
-mod taper;
-mod thin;
-mod tiny;
+mod tolerance;
 mod tracer;
 
 pub use frame::RealtimeFrame;

@@ -4,10 +4,10 @@ use core::marker::PhantomData;
 
 use super::Sample;
 use super::cell::Look;
-use super::close::ClosePlaces;
-use super::limits::Limits;
-use super::seen::{FAINT, Seen};
-use super::tiny::Watch;
+use super::marks::{FAINT, MarkProbe};
+use super::small::TipPoints;
+use super::small::Watch;
+use super::tolerance::Tolerance;
 use crate::color::LinearRgb;
 use crate::integrator::{Bounds, Sight};
 use crate::math::{Ray, Real, Vec3};
@@ -41,9 +41,9 @@ pub(super) struct Tracer<'r, 'p, 'm, 'w, R: Real, S: Geometry + 'm, C, P> {
     /// The cell's upper left pixel.
     pub(super) left: u32,
     pub(super) top: u32,
-    pub(super) limits: Limits,
+    pub(super) limits: Tolerance,
     pub(super) watch: Option<&'w mut Watch<R>>,
-    pub(super) close: Option<&'r ClosePlaces>,
+    pub(super) close: Option<&'r TipPoints>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'w mut P,
     pub(super) rays: u32,
@@ -56,7 +56,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> Tracer<'r, 'p, 'm, 
     pub(super) fn nothing(renderer: &'r Renderer<'p, 'm, R, S>) -> Option<Sample> {
         let color = renderer.scene.background.solid()?;
         let mut probe = ();
-        let mut seen = Seen::new(renderer.scene, R::from_f32(FAINT), None, &mut probe);
+        let mut seen = MarkProbe::new(renderer.scene, R::from_f32(FAINT), None, &mut probe);
         let ray = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
         seen.record(Event::Miss { ray, color, throughput: LinearRgb::even(R::ONE) });
         let quantizer = Quantizer::nearest(renderer.settings.transfer);
@@ -83,7 +83,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
     pub(super) fn allow(&mut self, rays: u32) {
         self.allowed = self.allowed.min(self.rays.saturating_add(rays));
         if self.rays >= self.allowed {
-            self.limits = Limits::NONE;
+            self.limits = Tolerance::NONE;
         }
     }
 
@@ -101,13 +101,13 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, '_, '_, 
             Asked::Tone => (R::ONE, None),
             _ => (R::from_f32(FAINT), self.watch.as_mut().and_then(|watch| watch.stand_for(x, y))),
         };
-        let mut seen = Seen::new(scene, faint, watch, self.probe);
+        let mut seen = MarkProbe::new(scene, faint, watch, self.probe);
         let (x, y) = (place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, (x, y), sight, &mut seen);
         self.rays = self.rays.saturating_add(rays);
         if self.rays >= self.allowed {
-            self.limits = Limits::NONE;
+            self.limits = Tolerance::NONE;
         }
         let quantizer = Quantizer::nearest(self.renderer.settings.transfer);
         let tone =

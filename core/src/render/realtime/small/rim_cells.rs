@@ -2,7 +2,7 @@
 //!
 //! Whether a mesh is thin somewhere is not known, but it ends at its rims: where normals turn away from the eye, or along the edges of
 //! triangles that are flat and narrower than a cell. They are found once for a frame. A cell that has one, or its shadow on the largest flat
-//! object, is [verified](super::cell::Cell::verify) when it is done. Of 24 frames around the teapot of the gallery, on a grid of eight, at
+//! object, is [verified](super::super::cell::Cell::verify) when it is done. Of 24 frames around the teapot of the gallery, on a grid of eight, at
 //! 160×120, 231 pixels are off by 48 of 255 or more, and 20 at most in one frame, in place of 424 and 64, with its handle broken and its spout
 //! cut off; for 1.20 times the rays. At 320×240 it is 480 and 40 in place of 1047 and 94, for 1.22 times the rays. The gallery's own view takes
 //! an M4F 2,443 instructions a pixel at 160×120, for 43.9 dB, in place of 1,990 for 38.1; exactly it takes 5,775. To find the rims is next to
@@ -12,17 +12,17 @@
 //! but lines of a pixel between them are lost); to trace such cells in full (14 and 2, for 2.3 times); rims that are bent more closely than a
 //! cell alone, of which there are fewer (135 and 23, for 1.36 times, with every second pixel): a handle may be flat above and below.
 
-use super::super::Renderer;
-use super::Grid;
+use super::super::Grid;
 use super::stadium::place_of;
 use super::taper::Shade;
 use crate::light::Source;
 use crate::math::{Real, Vec3};
+use crate::render::Renderer;
 use crate::shape::{Bend, Geometry, Intersect, Rim};
 
 /// Squares of the picture in which rims are seen, as a set.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RimPlaces {
+pub(in crate::render::realtime) struct RimCells {
     /// A bit for each, row after row.
     bits: [u32; WORDS],
     columns: usize,
@@ -36,7 +36,7 @@ const WORDS: usize = 40;
 /// The most places that one rim is asked for: most of a longer one is outside of the picture.
 const MOST_PLACES: i32 = 128;
 
-impl RimPlaces {
+impl RimCells {
     /// None, in a picture of this width and height.
     fn none(width: u16, height: u16, grid: Grid) -> Self {
         let squares = |side: u16, shift: u32| (usize::from(side.saturating_sub(1)) >> shift) + 1;
@@ -49,7 +49,10 @@ impl RimPlaces {
 
     /// Those of a scene, if it has some.
     #[inline(never)]
-    pub(super) fn new<R: Real, S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
+    pub(in crate::render::realtime) fn new<R: Real, S: Geometry>(
+        renderer: &Renderer<'_, '_, R, S>,
+        grid: Grid,
+    ) -> Option<Self> {
         if !S::Prepared::<'_, R>::HAS_RIMS {
             return None;
         }
@@ -127,7 +130,7 @@ impl RimPlaces {
     }
 
     /// Whether a rim may be seen in the cell that begins at this pixel.
-    pub(super) fn hold(&self, left: u32, top: u32) -> bool {
+    pub(in crate::render::realtime) fn hold(&self, left: u32, top: u32) -> bool {
         let (word, bit) = self.place(left, top);
         self.bits.get(word).is_some_and(|word| word & bit != 0)
     }
@@ -139,7 +142,7 @@ mod tests {
 
     #[test]
     fn cells_hold_the_pixels_in_them() {
-        let mut places = RimPlaces::none(320, 240, Grid::Eight);
+        let mut places = RimCells::none(320, 240, Grid::Eight);
         for (x, y) in [(0, 0), (47, 8), (319, 239), (320, 5), (-1, 5), (5, 240)] {
             places.add(x, y, (320, 240));
         }
@@ -150,7 +153,7 @@ mod tests {
 
     #[test]
     fn large_pictures_have_larger_squares() {
-        let mut places = RimPlaces::none(u16::MAX, u16::MAX, Grid::Four);
+        let mut places = RimCells::none(u16::MAX, u16::MAX, Grid::Four);
         assert!(!places.hold(65_532, 65_532));
         places.add(65_534, 65_534, (u16::MAX, u16::MAX));
         assert!(places.hold(65_532, 65_532) && !places.hold(0, 65_532) && !places.hold(65_532, 0));

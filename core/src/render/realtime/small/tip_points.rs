@@ -15,48 +15,48 @@
 //! mirrored shadows too, but `classic` has none that are low and would take 10 % more instructions at 320×240, 19 % at 160×120. With
 //! outlines of less than 12 lines the worst frames have 43 dB, but `classic` at 160×120 takes 11 % more rays.
 
-use super::super::Renderer;
-use super::super::line_candidates::Span;
-use super::super::outline::pixel;
-use super::Grid;
-use super::cell::{LARGEST_SIDE, SQUARE};
-use super::places::Places;
+use super::super::Grid;
+use super::super::cell::{LARGEST_SIDE, SQUARE};
+use super::column_set::ColumnSet;
 use super::taper::{Shade, Taper};
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
+use crate::render::Renderer;
+use crate::render::line_candidates::Span;
+use crate::render::outline::pixel;
 use crate::shape::{Geometry, Tip};
 
 /// The points of the grid that are near something small, in the two rows that a band of lines lies between.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ClosePlaces {
-    upper: Places,
-    lower: Places,
+pub(in crate::render::realtime) struct TipPoints {
+    upper: ColumnSet,
+    lower: ColumnSet,
     side: usize,
     is_empty: bool,
 }
 
 /// The objects of which a tip is sharp where it is seen, or its shadow. Among more objects than a set holds there would be too many.
-pub(super) fn tapering_objects<R: Real, S: Geometry>(
+pub(in crate::render::realtime) fn tapering_objects<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     grid: Grid,
 ) -> ObjectSet {
     // Which rows they are near does not matter here.
     let is_sharp =
-        |object: usize| ClosePlaces::none(renderer.width, grid).add_tips(renderer, grid, (0, 0), object);
+        |object: usize| TipPoints::none(renderer.width, grid).add_tips(renderer, grid, (0, 0), object);
     renderer.scene.objects_where(is_sharp).unwrap_or(ObjectSet::NONE)
 }
 
-impl ClosePlaces {
+impl TipPoints {
     fn none(width: u16, grid: Grid) -> Self {
         let side = grid.pixels();
-        let none = Places::none(width, side.min(SQUARE).trailing_zeros());
+        let none = ColumnSet::none(width, side.min(SQUARE).trailing_zeros());
         Self { upper: none, lower: none, side, is_empty: true }
     }
 
     /// Those of the rows `top` and `bottom`, if there are some: near low shadows, and near the tips of these objects. What is said of a
     /// row depends on nothing else.
     #[inline(never)]
-    pub(super) fn new<R: Real, S: Geometry>(
+    pub(in crate::render::realtime) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         grid: Grid,
         rows: (u16, u16),
@@ -125,7 +125,7 @@ impl ClosePlaces {
 
     /// Whether something is near a pixel in this column and so many lines below the upper row, if that stands for others.
     #[inline(never)]
-    pub(super) fn are_near(&self, x: u32, below: usize) -> bool {
+    pub(in crate::render::realtime) fn are_near(&self, x: u32, below: usize) -> bool {
         // Sides are powers of two.
         let stands_for_others = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;
         let is_upper = below & (self.side - 1) != 0 || below == 0;

@@ -9,15 +9,15 @@
 //! A fence of 60 poles then is byte for byte as the exact picture, for an eighth more rays. With those that are four times as long as wide,
 //! a chain of rings made of 60 balls and short cylinders would take three times the rays, and with all that is small, 91 balls twice.
 
-use super::super::Renderer;
-use super::Grid;
-use super::cell::SQUARE;
+use super::super::Grid;
+use super::super::cell::SQUARE;
+use super::super::sample::Near;
 use super::cone::Cone;
-use super::sample::Near;
 use super::sweep::{self, Sweep};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
+use crate::render::Renderer;
 use crate::shape::{Form, Geometry, Hull};
 
 /// Among more objects than a set holds, what is looked for is so many times as long as wide.
@@ -25,7 +25,7 @@ const SLENDER: u16 = 8;
 
 /// The objects that could hide, where there are any.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tiny<R> {
+pub(in crate::render::realtime) struct Tiny<R> {
     grid: Grid,
     /// Of a ray from the eye.
     cone: Cone<R>,
@@ -36,7 +36,10 @@ pub(super) struct Tiny<R> {
 }
 
 impl<R: Real> Tiny<R> {
-    pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
+    pub(in crate::render::realtime) fn new<S: Geometry>(
+        renderer: &Renderer<'_, '_, R, S>,
+        grid: Grid,
+    ) -> Option<Self> {
         let (scene, eye) = (renderer.scene, renderer.viewport.eye());
         let has_sets = scene.objects_where(|_| true).is_some();
         let cone = Cone::new(&renderer.viewport, grid, if has_sets { 0 } else { SLENDER });
@@ -66,12 +69,12 @@ impl<R: Real> Tiny<R> {
 
 /// Watches the rays of one pixel after the other for what is tiny beside them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R> {
+pub(in crate::render::realtime) struct Watch<R> {
     tiny: Tiny<R>,
     /// Around a ray from the eye, and around what leaves the last hit.
     first: Cone<R>,
     cone: Cone<R>,
-    pub(super) near: Near,
+    pub(in crate::render::realtime) near: Near,
     /// Whether no other point stands for half of what this one does.
     is_least: bool,
 }
@@ -80,13 +83,13 @@ pub(super) struct Watch<R> {
 type Watched<R> = (Ray<R>, bool);
 
 impl<R: Real> Watch<R> {
-    pub(super) fn new(tiny: Tiny<R>) -> Self {
+    pub(in crate::render::realtime) fn new(tiny: Tiny<R>) -> Self {
         Self { tiny, first: tiny.cone, cone: tiny.cone, near: Near::Nothing, is_least: false }
     }
 
     /// For the rays of one point of a cell, if that stands for others: a corner for all up to half the cell's diagonal away, and in cells
     /// of eight pixels each fourth for half of that.
-    pub(super) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
+    pub(in crate::render::realtime) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
         let (place, side) = (x | y, self.tiny.grid.pixels());
         self.is_least = side <= SQUARE || place % side != 0;
         self.first = if place % side == 0 {
@@ -101,14 +104,14 @@ impl<R: Real> Watch<R> {
     }
 
     /// Whether cones are followed from one hit to the next, and not only highlights looked for.
-    pub(super) fn follows(&self) -> bool {
+    pub(in crate::render::realtime) fn follows(&self) -> bool {
         self.tiny.has_thin()
     }
 
     /// A ray hits something, and would be mirrored this way.
     #[cold]
     #[inline(never)]
-    pub(super) fn hit<S: Geometry>(
+    pub(in crate::render::realtime) fn hit<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
         watched: Watched<R>,
@@ -181,7 +184,11 @@ impl<R: Real> Watch<R> {
     /// A ray hits nothing.
     #[cold]
     #[inline(never)]
-    pub(super) fn miss<S: Geometry>(&mut self, scene: &PreparedScene<'_, R, S>, watched: Watched<R>) {
+    pub(in crate::render::realtime) fn miss<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        watched: Watched<R>,
+    ) {
         self.look(scene, watched, R::FARTHEST);
     }
 

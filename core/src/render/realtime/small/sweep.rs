@@ -4,8 +4,8 @@
 //! ray mirrors are a parallelogram around that of the ray itself: wide across a cylinder, and narrow along it. A highlight is where that
 //! passes by a light (Phong, "Illumination for Computer Generated Pictures", CACM 1975), wherever it lies between traced rays.
 
+use super::super::sample::Near;
 use super::cone::Footprint;
-use super::sample::Near;
 use crate::material::Shininess;
 use crate::math::{Real, Vec3};
 
@@ -121,7 +121,7 @@ fn cosine<R: Real>(sine_squared: R) -> R {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Grid;
+    use super::super::super::Grid;
     use super::super::cone::Cone;
     use super::*;
     use crate::camera::{Camera, Viewport};

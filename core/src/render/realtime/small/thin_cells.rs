@@ -1,19 +1,19 @@
 //! Where something is seen that is so thin that it could hide between the points of the grid.
 
-use super::super::Renderer;
-use super::super::line_candidates::Span;
-use super::super::outline::pixel;
-use super::Grid;
-use super::cell::SQUARE;
-use super::places::Places;
+use super::super::Grid;
+use super::super::cell::SQUARE;
+use super::column_set::ColumnSet;
 use super::stadium::Stadium;
 use crate::hierarchy::Wedge;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
+use crate::render::Renderer;
+use crate::render::line_candidates::Span;
+use crate::render::outline::pixel;
 use crate::shape::{Geometry, Hull};
 
 /// The objects of which a hull is thin where it is seen; `None` where a scene has more than a set holds.
-pub(super) fn thin_objects<R: Real, S: Geometry>(
+pub(in crate::render::realtime) fn thin_objects<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     grid: Grid,
 ) -> Option<ObjectSet> {
@@ -24,24 +24,24 @@ pub(super) fn thin_objects<R: Real, S: Geometry>(
 
 /// The places of a strip of lines at which something thin can be seen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ThinPlaces {
+pub(in crate::render::realtime) struct ThinCells {
     /// A bit for a column of cells.
-    places: Places,
+    places: ColumnSet,
     grid: Grid,
     /// The objects of which something may be thin. Where there is no set, all may be, and what is not narrow does not count: there would
     /// be too much of it.
     objects: Option<ObjectSet>,
 }
 
-impl ThinPlaces {
+impl ThinCells {
     /// None yet, in a picture of this width.
-    pub(super) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
-        Self { places: Places::none(width, grid.pixels().trailing_zeros()), grid, objects }
+    pub(in crate::render::realtime) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
+        Self { places: ColumnSet::none(width, grid.pixels().trailing_zeros()), grid, objects }
     }
 
     /// Adds what is thin on the lines from `top` to `bottom`, both included.
     #[inline(never)]
-    pub(super) fn add_all<R: Real, S: Geometry>(
+    pub(in crate::render::realtime) fn add_all<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         lines: (u16, u16),
@@ -57,7 +57,7 @@ impl ThinPlaces {
     /// Adds what is thin between two heights of an object that is seen within a span of columns, if at all; tells where it is seen there,
     /// more closely.
     #[inline(never)]
-    pub(super) fn add_object<R: Real, S: Geometry>(
+    pub(in crate::render::realtime) fn add_object<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         object: usize,
@@ -86,7 +86,7 @@ impl ThinPlaces {
     }
 
     /// Adds the shadows on the lines from `top` to `bottom`, both included, that are so low that every second line may miss them.
-    pub(super) fn add_shadows<R: Real, S: Geometry>(
+    pub(in crate::render::realtime) fn add_shadows<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),
@@ -104,18 +104,18 @@ impl ThinPlaces {
     }
 
     /// Whether something of an object may be thin.
-    pub(super) fn may_have(&self, object: usize) -> bool {
+    pub(in crate::render::realtime) fn may_have(&self, object: usize) -> bool {
         self.objects.is_none_or(|objects| objects.contains(object))
     }
 
     /// Whether the cell that begins in this column can show something thin.
-    pub(super) fn holds(&self, left: u32) -> bool {
+    pub(in crate::render::realtime) fn holds(&self, left: u32) -> bool {
         self.places.hold(left)
     }
 }
 
 /// The heights of some lines, both included, with a pixel of room for rounding.
-pub(super) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
+pub(in crate::render::realtime) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
     let half = R::Setup::from_f32(0.5);
     (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE)
 }
@@ -126,7 +126,7 @@ mod tests {
 
     /// The first columns of the cells that hold something.
     fn held(width: u16, grid: Grid, spans: &[(u16, u16)]) -> Vec<u32> {
-        let mut places = ThinPlaces::none(width, grid, None);
+        let mut places = ThinCells::none(width, grid, None);
         spans.iter().for_each(|&(start, end)| places.add(Span { start, end }));
         (0..u32::from(width)).step_by(grid.pixels()).filter(|left| places.holds(*left)).collect()
     }

@@ -9,7 +9,7 @@
 
 use core::f32::consts::FRAC_1_SQRT_2;
 
-use super::Grid;
+use super::super::Grid;
 use crate::camera::Viewport;
 use crate::math::{Ray, Real, Vec3};
 use crate::shape::Hull;

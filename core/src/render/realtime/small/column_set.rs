@@ -1,10 +1,10 @@
 //! Columns of a picture, as a set.
 
-use super::super::line_candidates::Span;
+use crate::render::line_candidates::Span;
 
 /// Columns of a picture: a bit for some that lie together, in wide pictures for more.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Places {
+pub(super) struct ColumnSet {
     bits: [u32; WORDS],
     /// A bit stands for so many columns: a power of two.
     shift: u32,
@@ -14,7 +14,7 @@ pub(super) struct Places {
 const PLACES: usize = WORDS * 32;
 const WORDS: usize = 8;
 
-impl Places {
+impl ColumnSet {
     /// None, in a picture of this width, with a bit for 2 to the power of `finest` columns or more.
     pub(super) fn none(width: u16, finest: u32) -> Self {
         let mut shift = finest;

@@ -1,6 +1,6 @@
 //! The outline of a hull in the picture: all places within some distance of a line.
 
-use super::Grid;
+use super::super::Grid;
 use crate::camera::Viewport;
 use crate::math::{Real, Vec3};
 use crate::shape::Hull;
@@ -62,7 +62,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
     fn along(from: (N, N), to: (N, N), places: &[(N, N)]) -> Self {
         let (x, y) = (to.0 - from.0, to.1 - from.1);
         let length = (x * x + y * y).sqrt();
-        // Seen from its end, any direction will do.
+        // MarkProbe from its end, any direction will do.
         let (x, y) = if length > N::from_f32(1e-3) { (x / length, y / length) } else { (N::ONE, N::ZERO) };
         let (mut begin, mut end, mut radius) = (N::ZERO, N::ZERO, N::ZERO);
         for place in places {

@@ -5,7 +5,7 @@ use super::budget::Detail;
 
 /// How much two pixels may differ before one looks between them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
+pub(super) struct Tolerance {
     /// Of what both saw, the bits that count.
     marks: u32,
     /// The most that their tones may differ: far apart, two pixels apart, and there near a small highlight.
@@ -17,7 +17,7 @@ pub(super) struct Limits {
     grid: usize,
 }
 
-impl Limits {
+impl Tolerance {
     /// Nothing between the pixels of the grid is looked at.
     pub(super) const NONE: Self =
         Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX, traces: false, grid: 0 };

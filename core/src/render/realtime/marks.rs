@@ -3,7 +3,7 @@
 use super::super::Tone;
 use super::Sample;
 use super::sample::{Near, Path};
-use super::tiny::Watch;
+use super::small::Watch;
 use crate::material::PreparedMaterial;
 use crate::math::{Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
@@ -19,7 +19,7 @@ const SHOWS: f32 = 0.25;
 const BESIDE: f32 = 0.954;
 
 /// Folds what happens to one pixel into a digest, and tells another probe.
-pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
+pub(super) struct MarkProbe<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     scene: &'s PreparedScene<'m, R, S>,
     probe: &'p mut P,
     /// Digests of what was met, and of what stood before the lights.
@@ -41,7 +41,7 @@ pub(super) struct Seen<'s, 'm, 'p, R: Real, S: Geometry + 'm, P> {
     hit: Option<&'s PreparedMaterial<'m, R>>,
 }
 
-impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> Seen<'s, 'm, 'p, R, S, P> {
+impl<'s, 'm, 'p, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'s, 'm, 'p, R, S, P> {
     pub(super) fn new(
         scene: &'s PreparedScene<'m, R, S>,
         faint: R,
@@ -96,7 +96,7 @@ fn fold(digest: u32, what: u32) -> u32 {
     (digest.rotate_left(5) ^ what).wrapping_mul(0x9E37_79B9)
 }
 
-impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
+impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for MarkProbe<'_, '_, '_, R, S, P> {
     #[inline(always)]
     fn asks_mirrored(&self) -> bool {
         self.watch.as_ref().is_some_and(|watch| watch.follows()) || self.probe.asks_mirrored()

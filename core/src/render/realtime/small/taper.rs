@@ -1,6 +1,6 @@
 //! Where something tapers off in the picture: a triangle of which every part is narrower than a cell.
 
-use super::Grid;
+use super::super::Grid;
 use super::stadium::place_of;
 use crate::camera::Viewport;
 use crate::light::Source;
