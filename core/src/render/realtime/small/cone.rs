@@ -45,7 +45,7 @@ impl<R: Real> Cone<R> {
 
     /// Mirrored or bent by a ball of this radius.
     pub(super) fn opened(self, ball_radius: R) -> Self {
-        self.turned(turned_by_ball(self.radius, ball_radius))
+        self.turned((self.radius + self.radius).smaller(ball_radius) / ball_radius)
     }
 
     /// Mirrored by a surface that turns rays so much that are as far from the middle as it reaches.
@@ -100,11 +100,6 @@ impl<R: Real> Cone<R> {
     }
 }
 
-/// By how much a ball turns rays at most that meet it so far aside of another: as an angle, up to 1.
-fn turned_by_ball<R: Real>(aside: R, radius: R) -> R {
-    (aside + aside).smaller(radius) / radius
-}
-
 /// What a cone leaves on a surface: an ellipse.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Footprint<R> {
@@ -130,13 +125,6 @@ impl<R: Real> Footprint<R> {
     /// How far it reaches.
     pub(super) fn reach(&self) -> R {
         self.cone.radius / self.slant.abs()
-    }
-
-    /// How far at most directions turn over it that a ball of this radius mirrors, as the sine of an angle.
-    pub(super) fn most_turned(&self, radius: R) -> R {
-        // To first order, by how much directions differ, and twice by how much normals do; the square is more than all that comes after.
-        let first = self.cone.spread + turned_by_ball(self.reach(), radius);
-        first + first * first
     }
 
     /// Whether something thin can be between a place of it and a light, in a shape of these hulls: that is so far away along `shadow`.

@@ -98,17 +98,6 @@ impl<R: Real> Sweep<R> {
     }
 }
 
-/// The squared cosine at which a light is so far aside from where the middle of a footprint on a ball mirrors to that no sweep comes near
-/// enough for its highlight to be looked for.
-pub(super) fn least_cosine_squared<R: Real>(
-    footprint: &Footprint<R>,
-    radius: R,
-    shininess: &Shininess<R>,
-) -> R {
-    let sine = shininess.sine_shown(SHOWN) + footprint.most_turned(radius);
-    R::ONE - (sine * sine).smaller(R::ONE)
-}
-
 /// The part of a vector that is across a unit vector.
 fn across<R: Real>(vector: Vec3<R>, along: Vec3<R>) -> Vec3<R> {
     vector - along * along.dot(vector)
@@ -117,64 +106,4 @@ fn across<R: Real>(vector: Vec3<R>, along: Vec3<R>) -> Vec3<R> {
 /// The cosine of a small angle of which the squared sine is this.
 fn cosine<R: Real>(sine_squared: R) -> R {
     R::ONE - sine_squared * R::from_f32(0.5)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::super::Grid;
-    use super::super::cone::Cone;
-    use super::*;
-    use crate::camera::{Camera, Viewport};
-    use crate::math::{Fixed, Scale};
-    use crate::shape::testing::Random;
-
-    const CAMERA: Camera = Camera {
-        eye: Vec3::ZERO,
-        target: Vec3::new(0.0, 0.0, -1.0),
-        up: Vec3::new(0.0, 1.0, 0.0),
-        vertical_fov: 0.8,
-    };
-
-    /// How many of 20,000 lights are that far aside.
-    fn lights_aside<R: Real>(shininess: f32) -> usize {
-        let (mut random, shininess) =
-            (Random(u64::from(shininess.to_bits())), Shininess::<R>::new(shininess));
-        let viewport = Viewport::<R>::new(&CAMERA.prepare(Scale::ONE).unwrap(), 320, 240);
-        let cone = Cone::new(&viewport, Grid::Eight, 0);
-        let mut aside = 0;
-        let vector = |vector: Vec3| Vec3::<R>::from_setup(vector.to());
-        for _ in 0..20_000 {
-            let (direction, normal) = (random.direction(), random.direction());
-            let normal = if direction.dot(normal) > 0.0 { -normal } else { normal };
-            let mirrored = direction - normal * (2.0 * direction.dot(normal));
-            let (direction, normal, mirrored) = (vector(direction), vector(normal), vector(mirrored));
-            // The cone becomes from next to nothing to about as wide as the ball.
-            let (radius, nearness) = (R::from_f32(0.5), random.next().abs());
-            let cone = cone.after(R::from_f32(30.0 * nearness * nearness));
-            let footprint = cone.footprint(direction, normal);
-            let beside = |step: Vec3<R>| (normal * radius + step).unit();
-            let sweep = Sweep::new(&footprint, viewport.sides(), (direction, mirrored), beside);
-            let toward = vector(random.direction());
-            let cosine = toward.dot(mirrored);
-            if !(cosine > R::ZERO) || cosine * cosine > least_cosine_squared(&footprint, radius, &shininess) {
-                continue;
-            }
-            let near = sweep.nearness(toward, &shininess, false);
-            assert_eq!(near, Near::Nothing, "{footprint:?} {sweep:?} {toward:?}");
-            aside += 1;
-        }
-        aside
-    }
-
-    #[test]
-    fn lights_that_are_too_far_aside_are_in_no_sweep() {
-        for shininess in [5.0, 20.0, 100.0, 1000.0] {
-            let found = [
-                lights_aside::<f32>(shininess),
-                lights_aside::<f64>(shininess),
-                lights_aside::<Fixed>(shininess),
-            ];
-            assert!(found.iter().all(|found| *found > 1_000), "{shininess}: {found:?}");
-        }
-    }
 }

@@ -13,7 +13,7 @@ use super::super::Grid;
 use super::super::cell::SQUARE;
 use super::super::sample::Near;
 use super::cone::Cone;
-use super::sweep::{self, Sweep};
+use super::sweep::Sweep;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
@@ -136,17 +136,6 @@ impl<R: Real> Watch<R> {
             };
             Sweep::new(&footprint, self.tiny.sides, (direction, mirrored), |step| normal_beside(step) + bump)
         };
-        let ball = match scene.form(hit.object) {
-            Some(Form::Ball { radius, .. }) => Some(radius),
-            _ => None,
-        };
-        // A ball tells without a sweep that a highlight is too far aside.
-        let least_cosine_squared = match ball {
-            Some(radius) if glossy && material.maps.is_empty() => {
-                sweep::least_cosine_squared(&footprint, radius, &material.shininess)
-            }
-            _ => R::ZERO,
-        };
         let mut glint = None;
         let (facing, ..) = normal.facing(direction);
         for light in scene.lights {
@@ -165,18 +154,16 @@ impl<R: Real> Watch<R> {
                 }
             }
             // One that is a right angle aside is not looked for: most need no sweep.
-            let cosine = toward.dot(mirrored);
-            let may_glint = cosine > R::ZERO && cosine * cosine > least_cosine_squared;
-            if glossy && self.near < Near::Tiny && may_glint {
+            if glossy && self.near < Near::Tiny && toward.dot(mirrored) > R::ZERO {
                 let sweep = *glint.get_or_insert_with(sweep);
                 let near = sweep.nearness(toward, &material.shininess, self.is_least);
                 self.near = self.near.max(near);
             }
         }
         if has_thin {
-            self.cone = match ball {
-                Some(radius) => cone.opened(radius),
-                None => cone.turned(glint.unwrap_or_else(sweep).reach_squared().sqrt()),
+            self.cone = match scene.form(hit.object) {
+                Some(Form::Ball { radius, .. }) => cone.opened(radius),
+                _ => cone.turned(glint.unwrap_or_else(sweep).reach_squared().sqrt()),
             };
         }
     }
