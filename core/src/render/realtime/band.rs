@@ -1,72 +1,73 @@
-//! Drawing the cells of a band, the lines between two rows of the grid.
+//! Draws bands, cell after cell. A band is the lines between two neighboring rows of the grid.
 
 use core::marker::PhantomData;
 use core::ops::Range;
 
+use super::RealtimeBuffer;
 use super::budget::{Budget, Detail, Spent};
-use super::cell::{Cell, Corners, Look, Way};
+use super::cell::{Cell, Corners};
 use super::marks::FAINT;
 use super::paint::Paint;
-use super::small::{RimCells, ThinCells, Tiny, TipPoints, Watch, tapering_objects, thin_objects};
+use super::pixel_source::PixelSource;
+use super::plan::{Above, Plan, Seen};
+use super::quality::Realtime;
+use super::sample::Sample;
+use super::side::Side;
+use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
-use super::tracer::Tracer;
-use super::{Realtime, RealtimeBuffer, Sample};
+use super::tracer::{Traced, Tracer, nothing_met};
 use crate::integrator::Bounds;
 use crate::math::Real;
-use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::render::{DisplayColor, Renderer};
 use crate::shape::{Geometry, Intersect};
 
-/// Rays that would bring a smaller share than this are left out.
+/// Rays that would bring a smaller share of their light than this to the pixel are left out.
 const CUTOFF: f32 = 1.0 / 64.0;
 
-/// The lines between two rows of the grid.
+/// The lines between two neighboring rows of the grid, drawn up to one of its cells.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Band {
+    /// The first line.
     pub(super) top: u32,
-    /// Left column of the next cell.
+    /// The left column of the next cell.
     pub(super) left: u32,
-    /// Whether the lent row of samples holds the upper row of the grid from there on.
+    /// Whether the lent row of samples holds the upper row of the grid, from `left` on.
     has_top: bool,
-    /// Whether the left side of the next cell was looked at closely.
-    rough_left: bool,
+    /// Whether the left side of the next cell is refined, and not interpolated.
+    is_left_refined: bool,
+    /// The objects that each cell can show, if that is known.
     strip: Option<Strip>,
+    /// The cells that can show something thin.
     thin: ThinCells,
-    close: Option<TipPoints>,
+    /// The points of the grid near tips and low shadows, if there are any.
+    tips: Option<TipPoints>,
 }
 
-/// Draws one band after the other: what is known of the whole picture, and what one cell and one band hand to the next.
+/// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
 #[derive(Debug)]
 pub(super) struct BandPainter<'p, 'm, R: Real, S: Geometry + 'm> {
     renderer: &'p Renderer<'p, 'm, R, S>,
-    /// When rays are no longer followed.
+    /// When rays end.
     bounds: Bounds<R>,
-    /// The scene without its lights, and when rays are no longer followed there: those that leave no mark are not. Worked out for each look, that takes
-    /// `classic` up to 0.6 % longer on an M4F.
-    unlit: PreparedScene<'m, R, S>,
-    unlit_bounds: Bounds<R>,
+    /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
+    /// not traced.
+    unlit: Traced<'m, R, S>,
     quality: Realtime,
-    /// Objects that could hide between the points of the grid; `None`: any could.
-    thin: Option<ObjectSet>,
-    /// Objects that taper off.
-    tapering: ObjectSet,
-    /// Where something may be thin in parts.
-    rims: Option<RimCells>,
+    small: SmallThings<R>,
     /// The line of the picture that the lent row of samples holds.
     row: Option<u32>,
-    /// A pixel that sees nothing, where all such pixels look alike.
+    /// The sample of a pixel whose ray meets no object, if all such pixels look alike.
     nothing: Option<Sample>,
-    /// Watches for what could hide where that is not known.
-    watch: Option<Watch<R>>,
+    /// The current cell. Its left side is known from the cell before.
     cell: Cell,
     budget: Budget,
 }
 
 impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
-    /// For a picture of which so many `lines` are to be drawn, in colors of type `C`.
+    /// For a picture of which this many `lines` are to be drawn, in colors of type `C`.
     pub(super) fn new<C: DisplayColor>(
         renderer: &'p Renderer<'p, 'm, R, S>,
         quality: Realtime,
@@ -75,50 +76,48 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
+        let unlit_bounds = Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds };
         Self {
-            quality,
-            thin: thin_objects(renderer, quality.grid),
-            tapering: tapering_objects(renderer, quality.grid),
-            rims: RimCells::new(renderer, quality.grid),
-            row: None,
-            nothing: Tracer::<R, S, C, ()>::nothing(renderer),
-            bounds: Bounds { cutoff, ..renderer.bounds },
-            unlit,
-            unlit_bounds: Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds },
             renderer,
-            watch: Tiny::new(renderer, quality.grid).map(Watch::new),
+            bounds: Bounds { cutoff, ..renderer.bounds },
+            unlit: Traced { scene: unlit, bounds: unlit_bounds },
+            quality,
+            small: SmallThings::new(renderer, quality.grid),
+            row: None,
+            nothing: nothing_met::<R, S, C>(renderer),
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, lines),
         }
     }
 
-    /// Goes on with other `lines` of the picture, with a new budget. If a band is left half drawn, the row of samples is half that of one line and half that of
-    /// another: it is not used.
-    pub(super) fn restart(&mut self, lines: u32, is_within_band: bool) {
+    /// Goes on with other lines of the picture, of which there are `lines`, and a new budget. The row of
+    /// samples is not used again if a band `is_unfinished`: one half of it belongs to one line, the other to
+    /// another.
+    pub(super) fn restart(&mut self, lines: u32, is_unfinished: bool) {
         self.budget = Budget::new(self.quality.budget_rays, lines);
-        if is_within_band {
+        if is_unfinished {
             self.row = None;
         }
     }
 
-    /// The band that holds the first of these lines, which are those that are still to be drawn.
+    /// Begins the band that holds the first of the `lines` that are still to be drawn.
     pub(super) fn begin(&mut self, lines: &Range<u32>) -> Band {
         let side = self.quality.grid.pixels();
         let top = lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, lines.end.saturating_sub(lines.start));
         let rows = (top as u16, bottom as u16);
-        let mut thin = ThinCells::none(self.renderer.width, self.quality.grid, self.thin);
+        let mut thin = self.small.thin_cells(self.renderer.width, self.quality.grid);
         let strip = Strip::new(self.renderer, rows, &mut thin);
         if strip.is_none() {
             thin.add_all(self.renderer, rows);
         }
         thin.add_shadows(self.renderer, rows);
-        let close = TipPoints::new(self.renderer, self.quality.grid, rows, self.tapering);
-        Band { top, left: 0, has_top: self.row == Some(top), rough_left: false, strip, thin, close }
+        let tips = self.small.tip_points(self.renderer, self.quality.grid, rows);
+        Band { top, left: 0, has_top: self.row == Some(top), is_left_refined: false, strip, thin, tips }
     }
 
-    /// Draws the next cell of a band into the buffer; returns how many rays that took.
+    /// Draws the next cell of a band into the buffer; returns the number of rays that it took.
     #[inline]
     pub(super) fn draw_cell<C: DisplayColor>(
         &mut self,
@@ -140,163 +139,149 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
     ) -> Spent {
         let side = self.quality.grid.pixels();
         let left = band.left as usize;
-        let (first, last) = (band.left as u16, (left + side) as u16);
-        let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
-        // Candidates are not known beyond the picture's right end.
-        let is_inside = band.left + (side as u32) < self.renderer.width();
-        let among = shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all());
+        let among = self.objects_shown(band, side);
         let detail = self.budget.detail();
+        // The constant says whether a shape can have rims: without one, the compiler leaves out all that
+        // follows.
+        let has_rim = S::Prepared::<'m, R>::HAS_RIMS
+            && detail == Detail::Full
+            && self.small.has_rim(band.left, band.top);
+        let settings = &self.renderer.settings;
+        let paint = Paint { settings, width: usize::from(self.renderer.width), left, top: band.top, side };
         let mut tracer = Tracer {
             renderer: self.renderer,
             bounds: &self.bounds,
             unlit: &self.unlit,
-            unlit_bounds: &self.unlit_bounds,
             among,
             left: band.left,
             top: band.top,
-            limits: Tolerance::new(self.quality.threshold, detail, side),
-            allowed: self.budget.left(),
-            watch: self.watch.as_mut(),
-            close: band.close.as_ref(),
+            tolerance: Tolerance::new(self.quality.threshold, detail, side),
+            watch: self.small.watch.as_mut(),
+            tips: band.tips.as_ref(),
             color: PhantomData::<C>,
             probe,
             rays: 0,
-        };
-        let paint = Paint {
-            settings: &self.renderer.settings,
-            width: usize::from(self.renderer.width),
-            left,
-            top: band.top,
-            side,
+            allowed: self.budget.left(),
         };
         if let Some(nothing) = self.nothing
             && among.is_empty()
         {
             paint.blank(buffer.colors, nothing);
-            let corner = |x: usize, y: usize| tracer.marked(nothing, x, y);
-            let corners = Corners {
-                top_left: corner(0, 0),
-                top_right: corner(side, 0),
-                bottom_left: corner(0, side),
-                bottom_right: corner(side, side),
-            };
-            self.finish_smooth(band, corners, side, buffer.samples);
+            let corners = tracer.empty_corners(nothing, side);
+            self.hand_on_corners(band, &corners, buffer.samples);
             return Spent::default();
         }
 
-        // The corners: those on the left and above may be known.
-        let known = if band.has_top { buffer.samples.get(left..) } else { None };
-        let at = |i: usize| known.and_then(|known| known.get(i)).copied();
+        let above: Above<'_> = if band.has_top { buffer.samples.get(left..) } else { None };
+        let is_first = left == 0;
         let traces_row = self.budget.traces_row();
-        let cell = &mut self.cell;
-        if left == 0 {
-            let top_left = at(0).unwrap_or_else(|| tracer.trace(0, 0));
-            cell.set(0, 0, top_left);
-            cell.set(0, side, tracer.trace_or(top_left, traces_row, (0, side)));
-        }
-        let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
-        let top_right = at(side).unwrap_or_else(|| tracer.trace_or(top_left, true, (side, 0)));
-        let above = tracer.rays;
-        let bottom_right = tracer.trace_or(top_right, traces_row, (side, side));
-        let corners = Corners { top_left, top_right, bottom_left, bottom_right };
-        let (grid, row) = (tracer.rays, tracer.rays - above);
+        let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), side, &mut tracer);
+        let grid = tracer.rays;
         tracer.allow(self.budget.refines());
-        if left == 0 {
-            band.rough_left = tracer.differ(top_left, bottom_left, side);
-            if band.rough_left {
-                cell.look_along((0, 0), Way::Down, side, &mut tracer);
-            }
+        if is_first {
+            band.is_left_refined = refine_first_side(&mut self.cell, side, &mut tracer);
         }
-        let top = tracer.differ(corners.top_left, corners.top_right, side);
-        let right = tracer.differ(corners.top_right, corners.bottom_right, side);
-        let bottom = tracer.differ(corners.bottom_left, corners.bottom_right, side);
-        let thin = detail != Detail::Grid && band.thin.holds(band.left);
-        // Said once more: the compiler does not see that there are none.
-        let has_rim = S::Prepared::<'m, R>::HAS_RIMS
-            && detail == Detail::Full
-            && self.rims.as_ref().is_some_and(|rims| rims.hold(band.left, band.top));
-        if !(top || right || bottom || band.rough_left || thin) {
-            if has_rim {
-                cell.smooth(&corners, side);
-                cell.verify(side, &mut tracer);
-                paint.refined(buffer.colors, cell);
-            } else {
-                paint.smooth(buffer.colors, &corners);
-            }
-            let all = tracer.rays;
-            self.finish_smooth(band, corners, side, buffer.samples);
-            return Spent { all, row, refined: all - grid };
-        }
-
-        // The sides, then what is inside.
-        cell.set(side, 0, corners.top_right);
-        cell.set(side, side, corners.bottom_right);
-        // Where every pixel is traced, sides are for the cells beside it alone; those that are traced in full too need none.
-        let looks_right = right && !(thin && band.thin.holds(band.left + side as u32));
-        match known {
-            Some([_, known @ ..]) if top && known.first().is_some_and(|sample| sample.is_known()) => {
-                cell.know_top(known, side, &tracer);
-            }
-            _ if thin => cell.bridge((0, 0), Way::Right, side),
-            _ => cell.look_along((0, 0), Way::Right, side, &mut tracer),
-        }
-        if !thin {
-            cell.look_along((0, side), Way::Right, side, &mut tracer);
-        }
-        if !thin || looks_right {
-            cell.look_along((side, 0), Way::Down, side, &mut tracer);
-        } else {
-            cell.bridge((side, 0), Way::Down, side);
-        }
-        if thin {
-            if !band.rough_left {
-                cell.bridge((0, 0), Way::Down, side);
-            }
-            cell.trace_all((0, 0), side, &mut tracer);
-        } else {
-            if !band.rough_left {
-                cell.look_along((0, 0), Way::Down, side, &mut tracer);
-            }
-            cell.refine(side, &mut tracer);
-            if has_rim {
-                cell.verify(side, &mut tracer);
-            }
-        }
-        paint.refined(buffer.colors, cell);
-        band.rough_left = looks_right;
-        if thin {
-            hand_corners(buffer.samples, left, &corners, side);
-        } else {
-            let first = if left == 0 { 0 } else { 1 };
-            for (x, sample) in (first..=side).zip(buffer.samples.iter_mut().skip(left + first)) {
-                *sample = cell.get(x, side);
-            }
-        }
+        let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
+        let is_next_thin = is_thin && band.thin.holds(band.left + side as u32);
+        let seen = Seen { is_thin, is_next_thin, has_rim };
+        let plan = Plan::new(&corners, band.is_left_refined, seen, side, &tracer);
+        plan.draw(&mut self.cell, &corners, above, &mut tracer);
         let all = tracer.rays;
-        self.cell.advance(side);
-        self.finish(band, side);
+        if plan.needs_corners_alone() {
+            paint.smooth(buffer.colors, &corners);
+        } else {
+            paint.refined(buffer.colors, &self.cell);
+        }
+        self.hand_on(band, &plan, &corners, buffer.samples);
         Spent { all, row, refined: all - grid }
     }
 
-    /// Hands a cell's right side to the next one, and its bottom to the band below, if they are straight.
-    fn finish_smooth(&mut self, band: &mut Band, corners: Corners, side: usize, samples: &mut [Sample]) {
-        self.cell.set(0, 0, corners.top_right);
-        self.cell.set(0, side, corners.bottom_right);
-        band.rough_left = false;
-        hand_corners(samples, band.left as usize, &corners, side);
-        self.finish(band, side);
+    /// The objects that the next cell can show; all, if that is not known.
+    fn objects_shown(&self, band: &Band, side: usize) -> ObjectSet {
+        let (first, last) = (band.left as u16, (band.left as usize + side) as u16);
+        let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
+        // Beyond the right end of the picture it is not known.
+        let is_inside = band.left + (side as u32) < self.renderer.width();
+        shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all())
     }
 
-    fn finish(&mut self, band: &mut Band, side: usize) {
-        band.left += side as u32;
+    /// Hands a cell that is drawn to the cell to the right and to the band below.
+    fn hand_on(&mut self, band: &mut Band, plan: &Plan, corners: &Corners, samples: &mut [Sample]) {
+        if plan.is_smooth() {
+            return self.hand_on_corners(band, corners, samples);
+        }
+        let (left, side) = (band.left as usize, self.quality.grid.pixels());
+        if plan.traces_all() {
+            hand_down_corners(samples, left, corners, side);
+        } else {
+            hand_down_row(samples, left, &self.cell, side);
+        }
+        self.cell.advance(side);
+        self.advance(band, plan.refines_right());
+    }
+
+    /// Hands a cell of which only the corners are known to the cell to the right and to the band below.
+    fn hand_on_corners(&mut self, band: &mut Band, corners: &Corners, samples: &mut [Sample]) {
+        let side = self.quality.grid.pixels();
+        self.cell.set(0, 0, corners.top_right);
+        self.cell.set(0, side, corners.bottom_right);
+        hand_down_corners(samples, band.left as usize, corners, side);
+        self.advance(band, false);
+    }
+
+    /// Goes on to the next cell of a band.
+    fn advance(&mut self, band: &mut Band, is_left_refined: bool) {
+        let side = self.quality.grid.pixels() as u32;
+        band.is_left_refined = is_left_refined;
+        band.left += side;
         if band.left >= self.renderer.width() {
-            self.row = Some(band.top + side as u32);
+            self.row = Some(band.top + side);
         }
     }
 }
 
-/// Hands a cell's lower corners to the band below, and nothing of what is between them.
-fn hand_corners(samples: &mut [Sample], left: usize, corners: &Corners, side: usize) {
+/// The corners of a cell, and the rays that the lower right one took. The left corners are known from the
+/// cell before unless the cell is the first of its band, the upper ones may be known from `above`. A row of
+/// the grid that is not traced is a copy of the row above.
+fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+    cell: &mut Cell,
+    above: Above<'_>,
+    (is_first, traces_row): (bool, bool),
+    side: usize,
+    tracer: &mut Tracer<'_, '_, R, S, C, P>,
+) -> (Corners, u32) {
+    let known = |x: usize| above.and_then(|above| above.get(x)).copied();
+    if is_first {
+        let top_left = known(0).unwrap_or_else(|| tracer.trace(0, 0));
+        cell.set(0, 0, top_left);
+        cell.set(0, side, tracer.trace_or_copy(top_left, traces_row, (0, side)));
+    }
+    let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
+    let top_right = known(side).unwrap_or_else(|| tracer.trace_or_copy(top_left, true, (side, 0)));
+    let before = tracer.rays;
+    let bottom_right = tracer.trace_or_copy(top_right, traces_row, (side, side));
+    (Corners { top_left, top_right, bottom_left, bottom_right }, tracer.rays - before)
+}
+
+/// Draws the left side of the first cell of a band, if its ends differ; returns whether they do.
+fn refine_first_side(cell: &mut Cell, side: usize, pixels: &mut impl PixelSource) -> bool {
+    let differ = pixels.differ(cell.get(0, 0), cell.get(0, side), side);
+    if differ {
+        cell.refine_side(Side::down((0, 0), side), pixels);
+    }
+    differ
+}
+
+/// Hands the bottom row of a cell to the band below. Its left end is the right end of the cell before.
+fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, side: usize) {
+    let first = if left == 0 { 0 } else { 1 };
+    for (x, sample) in (first..=side).zip(samples.iter_mut().skip(left + first)) {
+        *sample = cell.get(x, side);
+    }
+}
+
+/// Hands the lower corners of a cell to the band below, and marks the points between them as unknown.
+fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, side: usize) {
     if let Some(row) = samples.get_mut(left..) {
         if let (0, Some(first)) = (left, row.first_mut()) {
             *first = corners.bottom_left;

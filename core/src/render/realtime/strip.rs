@@ -1,10 +1,10 @@
 //! What the cells of a few neighboring lines can show.
 
 use super::super::Renderer;
-use super::super::line_candidates::Span;
 use super::small::{ThinCells, heights};
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
+use crate::render::span::Span;
 use crate::shape::Geometry;
 
 /// What each place of a strip of lines can show.

@@ -1,217 +1,74 @@
-//! The rays around a traced one, as far as that stands for them: a cone (Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984).
+//! The cone around a traced ray that holds the rays of the pixels that the traced one stands for (Amanatides,
+//! "Ray Tracing with Cones", SIGGRAPH 1984).
 //!
-//! What a traced ray passes by within its cone may be met by a ray beside it: something thin that is mirrored, or that is in the way to
-//! a light. Where thin things are seen directly is known better ([`thin`](super::thin)).
+//! A ray beside the traced one may meet something thin that lies within the cone and is mirrored, or stands
+//! before a light. (Thin things that are seen directly are found by [`thin_cells`](super::thin_cells).)
 //!
-//! The cone holds every ray up to half the diagonal of a cell away. Mirrors open it where they are curved, as two places of them
-//! have normals of other directions: balls by their radius, others by what mirrored directions [sweep](super::sweep) over. On a surface the
-//! cone leaves an ellipse, longer the more the surface is slanted, and a shadow ray stands for those of the whole ellipse.
+//! The cone reaches as far as half the diagonal of a cell. A curved mirror opens it, as two places of the
+//! mirror have different normals: a ball opens it by the ball's radius, other shapes by how far the mirrored
+//! direction [`sweep`](super::sweep)s.
 
-use core::f32::consts::FRAC_1_SQRT_2;
-
-use super::super::Grid;
+use super::super::grid::Grid;
+use super::stick::{Stick, any_thin};
 use crate::camera::Viewport;
-use crate::math::{Ray, Real, Vec3};
+use crate::math::{Ray, Real};
 use crate::shape::Hull;
 
 /// The cone around a ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cone<R> {
-    /// Its radius where the ray begins, and by how much it grows with each unit.
-    radius: R,
-    spread: R,
-    /// What is looked for beside the ray is at least so many times as long as wide.
-    slenderness: R,
+    /// The radius where the ray begins.
+    pub(super) radius: R,
+    /// How much the radius grows with each unit along the ray.
+    pub(super) spread: R,
+    /// The things that are searched for are at least this many times as long as wide.
+    pub(super) slenderness: R,
 }
 
 impl<R: Real> Cone<R> {
-    /// That of a ray from the eye, to look for what is at least so many times as long as wide.
+    /// The cone of a ray from the eye, to search for things at least `slenderness` times as long as wide.
     pub(super) fn new(viewport: &Viewport<R>, grid: Grid, slenderness: u16) -> Self {
         let half_diagonal = R::Setup::from_u16(grid.pixels() as u16) * R::Setup::from_f32(0.71);
         let spread = R::from_setup(half_diagonal * viewport.pixel()).smaller(R::ONE);
         Self { radius: R::ZERO, spread, slenderness: R::from_u16(slenderness) }
     }
 
-    /// Half as wide.
+    /// The cone of half the width.
     pub(super) fn halved(self) -> Self {
         let half = R::from_f32(0.5);
         Self { radius: self.radius * half, spread: self.spread * half, ..self }
     }
 
-    /// After so many units.
+    /// The rest of the cone after this distance.
     pub(super) fn after(self, distance: R) -> Self {
         Self { radius: self.radius_at(distance), ..self }
     }
 
-    /// Mirrored or bent by a ball of this radius.
-    pub(super) fn opened(self, ball_radius: R) -> Self {
-        self.turned((self.radius + self.radius).smaller(ball_radius) / ball_radius)
+    /// The cone after it is mirrored or refracted by a ball of this radius. Over the cone's width, the ball
+    /// turns rays by up to 2 radius / ball_radius, but at most 1.
+    pub(super) fn opened_by_ball(self, ball_radius: R) -> Self {
+        self.opened((self.radius + self.radius).smaller(ball_radius) / ball_radius)
     }
 
-    /// Mirrored by a surface that turns rays so much that are as far from the middle as it reaches.
-    pub(super) fn turned(self, turn: R) -> Self {
+    /// The cone after a surface has turned the rays at its border by this angle against the middle one.
+    pub(super) fn opened(self, turn: R) -> Self {
         Self { spread: (self.spread + turn).smaller(R::ONE), ..self }
     }
 
-    /// Whether it is wider than a hull that is looked for, where that is narrowest.
+    /// Whether the cone searches for a hull, and is wider than it where the hull is narrowest.
     pub(super) fn is_wider(self, hull: &Hull<R>) -> bool {
         let stick = Stick::new(hull);
-        stick.radius < self.radius && self.looks_for(&stick)
+        stick.is_thinner(self.radius) && stick.is_slender(self.slenderness)
     }
 
-    /// Its radius where the ray has gone so far.
+    /// The radius at this distance along the ray.
     pub(super) fn radius_at(&self, distance: R) -> R {
         self.radius + self.spread * distance
     }
 
-    fn looks_for(&self, stick: &Stick<R>) -> bool {
-        stick.half_length >= stick.radius * self.slenderness
-    }
-
-    /// What it leaves where it begins, on a surface of this normal, if its ray came in this direction.
-    pub(super) fn footprint(self, direction: Vec3<R>, normal: Vec3<R>) -> Footprint<R> {
-        let cosine = direction.dot(normal);
-        let slant = cosine.abs().larger(R::from_f32(MOST_SLANTED));
-        Footprint { cone: self, direction, normal, slant: if cosine < R::ZERO { -slant } else { slant } }
-    }
-
-    /// Whether a ray beside this one can meet something thin before so many units, in a shape of these hulls: the first holds all others.
+    /// Whether a ray within the cone can meet something thin before `distance`, in a shape with these hulls.
+    /// The first hull encloses all others.
     pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hulls: impl Iterator<Item = Hull<R>>) -> bool {
-        self.any_thin(hulls, |stick| stick.is_beside(ray, distance, |t, _| self.radius_at(t)))
-    }
-
-    /// Whether one of these hulls that are looked for is thin beside a ray, of which the first holds the others.
-    #[inline(never)]
-    fn any_thin(
-        &self,
-        mut hulls: impl Iterator<Item = Hull<R>>,
-        is_beside: impl Fn(&Stick<R>) -> Option<Beside>,
-    ) -> bool {
-        let is_beside = |hull: Hull<R>| {
-            let stick = Stick::new(&hull);
-            let beside = is_beside(&stick)?;
-            Some(if self.looks_for(&stick) { beside } else { Beside::Thick })
-        };
-        match hulls.next().and_then(is_beside) {
-            None => false,
-            Some(Beside::Thin) => true,
-            Some(Beside::Thick) => hulls.any(|hull| is_beside(hull) == Some(Beside::Thin)),
-        }
-    }
-}
-
-/// What a cone leaves on a surface: an ellipse.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Footprint<R> {
-    cone: Cone<R>,
-    direction: Vec3<R>,
-    normal: Vec3<R>,
-    /// The cosine between the two, or if that is too small to count, the least that does.
-    slant: R,
-}
-
-impl<R: Real> Footprint<R> {
-    /// How far to go on the surface from its middle to where a ray ends that is beside its own, into such a direction and as far as half a
-    /// side of what the ray stands for; and how that ray differs in direction.
-    pub(super) fn step(&self, toward: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
-        let Self { cone, direction, normal, slant } = *self;
-        let least = R::from_f32(0.25);
-        let slant = if slant < R::ZERO { slant.smaller(-least) } else { slant.larger(least) };
-        let aside = toward * R::from_f32(FRAC_1_SQRT_2);
-        let along = aside - direction * (normal.dot(aside) / slant);
-        (along * cone.radius, aside * cone.spread)
-    }
-
-    /// How far it reaches.
-    pub(super) fn reach(&self) -> R {
-        self.cone.radius / self.slant.abs()
-    }
-
-    /// Whether something thin can be between a place of it and a light, in a shape of these hulls: that is so far away along `shadow`.
-    pub(super) fn can_be_shaded(
-        &self,
-        shadow: &Ray<R>,
-        distance: R,
-        hulls: impl Iterator<Item = Hull<R>>,
-    ) -> bool {
-        // Of a step g across the ray, the surface makes g - direction (g · normal) / (direction · normal).
-        let Self { cone, direction, normal, slant } = *self;
-        let radius =
-            |_, toward: Vec3<R>| cone.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        cone.any_thin(hulls, |stick| stick.is_beside(shadow, distance, radius))
-    }
-}
-
-/// What is in a cone, next to how wide the cone is there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Beside {
-    Thin,
-    Thick,
-}
-
-/// The least cosine between a ray and the normal of a surface that counts.
-const MOST_SLANTED: f32 = 1.0 / 16.0;
-
-/// A hull that is taken for a line with something around it.
-struct Stick<R> {
-    center: Vec3<R>,
-    /// Unit vector along the longest axis; none of what is around a point.
-    along: Vec3<R>,
-    half_length: R,
-    radius: R,
-}
-
-impl<R: Real> Stick<R> {
-    fn new(hull: &Hull<R>) -> Self {
-        let (mut along, mut half_length, mut lengths) = (Vec3::ZERO, R::ZERO, R::ZERO);
-        for axis in &hull.axes {
-            // Most have one axis, and a root takes long.
-            if *axis == Vec3::ZERO {
-                continue;
-            }
-            let (unit, length) = axis.polar();
-            lengths = lengths + length;
-            if length > half_length {
-                (along, half_length) = (unit, length);
-            }
-        }
-        Self { center: hull.center, along, half_length, radius: hull.radius + (lengths - half_length) }
-    }
-
-    /// Where on a ray's line its own is the nearest, and the way from there to it.
-    fn nearest(&self, ray: &Ray<R>) -> (R, Vec3<R>) {
-        let mut toward = self.center - ray.origin;
-        if self.half_length > R::ZERO {
-            let cosine = self.along.dot(ray.direction);
-            let sine_squared = R::ONE - cosine * cosine;
-            // Of parallel lines, any two places are as near.
-            let place = if sine_squared > R::from_f32(1e-3) {
-                (cosine * toward.dot(ray.direction) - self.along.dot(toward)) / sine_squared
-            } else {
-                R::ZERO
-            };
-            toward = toward + self.along * place.larger(-self.half_length).smaller(self.half_length);
-        }
-        let t = toward.dot(ray.direction);
-        (t, toward - ray.direction * t)
-    }
-
-    /// Whether it is in the cone around a ray of some length, which has a `radius` at a distance and into a unit direction.
-    #[inline(never)]
-    fn is_beside(&self, ray: &Ray<R>, distance: R, radius: impl Fn(R, Vec3<R>) -> R) -> Option<Beside> {
-        let (t, across) = self.nearest(ray);
-        // Nothing is seen of what lies behind, nor farther away.
-        let end = t + self.radius;
-        if !(end > R::ZERO && t - self.radius < distance) {
-            return None;
-        }
-        let (toward, away) = across.polar();
-        let radius = radius(end.smaller(distance), toward);
-        if !(away < self.radius + radius) {
-            return None;
-        }
-        // That at which a ray begins or ends is seen.
-        let is_between = t > R::ZERO && t < distance;
-        Some(if is_between && self.radius < radius { Beside::Thin } else { Beside::Thick })
+        any_thin(self.slenderness, hulls, |stick| stick.beside(ray, distance, |t, _| self.radius_at(t)))
     }
 }

@@ -1,46 +1,42 @@
-//! What is small and whose place is known before the first ray: low shadows, and where something tapers off.
+//! The points of the grid near a sharp tip, the shadow of one, or a low shadow.
 //!
-//! Points of the grid near it are taken for such that are near a small highlight: every second pixel between them is looked at.
+//! Such points are marked as if they were near a small highlight: every second pixel between them is traced.
 //!
-//! *Low shadows* are those on a floor that is seen aslant, so low in the picture that they could hide between two rows of the grid. Those on
-//! the largest flat object have [outlines](super::super::outline); those of less than four lines are [thin](super::thin). Of 24 frames
-//! around four balls on a floor, seen from 4°, 7° and 12° above it, the worst have 41, 35 and 37 dB instead of 31, 30 and 31, for one to
-//! two fifths more traced pixels.
+//! *Tips* of triangles, polygons and cones end between the points of the grid, where their picture is a
+//! narrow [`taper`](super::taper), and so do their shadows on the largest flat object.
 //!
-//! *Tips* of triangles, polygons and cones end between the points of the grid, where they are [narrower than a cell](super::taper), and so
-//! do their shadows. To trace what is narrower in full loses less than a pixel of each, but takes more: `shape-polygon` of the gallery takes
-//! 1.64 times the rays of none so, for its tips alone, and 1.24 times with every second pixel, for their shadows as well.
-//!
-//! Rejected: to ask at each point of the grid how wide its cone is on the floor, next to the balls that could shade it. That finds
-//! mirrored shadows too, but `classic` has none that are low and would take 10 % more instructions at 320×240, 19 % at 160×120. With
-//! outlines of less than 12 lines the worst frames have 43 dB, but `classic` at 160×120 takes 11 % more rays.
+//! *Low shadows* lie on a floor that is seen at a grazing angle, and are so low in the picture that they
+//! could lie between two rows of the grid. The [outlines](crate::render::outline) of shadows on the largest
+//! flat object are known. Shadows of less than four lines are traced in full by
+//! [`thin_cells`](super::thin_cells).
 
-use super::super::Grid;
-use super::super::cell::{LARGEST_SIDE, SQUARE};
+use super::super::grid::{Grid, LARGEST_SIDE, SQUARE};
 use super::column_set::ColumnSet;
-use super::taper::{Shade, Taper};
+use super::shadow_on_plane::ShadowOnPlane;
+use super::taper::Taper;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::render::Renderer;
-use crate::render::line_candidates::Span;
-use crate::render::outline::pixel;
+use crate::render::span::{Span, pixel};
 use crate::shape::{Geometry, Tip};
 
-/// The points of the grid that are near something small, in the two rows that a band of lines lies between.
+/// The points near tips and low shadows, in the two rows of the grid that a band lies between.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::render::realtime) struct TipPoints {
     upper: ColumnSet,
     lower: ColumnSet,
+    /// The distance of the grid's points.
     side: usize,
     is_empty: bool,
 }
 
-/// The objects of which a tip is sharp where it is seen, or its shadow. Among more objects than a set holds there would be too many.
-pub(in crate::render::realtime) fn tapering_objects<R: Real, S: Geometry>(
+/// The objects with a tip that is sharp as it is seen, or whose shadow is; none in a scene of more objects
+/// than a set holds, as there would be too many.
+pub(super) fn tapering_objects<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     grid: Grid,
 ) -> ObjectSet {
-    // Which rows they are near does not matter here.
+    // Any rows will do: only the returned value is used.
     let is_sharp =
         |object: usize| TipPoints::none(renderer.width, grid).add_tips(renderer, grid, (0, 0), object);
     renderer.scene.objects_where(is_sharp).unwrap_or(ObjectSet::NONE)
@@ -53,27 +49,28 @@ impl TipPoints {
         Self { upper: none, lower: none, side, is_empty: true }
     }
 
-    /// Those of the rows `top` and `bottom`, if there are some: near low shadows, and near the tips of these objects. What is said of a
-    /// row depends on nothing else.
-    #[inline(never)]
-    pub(in crate::render::realtime) fn new<R: Real, S: Geometry>(
+    /// The points of the rows `top` and `bottom` near low shadows and near the tips of these objects, if
+    /// there are any. The points of a row depend on nothing but the row.
+    pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         grid: Grid,
         rows: (u16, u16),
         tapering: ObjectSet,
     ) -> Option<Self> {
-        let mut close = Self::none(renderer.width, grid);
-        let half = close.half();
+        let mut points = Self::none(renderer.width, grid);
+        let half = points.half();
         for outline in renderer.outlines.low_shadows(LARGEST_SIDE as u32) {
-            close.add(rows, |row| outline.lines(row.saturating_sub(half), row.saturating_add(half)));
+            points.add(rows, |row| outline.lines(row.saturating_sub(half), row.saturating_add(half)));
         }
         for object in tapering {
-            close.add_tips(renderer, grid, rows, object);
+            points.add_tips(renderer, grid, rows, object);
         }
-        (!close.is_empty).then_some(close)
+        (!points.is_empty).then_some(points)
     }
 
-    /// Adds the sharp tips of an object, and their shadows on the largest flat object. Tells whether it has any.
+    /// Adds the points near the sharp tips of an object, and near their shadows on the largest flat object.
+    /// Returns whether a tip or a shadow is sharp as it is seen.
+    // Called for every object before the first band, and for every band: one copy is enough.
     #[inline(never)]
     fn add_tips<R: Real, S: Geometry>(
         &mut self,
@@ -87,11 +84,13 @@ impl TipPoints {
         let half = R::Setup::from_u16(self.half());
         let mut any = false;
         for tip in scene.tips(object).filter(Tip::is_sharp) {
-            // First the tip, then its shadows.
-            let shades =
-                scene.lights.iter().filter_map(|light| Some(Some(Shade::new(&light.source, plane?)?)));
-            for shade in core::iter::once(None).chain(shades) {
-                let Some(taper) = Taper::new(viewport, &tip, shade.as_ref(), grid) else { continue };
+            let shadows = scene
+                .lights
+                .iter()
+                .filter_map(|light| Some(Some(ShadowOnPlane::new(&light.source, plane?)?)));
+            // The tip itself, without a shadow, and then each shadow of it.
+            for shadow in core::iter::once(None).chain(shadows) {
+                let Some(taper) = Taper::new(viewport, &tip, shadow.as_ref(), grid) else { continue };
                 any = true;
                 self.add(rows, |row| {
                     let middle = R::Setup::from_u16(row) + R::Setup::from_f32(0.5);
@@ -106,30 +105,32 @@ impl TipPoints {
         any
     }
 
-    /// Adds the points that are near some pixels, which `near` tells for the lines around a row.
-    fn add(&mut self, (top, bottom): (u16, u16), near: impl Fn(u16) -> Span) {
+    /// Adds the points near some pixels: `pixels` returns those on the lines around a row.
+    fn add(&mut self, (top, bottom): (u16, u16), pixels: impl Fn(u16) -> Span) {
         let half = self.half();
-        for (row, places) in [(top, &mut self.upper), (bottom, &mut self.lower)] {
-            let Span { start, end } = near(row);
+        for (row, columns) in [(top, &mut self.upper), (bottom, &mut self.lower)] {
+            let Span { start, end } = pixels(row);
             if start < end {
-                places.add(Span { start: start.saturating_sub(half), end: end.saturating_add(half) });
+                columns.add(Span { start: start.saturating_sub(half), end: end.saturating_add(half) });
                 self.is_empty = false;
             }
         }
     }
 
-    /// Half the distance between points.
+    /// Half the distance of the grid's points.
     fn half(&self) -> u16 {
         (self.side / 2) as u16
     }
 
-    /// Whether something is near a pixel in this column and so many lines below the upper row, if that stands for others.
+    /// Whether something is near the pixel in column `x`, `below` lines under the upper row. Only pixels of
+    /// the grid, and of a grid half as wide in cells of eight pixels, are ever near something.
+    // Kept out of line: few scenes have such points.
     #[inline(never)]
     pub(in crate::render::realtime) fn are_near(&self, x: u32, below: usize) -> bool {
         // Sides are powers of two.
-        let stands_for_others = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;
+        let is_point = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;
         let is_upper = below & (self.side - 1) != 0 || below == 0;
         let is_lower = below != 0;
-        stands_for_others && (is_upper && self.upper.hold(x) || is_lower && self.lower.hold(x))
+        is_point && (is_upper && self.upper.hold(x) || is_lower && self.lower.hold(x))
     }
 }

@@ -1,50 +1,50 @@
-//! What is so small that it could hide between the points of the grid, where that is not known before the first ray: thin things that are
-//! mirrored or refracted, or stand in the way to a light, and highlights.
+//! Watches the rays of traced pixels for small things beside them, whose place is not known before the first
+//! ray: thin things that are mirrored, refracted or stand before a light, and highlights.
 //!
-//! A point of the grid stands for the pixels up to half the diagonal of a cell away, and one of half the grid for half of that. Where one
-//! of these could see something tiny, as the [`Cone`] around the ray tells, the square is traced in full. Asked at points of the grid and
-//! of half the grid alone, that is a fifth to a half fewer instructions than at every traced pixel.
+//! A corner of a cell stands for the pixels up to half the cell's diagonal away. In cells of eight pixels,
+//! the points halfway between the corners stand for half of that. If one of these pixels could see something
+//! tiny, as the [`Cone`] around the ray tells, the squares around the point are traced in full. Other points
+//! than these are not watched.
 //!
-//! Among more objects than a set holds, a hierarchy finds what is near a cone, and only sticks are looked for: rows of them lose most.
-//! A fence of 60 poles then is byte for byte as the exact picture, for an eighth more rays. With those that are four times as long as wide,
-//! a chain of rings made of 60 balls and short cylinders would take three times the rays, and with all that is small, 91 balls twice.
+//! A scene with more objects than a set holds is searched with its hierarchy, and only for slender things:
+//! shadows and mirror images of rows of poles suffer most, and a search for all small things would trace most
+//! of the picture.
 
-use super::super::Grid;
-use super::super::cell::SQUARE;
+use super::super::grid::{Grid, SQUARE};
 use super::super::sample::Near;
 use super::cone::Cone;
+use super::footprint::Footprint;
 use super::sweep::Sweep;
+use crate::material::PreparedMaterial;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::candidates::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
 use crate::render::Renderer;
 use crate::shape::{Form, Geometry, Hull};
 
-/// Among more objects than a set holds, what is looked for is so many times as long as wide.
-const SLENDER: u16 = 8;
+/// Among more objects than a set holds, only things this many times as long as wide are searched for.
+const SLENDERNESS: u16 = 8;
 
-/// The objects that could hide, where there are any.
+/// What the rays of a picture are watched for.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::render::realtime) struct Tiny<R> {
+struct Targets<R> {
     grid: Grid,
-    /// Of a ray from the eye.
+    /// The cone of a ray from the eye through a point of the grid.
     cone: Cone<R>,
-    /// Unit vectors to the right and up.
+    /// Unit vectors to the right and up in the picture.
     sides: [Vec3<R>; 2],
-    /// Thin ones; `None`, where there is no set: any could be that is slender.
+    /// The objects that may be thin. `None`: the scene has no sets, and any slender object may be.
     thin: Option<ObjectSet>,
 }
 
-impl<R: Real> Tiny<R> {
-    pub(in crate::render::realtime) fn new<S: Geometry>(
-        renderer: &Renderer<'_, '_, R, S>,
-        grid: Grid,
-    ) -> Option<Self> {
+impl<R: Real> Targets<R> {
+    /// `None` if a scene has neither thin nor glossy objects.
+    fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
         let (scene, eye) = (renderer.scene, renderer.viewport.eye());
         let has_sets = scene.objects_where(|_| true).is_some();
-        let cone = Cone::new(&renderer.viewport, grid, if has_sets { 0 } else { SLENDER });
+        let cone = Cone::new(&renderer.viewport, grid, if has_sets { 0 } else { SLENDERNESS });
         let can_be_thin = |hull: Hull<R>| {
-            // What is mirrored is seen from farther away.
+            // In a mirror, the hull is seen from farther away.
             let distance = (hull.center - eye).length();
             cone.after(distance + distance).is_wider(&hull)
         };
@@ -52,50 +52,49 @@ impl<R: Real> Tiny<R> {
         let is_glossy = |object| scene.material(object).is_some_and(|material| material.specular > R::ZERO);
         let thin =
             scene.objects_where(is_thin).or_else(|| (!scene.any_object(is_thin)).then_some(ObjectSet::NONE));
-        let has_thin = thin.is_none_or(|thin| !thin.is_empty());
-        (has_thin || scene.any_object(is_glossy)).then_some(Self {
-            grid,
-            cone,
-            thin,
-            sides: renderer.viewport.sides(),
-        })
+        let targets = Self { grid, cone, sides: renderer.viewport.sides(), thin };
+        (targets.has_thin() || scene.any_object(is_glossy)).then_some(targets)
     }
 
-    /// Whether anything can be thin.
+    /// Whether any object may be thin.
     fn has_thin(&self) -> bool {
         self.thin.is_none_or(|thin| !thin.is_empty())
     }
 }
 
-/// Watches the rays of one pixel after the other for what is tiny beside them.
+/// Watches the rays of one pixel after another for small things beside them.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::render::realtime) struct Watch<R> {
-    tiny: Tiny<R>,
-    /// Around a ray from the eye, and around what leaves the last hit.
+    targets: Targets<R>,
+    /// The cone of the pixel's ray from the eye.
     first: Cone<R>,
+    /// The cone of the rays that leave the last hit.
     cone: Cone<R>,
+    /// What has been found beside the rays of the pixel.
     pub(in crate::render::realtime) near: Near,
-    /// Whether no other point stands for half of what this one does.
-    is_least: bool,
+    /// Whether no other point stands for a smaller part of the picture than this one.
+    stands_for_least: bool,
 }
 
-/// A ray, and whether it is from the eye.
+/// A ray, and whether it comes from the eye.
 type Watched<R> = (Ray<R>, bool);
 
 impl<R: Real> Watch<R> {
-    pub(in crate::render::realtime) fn new(tiny: Tiny<R>) -> Self {
-        Self { tiny, first: tiny.cone, cone: tiny.cone, near: Near::Nothing, is_least: false }
+    /// `None` if there is nothing to watch for.
+    pub(super) fn new<S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
+        let targets = Targets::new(renderer, grid)?;
+        let (first, cone) = (targets.cone, targets.cone);
+        Some(Self { targets, first, cone, near: Near::Nothing, stands_for_least: false })
     }
 
-    /// For the rays of one point of a cell, if that stands for others: a corner for all up to half the cell's diagonal away, and in cells
-    /// of eight pixels each fourth for half of that.
+    /// Begins the pixel at point (x, y) of a cell; `None` if the pixel does not stand for others.
     pub(in crate::render::realtime) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
-        let (place, side) = (x | y, self.tiny.grid.pixels());
-        self.is_least = side <= SQUARE || place % side != 0;
+        let (place, side) = (x | y, self.targets.grid.pixels());
+        self.stands_for_least = side <= SQUARE || place % side != 0;
         self.first = if place % side == 0 {
-            self.tiny.cone
+            self.targets.cone
         } else if place % SQUARE == 0 {
-            self.tiny.cone.halved()
+            self.targets.cone.halved()
         } else {
             return None;
         };
@@ -103,12 +102,8 @@ impl<R: Real> Watch<R> {
         Some(self)
     }
 
-    /// Whether cones are followed from one hit to the next, and not only highlights looked for.
-    pub(in crate::render::realtime) fn follows(&self) -> bool {
-        self.tiny.has_thin()
-    }
-
-    /// A ray hits something, and would be mirrored this way.
+    /// A ray hits something. `mirrored` is the direction of the mirrored ray there.
+    // Cold, and kept out of line: else the tracing of every pixel would need its registers.
     #[cold]
     #[inline(never)]
     pub(in crate::render::realtime) fn hit<S: Geometry>(
@@ -118,57 +113,44 @@ impl<R: Real> Watch<R> {
         hit: Hit<R>,
         mirrored: Vec3<R>,
     ) {
-        let cone = self.look(scene, watched, hit.t);
+        let cone = self.look_beside(scene, watched, hit.t);
         let Some(material) = scene.material(hit.object) else { return };
-        let (has_thin, glossy) = (self.tiny.has_thin(), watched.1 && material.specular > R::ZERO);
-        if !(has_thin || glossy) {
+        let (has_thin, is_glossy) = (self.targets.has_thin(), watched.1 && material.specular > R::ZERO);
+        if !(has_thin || is_glossy) {
             return;
         }
-        let (direction, point, normal) = (watched.0.direction, hit.surface.point, hit.surface.normal);
-        let footprint = cone.footprint(direction, normal);
-        let sweep = || {
-            let normal_beside = |step| scene.normal_beside(hit.object, &hit.surface, step);
-            // What a map turns is turned beside it too.
-            let bump = if material.maps.is_empty() {
-                Vec3::ZERO
-            } else {
-                hit.surface.shading_normal - normal_beside(Vec3::ZERO)
-            };
-            Sweep::new(&footprint, self.tiny.sides, (direction, mirrored), |step| normal_beside(step) + bump)
-        };
-        let mut glint = None;
-        let (facing, ..) = normal.facing(direction);
+        let (surface, direction) = (&hit.surface, watched.0.direction);
+        let footprint = Footprint::new(cone, direction, surface.normal);
+        let (sides, directions) = (self.targets.sides, (direction, mirrored));
+        let find_sweep = || sweep_at(scene, &hit, material, &footprint, sides, directions);
+        let mut sweep = None;
+        let (facing, ..) = surface.normal.facing(direction);
         for light in scene.lights {
             if self.near == Near::Tiny {
                 break;
             }
-            let Some((toward, distance, _)) = light.seen_from(point, facing) else { continue };
-            if has_thin {
-                let shadow = Ray { origin: point, direction: toward };
-                let beside = |_| footprint.reach();
-                let is_near = scene.any_beside((&shadow, distance), beside, self.tiny.thin, |object| {
-                    footprint.can_be_shaded(&shadow, distance, scene.hulls(object))
-                });
-                if is_near {
-                    self.near = Near::Tiny;
-                }
+            let Some((toward, distance, _)) = light.seen_from(surface.point, facing) else { continue };
+            let shadow = Ray { origin: surface.point, direction: toward };
+            if has_thin && self.can_be_shaded(scene, &footprint, &shadow, distance) {
+                self.near = Near::Tiny;
             }
-            // One that is a right angle aside is not looked for: most need no sweep.
-            if glossy && self.near < Near::Tiny && toward.dot(mirrored) > R::ZERO {
-                let sweep = *glint.get_or_insert_with(sweep);
-                let near = sweep.nearness(toward, &material.shininess, self.is_least);
+            // A light more than a right angle from the mirrored direction makes no highlight.
+            if is_glossy && self.near < Near::Tiny && toward.dot(mirrored) > R::ZERO {
+                let sweep = *sweep.get_or_insert_with(find_sweep);
+                let near = sweep.nearness(toward, &material.shininess, self.stands_for_least);
                 self.near = self.near.max(near);
             }
         }
         if has_thin {
             self.cone = match scene.form(hit.object) {
-                Some(Form::Ball { radius, .. }) => cone.opened(radius),
-                _ => cone.turned(glint.unwrap_or_else(sweep).reach_squared().sqrt()),
+                Some(Form::Ball { radius, .. }) => cone.opened_by_ball(radius),
+                _ => cone.opened(sweep.unwrap_or_else(find_sweep).reach_squared().sqrt()),
             };
         }
     }
 
     /// A ray hits nothing.
+    // Cold, and kept out of line, like `hit`.
     #[cold]
     #[inline(never)]
     pub(in crate::render::realtime) fn miss<S: Geometry>(
@@ -176,28 +158,62 @@ impl<R: Real> Watch<R> {
         scene: &PreparedScene<'_, R, S>,
         watched: Watched<R>,
     ) {
-        self.look(scene, watched, R::FARTHEST);
+        self.look_beside(scene, watched, R::FARTHEST);
     }
 
-    /// Looks for thin things beside a ray up to this distance; the cone there. What is beside one from the eye is known. A ray that leaves
-    /// a hit later than another one does begins with what that has left: with more than its own.
+    /// Searches for thin things beside a ray, up to this distance; returns the rest of the cone from there
+    /// on. What lies beside a ray from the eye is known. The second ray that leaves a hit begins with the
+    /// cone that the first has left behind, which is wider than its own.
+    // Called from two places: one copy is enough.
     #[inline(never)]
-    fn look<S: Geometry>(
+    fn look_beside<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        (ray, is_first): Watched<R>,
+        (ray, is_from_eye): Watched<R>,
         distance: R,
     ) -> Cone<R> {
-        if is_first {
+        if is_from_eye {
             return self.first.after(distance);
         }
         let cone = self.cone;
         let can_see = |object| cone.can_see(&ray, distance, scene.hulls(object));
-        if self.tiny.has_thin()
-            && scene.any_beside((&ray, distance), |end| cone.radius_at(end), self.tiny.thin, can_see)
+        if self.targets.has_thin()
+            && scene.any_beside((&ray, distance), |end| cone.radius_at(end), self.targets.thin, can_see)
         {
             self.near = Near::Tiny;
         }
         cone.after(distance)
     }
+
+    /// Whether something thin can stand between a footprint and a light, which is at `distance` along the ray
+    /// `shadow`.
+    fn can_be_shaded<S: Geometry>(
+        &self,
+        scene: &PreparedScene<'_, R, S>,
+        footprint: &Footprint<R>,
+        shadow: &Ray<R>,
+        distance: R,
+    ) -> bool {
+        let can_shade = |object| footprint.can_be_shaded(shadow, distance, scene.hulls(object));
+        scene.any_beside((shadow, distance), |_| footprint.reach(), self.targets.thin, can_shade)
+    }
+}
+
+/// The sweep of a hit's footprint. A map that turns the normal at the hit turns the normals beside it in the
+/// same way.
+fn sweep_at<R: Real, S: Geometry>(
+    scene: &PreparedScene<'_, R, S>,
+    hit: &Hit<R>,
+    material: &PreparedMaterial<'_, R>,
+    footprint: &Footprint<R>,
+    sides: [Vec3<R>; 2],
+    directions: (Vec3<R>, Vec3<R>),
+) -> Sweep<R> {
+    let normal_beside = |step| scene.normal_beside(hit.object, &hit.surface, step);
+    let bump = if material.maps.is_empty() {
+        Vec3::ZERO
+    } else {
+        hit.surface.shading_normal - normal_beside(Vec3::ZERO)
+    };
+    Sweep::new(footprint, sides, directions, |step| normal_beside(step) + bump)
 }
