@@ -59,12 +59,12 @@
 //!
 //! # Exact and realtime
 //!
-//! [`Renderer::draw`] traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
+//! [`Renderer::draw`] with a line of colors traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
 //! outlines in the picture, so that each line knows what it can show; each light knows what can stand in its way; and more
 //! than 32 objects lie in a hierarchy of boxes. Where a processor tests four boxes at once, neighboring pixels of a line go through
 //! that together.
-//! [`Renderer::draw_realtime`] traces a grid of pixels, more where neighbors differ in what they saw, and interpolates the rest; see
-//! [`Realtime`] for what that gains and costs.
+//! With memory from [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ in what they saw, and
+//! interpolates the rest: [`Realtime`] says what this gains and costs, and [`Quality`] how to choose.
 //!
 //! # Conventions
 //!
@@ -127,8 +127,7 @@ pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Pattern, Progress,
-    Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Tone,
-    Transfer,
+    Quality, Quantizer, Realtime, RealtimeBuffer, Renderer, Sample, Settings, SettingsError, Tone, Transfer,
 };
 #[cfg(feature = "serde")]
 pub use scene::BytesError;

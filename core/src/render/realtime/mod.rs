@@ -95,16 +95,8 @@ mod thin;
 mod tiny;
 mod tracer;
 
-pub use frame::RealtimeFrame;
+pub use frame::RealtimeBuffer;
 pub use sample::Sample;
-
-use core::ops::Range;
-
-use embedded_graphics::draw_target::DrawTarget;
-
-use super::{DisplayColor, DrawError, LineError, Renderer};
-use crate::math::Real;
-use crate::shape::Geometry;
 
 /// How much realtime quality may differ from the exact picture.
 ///
@@ -204,48 +196,5 @@ impl Realtime {
             return 0;
         }
         (width as usize).div_ceil(self.grid.pixels()) * self.grid.pixels() + 1
-    }
-}
-
-/// The memory that realtime quality is drawn in.
-#[derive(Debug)]
-pub struct RealtimeBuffer<'b, C> {
-    /// A band of lines: [`Realtime::colors`].
-    pub colors: &'b mut [C],
-    /// What is known of one line: [`Realtime::samples`].
-    pub samples: &'b mut [Sample],
-}
-
-impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
-    /// As [`draw`](Self::draw), in realtime quality: one `fill_contiguous` per band of lines.
-    ///
-    /// # Errors
-    /// A buffer of the wrong length, before the first pixel; or the display's own error.
-    pub fn draw_realtime<D>(
-        &self,
-        quality: Realtime,
-        display: &mut D,
-        buffer: RealtimeBuffer<'_, D::Color>,
-    ) -> Result<(), DrawError<D::Error>>
-    where
-        D: DrawTarget,
-        D::Color: DisplayColor,
-    {
-        let mut frame = self.realtime_frame(0..self.height(), quality, buffer)?;
-        while !frame.step(display, u32::MAX)?.is_done() {}
-        Ok(())
-    }
-
-    /// As [`frame`](Self::frame), in realtime quality. The lines may begin and end anywhere.
-    ///
-    /// # Errors
-    /// Where a buffer has the wrong length, or the picture has no such lines.
-    pub fn realtime_frame<'r, 'b, C: DisplayColor>(
-        &'r self,
-        lines: Range<u32>,
-        quality: Realtime,
-        buffer: RealtimeBuffer<'b, C>,
-    ) -> Result<RealtimeFrame<'r, 'm, 'b, R, S, C>, LineError> {
-        RealtimeFrame::new(self, lines, quality, buffer)
     }
 }
