@@ -10,12 +10,14 @@ mod interleave;
 mod line;
 mod line_candidates;
 mod outline;
+mod outlines;
 mod painter;
 mod pattern;
 mod quality;
 mod quantize;
 mod realtime;
 mod settings;
+mod span;
 mod tone;
 mod unchanged;
 
@@ -33,7 +35,7 @@ pub use tone::Tone;
 
 use core::ops::Range;
 
-use line_candidates::Outlines;
+use outlines::Outlines;
 
 use embedded_graphics::draw_target::DrawTarget;
 
