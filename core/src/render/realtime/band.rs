@@ -67,6 +67,7 @@ pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
 
 impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     /// For a picture in colors of type `C`, of which no lines are to be drawn yet.
+    #[inline]
     pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
