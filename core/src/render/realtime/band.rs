@@ -208,7 +208,8 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         Seen {
             is_thin,
             is_next_thin: is_thin && band.thin.holds(next),
-            // The constant says whether any shape has rims. If none has, the compiler leaves out what follows.
+            // The constant says whether any shape has rims. If none has, the compiler leaves out what
+            // follows.
             has_rim: S::Prepared::<'m, R>::HAS_RIMS
                 && detail == Detail::Full
                 && self.small.has_rim(band.left, band.top),
