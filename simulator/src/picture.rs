@@ -5,7 +5,6 @@
 
 use core::fmt;
 use core::mem::MaybeUninit;
-use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::limits::LINES_AT_ONCE;
