@@ -51,7 +51,7 @@ impl<'o> LineCandidates<'o> {
     }
 
     /// If no object can be seen in pixel `x`, the next pixel in which one can be. `x` must not decrease.
-    #[inline(always)]
+    #[inline]
     pub(super) fn nothing_until(&mut self, x: u16) -> Option<u16> {
         if x >= self.until {
             self.look_up(x);
@@ -61,7 +61,7 @@ impl<'o> LineCandidates<'o> {
 
     /// The candidates of the ray through pixel `x`, for which [`nothing_until`](Self::nothing_until) was
     /// called last.
-    #[inline(always)]
+    #[inline]
     pub(super) fn sight(&mut self, x: u16) -> Sight<'_> {
         if x >= self.shades_until {
             self.look_up_shadows(x);
@@ -69,7 +69,6 @@ impl<'o> LineCandidates<'o> {
         Sight { among: self.current, shades: &self.shades }
     }
 
-    #[inline(never)]
     fn look_up(&mut self, x: u16) {
         self.current = ObjectSet::NONE;
         self.until = u16::MAX;
@@ -80,7 +79,6 @@ impl<'o> LineCandidates<'o> {
         }
     }
 
-    #[inline(never)]
     fn look_up_shadows(&mut self, x: u16) {
         self.shades.among = self.outlines.others;
         self.shades_until = u16::MAX;

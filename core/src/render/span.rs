@@ -14,7 +14,7 @@ impl Span {
     pub(super) const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
 
     /// Whether the span holds pixel `x`. Lowers `until` to the next pixel at which that changes.
-    #[inline(always)]
+    #[inline]
     pub(super) fn change_after(self, x: u16, until: &mut u16) -> bool {
         let is_inside = x >= self.start && x < self.end;
         let change = if is_inside { self.end } else { self.start };

@@ -67,8 +67,6 @@ impl<N: Real> Conic<N> {
 
     /// The outline in a picture with this half width and half height in pixels. Nowhere, if `front` is not
     /// positive in the middle: then the conic is the other half of the cone, behind the eye.
-    // Called for three kinds of outlines: one copy is enough.
-    #[inline(never)]
     pub(super) fn outline(&self, (width, height): (N, N), front: Option<Affine<N>>) -> Outline {
         let Self { uu, uv, vv, u, v, one } = *self;
         // On the line v the conic ends at u = (uv·v + u ± √(−p2 v² + 2 p1 v + p0)) / a.

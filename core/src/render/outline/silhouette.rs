@@ -50,8 +50,6 @@ impl<N: Real> Vantage<N> {
     }
 
     /// The outline of a ball.
-    // Called for objects and for shadows: one copy is enough.
-    #[inline(never)]
     pub(in crate::render) fn outline(&self, center: Vec3<N>, radius: N) -> Outline {
         let c = center - self.point;
         let distance = c.length();

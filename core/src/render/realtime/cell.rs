@@ -42,13 +42,13 @@ impl Cell {
         Self { points: [Sample::BLANK; POINTS * POINTS], rows: [0; POINTS], columns: [0; POINTS] };
 
     /// The point at (x, y).
-    #[inline(always)]
+    #[inline]
     pub(super) fn get(&self, x: usize, y: usize) -> Sample {
         self.points.get(y * POINTS + x).copied().unwrap_or(Sample::BLANK)
     }
 
     /// The points of a row.
-    #[inline(always)]
+    #[inline]
     pub(super) fn row(&self, y: usize) -> &[Sample] {
         self.points.get(y * POINTS..).unwrap_or_default()
     }
@@ -60,7 +60,7 @@ impl Cell {
     }
 
     /// Sets the point at (x, y).
-    #[inline(always)]
+    #[inline]
     pub(super) fn set(&mut self, x: usize, y: usize, sample: Sample) {
         if let Some(point) = self.points.get_mut(y * POINTS + x) {
             *point = sample;
@@ -80,10 +80,8 @@ impl Cell {
     }
 
     /// Interpolates the points between the ends of a side.
-    // Called from many places: one copy is enough.
-    #[inline(never)]
     pub(super) fn interpolate_side(&mut self, side: Side) {
-        self.side_mut(side).interpolate(side.length);
+        self.side_mut(side).interpolate(side.length());
     }
 
     /// Fills the inside of a square, row by row, between the points on its left and its right side.
@@ -107,13 +105,13 @@ impl Cell {
 
     /// Sets where edges cross a side.
     pub(super) fn set_crossings(&mut self, side: Side, crossings: u8) {
-        let (x, y) = side.start;
-        let (lines, line, along) = match side.way {
+        let (x, y) = side.start();
+        let (lines, line, along) = match side.way() {
             Way::Right => (&mut self.rows, y, x),
             Way::Down => (&mut self.columns, x, y),
         };
         if let Some(line) = lines.get_mut(line) {
-            let part = ((1u32 << side.length) - 1) << (along & 7);
+            let part = ((1u32 << side.length()) - 1) << (along & 7);
             *line = *line & !(part as u8) | crossings << (along & 7);
         }
     }

@@ -77,7 +77,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     }
 
     /// Folds a hit into the digest of the path.
-    #[inline(always)]
+    #[inline]
     fn fold_hit(&mut self, kind: RayKind, hit: &Hit<R>, color: LinearRgb<R>, mirrored: Vec3<R>) {
         let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
         let surface = &hit.surface;
@@ -101,7 +101,6 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
 
     /// A digest of what the maps of a material say at a hit: the normal, the coefficients and the maps'
     /// cells.
-    #[inline(never)]
     fn digest_of_maps(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
         let uv = |surface: &Surface<R>| self.scene.uv(hit.object, surface);
         let at = material.mapped(&hit.surface, uv);
@@ -116,7 +115,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
 
     /// Folds a light's visibility from the current hit into the digest of the shadows. A light behind the
     /// surface is left out, as one at a grazing angle adds as little.
-    #[inline(always)]
+    #[inline]
     fn fold_light(&mut self, light: usize, toward: Vec3<R>, through: R) {
         let Some(material) = self.material else { return };
         let sharp = material.shininess.is_sharp();

@@ -22,7 +22,7 @@ impl Cell {
     // Called from many places: one copy is enough.
     #[inline(never)]
     pub(super) fn refine_side(&mut self, side: Side, pixels: &mut impl PixelSource) {
-        let length = side.length;
+        let length = side.length();
         let mut samples = self.side_mut(side);
         let mut crossings = 0u8;
         if pixels.differ(samples.get(0), samples.get(length), length) {

@@ -40,7 +40,7 @@ impl Path {
 pub(super) enum Near {
     /// Nothing that is known.
     Nothing,
-    /// A small highlight: every second pixel around is traced.
+    /// A small highlight: pixels between two such points are traced down to every second one.
     Glint,
     /// Something so small that it may lie between all pixels of the grid: every pixel around is traced.
     Tiny,
@@ -64,13 +64,13 @@ impl Sample {
     }
 
     /// An interpolated pixel of this tone, with the digests of `self`.
-    #[inline(always)]
+    #[inline]
     pub(super) fn with_tone(self, tone: Tone) -> Self {
         Self { pair: tone.pair(), rest: self.rest & (GLINT | PATH | SHADE) | u32::from(tone.third()) }
     }
 
     /// A copy of this pixel that counts as not traced.
-    #[inline(always)]
+    #[inline]
     pub(super) fn untraced(self) -> Self {
         Self { rest: self.rest & !TRACED, ..self }
     }
@@ -102,25 +102,25 @@ impl Sample {
     }
 
     /// The color, on the display's scale.
-    #[inline(always)]
+    #[inline]
     pub(super) fn tone(self) -> Tone {
         Tone::of_pair(self.pair, self.rest as u16)
     }
 
     /// Whether two pixels differ in any of the bits `marks`, which are [`SEEN`](Self::SEEN) or none.
-    #[inline(always)]
+    #[inline]
     pub(super) fn marks_differ(self, other: Self, marks: u32) -> bool {
         (self.rest ^ other.rest) & marks != 0
     }
 
     /// Whether at least one of two pixels is near a small highlight.
-    #[inline(always)]
+    #[inline]
     pub(super) fn either_near_glint(self, other: Self) -> bool {
         (self.rest | other.rest) & GLINT != 0
     }
 
     /// Whether both pixels are near a small highlight.
-    #[inline(always)]
+    #[inline]
     pub(super) fn both_near_glint(self, other: Self) -> bool {
         self.rest & other.rest & GLINT != 0
     }
@@ -132,7 +132,7 @@ impl Sample {
     }
 
     /// Whether the tones differ by more than `threshold` in a channel.
-    #[inline(always)]
+    #[inline]
     pub(super) fn differs_in_color(self, other: Self, threshold: u16) -> bool {
         self.tone().differs(other.tone(), threshold)
     }

@@ -15,30 +15,49 @@ pub(super) enum Way {
     Down,
 }
 
-/// A part of a row or a column of a cell.
+/// A part of a row or a column of a cell. In bytes, so that it fits into a register.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
-    /// The first point.
-    pub(super) start: (usize, usize),
-    pub(super) way: Way,
-    /// The distance from the first point to the last.
-    pub(super) length: usize,
+    x: u8,
+    y: u8,
+    way: Way,
+    length: u8,
 }
 
 impl Side {
-    /// The points from `start` to the right.
-    pub(super) const fn right(start: (usize, usize), length: usize) -> Self {
-        Self { start, way: Way::Right, length }
+    /// The points from `start` to the right, as far as `length`.
+    #[inline]
+    pub(super) const fn right((x, y): (usize, usize), length: usize) -> Self {
+        Self { x: x as u8, y: y as u8, way: Way::Right, length: length as u8 }
     }
 
-    /// The points from `start` down.
-    pub(super) const fn down(start: (usize, usize), length: usize) -> Self {
-        Self { start, way: Way::Down, length }
+    /// The points from `start` down, as far as `length`.
+    #[inline]
+    pub(super) const fn down((x, y): (usize, usize), length: usize) -> Self {
+        Self { x: x as u8, y: y as u8, way: Way::Down, length: length as u8 }
+    }
+
+    /// The first point.
+    #[inline]
+    pub(super) fn start(self) -> (usize, usize) {
+        (usize::from(self.x), usize::from(self.y))
+    }
+
+    #[inline]
+    pub(super) fn way(self) -> Way {
+        self.way
+    }
+
+    /// The distance from the first point to the last.
+    #[inline]
+    pub(super) fn length(self) -> usize {
+        usize::from(self.length)
     }
 
     /// The point at this distance from the first.
-    pub(super) fn point(&self, i: usize) -> (usize, usize) {
-        let (x, y) = self.start;
+    #[inline]
+    pub(super) fn point(self, i: usize) -> (usize, usize) {
+        let (x, y) = self.start();
         if self.way == Way::Right { (x + i, y) } else { (x, y + i) }
     }
 }
@@ -54,9 +73,9 @@ impl<'c> SideSamples<'c> {
     /// Those of `side`, out of all samples of a cell, row after row.
     #[inline]
     pub(super) fn of(cell: &'c mut [Sample], side: Side) -> Self {
-        let (x, y) = side.start;
+        let (x, y) = side.start();
         let samples = cell.get_mut(y * POINTS + x..).unwrap_or_default();
-        Self { samples, stride: if side.way == Way::Right { 1 } else { POINTS } }
+        Self { samples, stride: if side.way() == Way::Right { 1 } else { POINTS } }
     }
 
     #[inline]

@@ -47,7 +47,7 @@ impl Tolerance {
     }
 
     /// Whether two pixels at this distance differ so much that something may lie between them.
-    #[inline(always)]
+    #[inline]
     pub(super) fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
         if a.marks_differ(b, self.marks) {
             return true;

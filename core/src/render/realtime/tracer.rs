@@ -160,7 +160,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource for Tracer<
         self.trace_for(Purpose::Marks, x, y)
     }
 
-    #[inline(always)]
+    #[inline]
     fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
         self.tolerance.differ(a, b, distance)
     }

@@ -37,8 +37,6 @@ impl Pixels {
 impl Cell {
     /// Traces one pixel in each row and each column. Where the traced pixel differs from the drawn one, its
     /// eight neighbors are traced too, and so on along whatever the cell has missed.
-    // Kept out of line: only cells with rims need it.
-    #[inline(never)]
     pub(super) fn verify(&mut self, side: usize, pixels: &mut impl PixelSource) {
         // The row in which each column's pixel lies.
         let rows: &[u8] = match side {

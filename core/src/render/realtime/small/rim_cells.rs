@@ -42,8 +42,6 @@ impl RimCells {
     }
 
     /// The cells of a picture that may show a rim or its shadow, if there are any.
-    // Kept out of line: it needs much stack, once.
-    #[inline(never)]
     pub(super) fn new<R: Real, S: Geometry>(renderer: &Renderer<'_, '_, R, S>, grid: Grid) -> Option<Self> {
         if !S::Prepared::<'_, R>::HAS_RIMS {
             return None;
@@ -74,8 +72,6 @@ impl RimCells {
 
     /// Adds the squares in which a rim, or its shadow, is seen. The rim of a flat part wider than a cell is
     /// left out.
-    // Called twice for each rim: one copy is enough.
-    #[inline(never)]
     fn add_rim<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,

@@ -31,8 +31,6 @@ impl<N: Real<Setup = N>> ShadowOnPlane<N> {
 
     /// The place where the shadow of a point falls; `None` if the light does not shine past the point toward
     /// the plane, or nearly along the plane.
-    // Called for tips and rims: one copy is enough.
-    #[inline(never)]
     pub(super) fn shadow(&self, point: Vec3<N>) -> Option<Vec3<N>> {
         let toward = self.light - point * self.share;
         let (height, rise) = (self.normal.dot(point) - self.distance, self.normal.dot(toward));

@@ -23,8 +23,6 @@ impl<N: Real<Setup = N>> Stadium<N> {
     /// A point c, relative to the camera, is seen at f · c / c_z. A point at distance δ from it is seen
     /// elsewhere by f · (δ c_z - c δ_z) / (c_z (c_z + δ_z)), which is at most f · r |c| / (c_z (c_z - r)) for
     /// a hull of radius r. That is largest at one of the corners.
-    // Called for every hull of a scene, from two places: one copy is enough.
-    #[inline(never)]
     pub(super) fn new<R: Real<Setup = N>>(viewport: &Viewport<R>, hull: &Hull<R>) -> Option<Self> {
         let radius = hull.radius.to_setup();
         let (mut places, mut count) = ([(N::ZERO, N::ZERO); CORNERS], 0);
@@ -111,7 +109,6 @@ impl<N: Real<Setup = N>> Stadium<N> {
 
 /// The place of the picture where a point is seen: [`Viewport::project`], in one copy for all callers in this
 /// folder.
-#[inline(never)]
 pub(super) fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
     viewport: &Viewport<R>,
     point: Vec3<N>,

@@ -23,8 +23,6 @@ pub(super) enum Beside {
 
 /// Whether one of the hulls of a shape is thin beside a ray, as `beside` finds out, and at least
 /// `slenderness` times as long as wide. The first hull encloses all others.
-// Called for rays and for shadow rays: one copy is enough.
-#[inline(never)]
 pub(super) fn any_thin<R: Real>(
     slenderness: R,
     mut hulls: impl Iterator<Item = Hull<R>>,
@@ -90,8 +88,6 @@ impl<R: Real> Stick<R> {
     /// How thick it is beside a ray that ends at `distance`, within the cone that has `radius(t, direction)`
     /// at a distance from the ray's origin and into a unit direction; `None` if it does not reach into the
     /// cone.
-    // Called for rays and for shadow rays: one copy is enough.
-    #[inline(never)]
     pub(super) fn beside(
         &self,
         ray: &Ray<R>,

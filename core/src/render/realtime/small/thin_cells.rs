@@ -54,8 +54,6 @@ impl ThinCells {
 
     /// Adds the cells that show something thin of an object between two heights. It is known that the object
     /// is seen within the span `known` at most. Returns a span that is the same or shorter.
-    // Called for every object of every band, from two places: one copy is enough.
-    #[inline(never)]
     pub(in crate::render::realtime) fn add_object<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,

@@ -71,8 +71,6 @@ impl TipPoints {
 
     /// Adds the points near the sharp tips of an object, and near their shadows on the largest flat object.
     /// Returns whether a tip or a shadow is sharp as it is seen.
-    // Called for every object before the first band, and for every band: one copy is enough.
-    #[inline(never)]
     fn add_tips<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
@@ -130,8 +128,6 @@ impl TipPoints {
 
     /// Whether something is near the pixel in column `x`, `below` lines under the upper row. Only pixels of
     /// the grid, and of a grid half as wide in cells of eight pixels, are ever near something.
-    // Kept out of line: few scenes have such points.
-    #[inline(never)]
     fn are_near(&self, x: u32, below: usize) -> bool {
         // Sides are powers of two.
         let is_point = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;

@@ -150,9 +150,7 @@ impl<R: Real> Watch<R> {
     }
 
     /// A ray hits nothing.
-    // Cold, and kept out of line, like `hit`.
     #[cold]
-    #[inline(never)]
     pub(in crate::render::realtime) fn miss<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
@@ -164,8 +162,6 @@ impl<R: Real> Watch<R> {
     /// Searches for thin things beside a ray, up to this distance; returns the rest of the cone from there
     /// on. What lies beside a ray from the eye is known. The second ray that leaves a hit begins with the
     /// cone that the first has left behind, which is wider than its own.
-    // Called from two places: one copy is enough.
-    #[inline(never)]
     fn look_beside<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
