@@ -43,7 +43,7 @@ pub(super) struct Counted {
     mesh: Figures,
     many: Figures,
     /// The bytes of code that the hierarchy takes more than the candidates. In fixed point it is 0, because
-    /// there are no groups.
+    /// pixels are not traced side by side.
     hierarchy: f64,
     /// The instructions of a ray, relative to those on an M4F.
     slowness: f64,

@@ -64,8 +64,7 @@ impl Band {
 
 /// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
 #[derive(Debug)]
-pub(super) struct BandPainter<'p, 'm, R: Real, S: Geometry + 'm> {
-    renderer: &'p Renderer<'p, 'm, R, S>,
+pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
     /// When rays end.
     bounds: Bounds<R>,
     /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
@@ -82,22 +81,15 @@ pub(super) struct BandPainter<'p, 'm, R: Real, S: Geometry + 'm> {
     budget: Budget,
 }
 
-impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
-    /// For a picture of which this many `lines` are to be drawn, in colors of type `C`.
-    // Kept out of line, and `begin` too: else their stack stays in use while cells are drawn (820 bytes more for
-    // `classic` on an M4F).
-    #[inline(never)]
-    pub(super) fn new<C: DisplayColor>(
-        renderer: &'p Renderer<'p, 'm, R, S>,
-        quality: Realtime,
-        lines: u32,
-    ) -> Self {
+impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
+    /// For a picture in colors of type `C`, of which no lines are to be drawn yet.
+    #[inline]
+    pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
         let unlit_bounds = Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds };
         Self {
-            renderer,
             bounds: Bounds { cutoff, ..renderer.bounds },
             unlit: Traced { scene: unlit, bounds: unlit_bounds },
             quality,
@@ -105,7 +97,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
             row: None,
             nothing: nothing_met::<R, S, C>(renderer),
             cell: Cell::BLANK,
-            budget: Budget::new(quality.budget_rays, lines),
+            budget: Budget::new(quality.budget_rays, 0),
         }
     }
 
@@ -120,21 +112,21 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
     }
 
     /// Begins the band that holds the first of the `lines` that are still to be drawn.
-    // Kept out of line: see `new`.
+    // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F).
     #[inline(never)]
-    pub(super) fn begin(&mut self, lines: &Range<u32>) -> Band {
+    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band {
         let side = self.quality.grid.pixels();
         let top = lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
         self.budget.share(side as u32, lines.end.saturating_sub(lines.start));
         let rows = (top as u16, bottom as u16);
-        let mut thin = self.small.thin_cells(self.renderer.width, self.quality.grid);
-        let strip = Strip::new(self.renderer, rows, &mut thin);
+        let mut thin = self.small.thin_cells(renderer.width, self.quality.grid);
+        let strip = Strip::new(renderer, rows, &mut thin);
         if strip.is_none() {
-            thin.add_all(self.renderer, rows);
+            thin.add_all(renderer, rows);
         }
-        thin.add_shadows(self.renderer, rows);
-        let tips = self.small.tip_points(self.renderer, self.quality.grid, rows);
+        thin.add_shadows(renderer, rows);
+        let tips = self.small.tip_points(renderer, self.quality.grid, rows);
         Band { top, left: 0, has_top: self.row == Some(top), is_left_refined: false, strip, thin, tips }
     }
 
@@ -142,11 +134,12 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
     #[inline]
     pub(super) fn draw_cell<C: DisplayColor>(
         &mut self,
+        renderer: &Renderer<'_, 'm, R, S>,
         band: &mut Band,
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> u32 {
-        let spent = self.draw_next(band, buffer, probe);
+        let spent = self.draw_next(renderer, band, buffer, probe);
         self.budget.spend(spent);
         spent.all
     }
@@ -154,15 +147,15 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
     /// Draws the next cell of a band into the buffer; returns the rays that it took.
     fn draw_next<C: DisplayColor>(
         &mut self,
+        renderer: &Renderer<'_, 'm, R, S>,
         band: &mut Band,
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> Spent {
-        let renderer = self.renderer;
         let (side, left) = (self.quality.grid.pixels(), band.left as usize);
         let (settings, width) = (&renderer.settings, usize::from(renderer.width));
         let paint = Paint { settings, width, left, top: band.top, side };
-        let among = self.objects_shown(band, side);
+        let among = objects_shown(renderer, band, side);
         if let Some(nothing) = self.nothing
             && among.is_empty()
         {
@@ -208,15 +201,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
         Spent { all, row, refined: all - grid }
     }
 
-    /// The objects that the next cell can show; all, if that is not known.
-    fn objects_shown(&self, band: &Band, side: usize) -> ObjectSet {
-        let (first, last) = (band.left as u16, (band.left as usize + side) as u16);
-        let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
-        // Beyond the right end of the picture it is not known.
-        let is_inside = band.left + (side as u32) < self.renderer.width();
-        shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all())
-    }
-
     /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
     fn seen(&self, band: &Band, detail: Detail) -> Seen {
         let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
@@ -224,7 +208,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
         Seen {
             is_thin,
             is_next_thin: is_thin && band.thin.holds(next),
-            // The constant says whether any shape has rims. If none has, the compiler leaves out what follows.
+            // The constant says whether any shape has rims. If none has, the compiler leaves out what
+            // follows.
             has_rim: S::Prepared::<'m, R>::HAS_RIMS
                 && detail == Detail::Full
                 && self.small.has_rim(band.left, band.top),
@@ -260,10 +245,22 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
         let side = self.quality.grid.pixels() as u32;
         band.is_left_refined = is_left_refined;
         band.left += side;
-        if band.left >= self.renderer.width() {
-            self.row = Some(band.top + side);
-        }
+        // What counts is the value that the band's last cell leaves.
+        self.row = Some(band.top + side);
     }
+}
+
+/// The objects that the next cell can show; all, if that is not known.
+fn objects_shown<R: Real, S: Geometry>(
+    renderer: &Renderer<'_, '_, R, S>,
+    band: &Band,
+    side: usize,
+) -> ObjectSet {
+    let (first, last) = (band.left as u16, (band.left as usize + side) as u16);
+    let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
+    // Beyond the right end of the picture it is not known.
+    let is_inside = band.left + (side as u32) < renderer.width();
+    shown.filter(|_| is_inside).unwrap_or_else(|| renderer.scene.all())
 }
 
 /// The corners of a cell, and the rays that the lower right one took. The left corners are known from the

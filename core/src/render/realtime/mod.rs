@@ -19,21 +19,26 @@
 //! # The way of a band
 //!
 //! A *cell* is the square between four neighboring pixels of the grid; a *band* is the row of cells, and so
-//! the lines, between two rows of the grid. [`frame`] draws one band after another: 1. [`budget`] sets how
-//! many rays the band may take, and so how closely it is drawn. 2. [`strip`] finds the objects that each cell
-//! of the band can show, and [`small`] the things in it that are so small that no pixel of the grid may see
-//! them. 3. [`band`] goes through the cells from left to right. The corners of a cell are traced, unless the
-//! cell to the left or the band above has traced them already. 4. [`tracer`] traces a pixel, and returns a
-//! [`sample`]: a tone, and two digests of what the rays met. The digests are made by [`marks`], a probe that
-//! watches the rays. Small things beside the rays are found at the same time. 5. [`plan`] compares the
-//! corners within a [`tolerance`], and decides how the cell is drawn. If no corners differ and nothing thin
-//! is seen, all pixels are interpolated. If something thin is seen, all are traced. 6. Else [`refine`] draws
-//! the sides of the [`cell`], and then the inside in squares of four pixels, along straight [`edge`]s or by
-//! tracing their middles. It calls back to the tracer through [`pixel_source`]. 7. If the rim of a mesh may
-//! be seen, [`verify`] traces a few pixels of the drawn cell and follows what was missed. 8. [`paint`] turns
-//! the tones of the cell into colors of the band's lines. The bottom row of the cell is handed to the band
-//! below, the right column to the next cell. 9. Once all cells of the band are drawn, its lines go to the
-//! display.
+//! the lines, between two rows of the grid. [`painter`] draws one band after another:
+//! 1. [`budget`] sets how many rays the band may take, and so how closely it is drawn.
+//! 2. [`strip`] finds the objects that each cell of the band can show, and [`small`] the things in it that
+//!    are so small that no pixel of the grid may see them.
+//! 3. [`band`] goes through the cells from left to right. The corners of a cell are traced, unless the cell
+//!    to the left or the band above has traced them already.
+//! 4. [`tracer`] traces a pixel, and returns a [`sample`]: a tone, and two digests of what the rays met. The
+//!    digests are made by [`marks`], a probe that watches the rays. Small things beside the rays are found at
+//!    the same time.
+//! 5. [`plan`] compares the corners within a [`tolerance`], and decides how the cell is drawn. If no corners
+//!    differ and nothing thin is seen, all pixels are interpolated. If something thin is seen, all are
+//!    traced.
+//! 6. Else [`refine`] draws the sides of the [`cell`], and then the inside in squares of four pixels, along
+//!    straight [`edge`]s or by tracing their middles. It gets pixels from the tracer through
+//!    [`pixel_source`].
+//! 7. If the rim of a mesh may be seen, [`verify`] traces a few pixels of the drawn cell and follows what was
+//!    missed.
+//! 8. [`paint`] turns the tones of the cell into colors of the band's lines. The bottom row of the cell is
+//!    handed to the band below, the right column to the next cell.
+//! 9. Once all cells of the band are drawn, its lines go to the display.
 //!
 //! # What is kept
 //!
@@ -52,10 +57,10 @@ mod band;
 mod budget;
 mod cell;
 mod edge;
-mod frame;
 mod grid;
 mod marks;
 mod paint;
+mod painter;
 mod pixel_source;
 mod plan;
 mod quality;
@@ -68,58 +73,7 @@ mod tolerance;
 mod tracer;
 mod verify;
 
-pub use frame::RealtimeFrame;
 pub use grid::Grid;
+pub use painter::RealtimeBuffer;
 pub use quality::Realtime;
 pub use sample::Sample;
-
-use core::ops::Range;
-
-use embedded_graphics::draw_target::DrawTarget;
-
-use super::{DisplayColor, DrawError, LineError, Renderer};
-use crate::math::Real;
-use crate::shape::Geometry;
-
-/// The memory that realtime quality is drawn in.
-#[derive(Debug)]
-pub struct RealtimeBuffer<'b, C> {
-    /// A band of lines: [`Realtime::colors`].
-    pub colors: &'b mut [C],
-    /// What is known of one line: [`Realtime::samples`].
-    pub samples: &'b mut [Sample],
-}
-
-impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
-    /// As [`draw`](Self::draw), in realtime quality: one `fill_contiguous` per band of lines.
-    ///
-    /// # Errors
-    /// A buffer of the wrong length, before the first pixel; or the display's own error.
-    pub fn draw_realtime<D>(
-        &self,
-        quality: Realtime,
-        display: &mut D,
-        buffer: RealtimeBuffer<'_, D::Color>,
-    ) -> Result<(), DrawError<D::Error>>
-    where
-        D: DrawTarget,
-        D::Color: DisplayColor,
-    {
-        let mut frame = self.realtime_frame(0..self.height(), quality, buffer)?;
-        while !frame.step(display, u32::MAX)?.is_done() {}
-        Ok(())
-    }
-
-    /// As [`frame`](Self::frame), in realtime quality. The lines may begin and end anywhere.
-    ///
-    /// # Errors
-    /// Where a buffer has the wrong length, or the picture has no such lines.
-    pub fn realtime_frame<'r, 'b, C: DisplayColor>(
-        &'r self,
-        lines: Range<u32>,
-        quality: Realtime,
-        buffer: RealtimeBuffer<'b, C>,
-    ) -> Result<RealtimeFrame<'r, 'm, 'b, R, S, C>, LineError> {
-        RealtimeFrame::new(self, lines, quality, buffer)
-    }
-}

@@ -1,4 +1,4 @@
-//! What the cells of a few neighboring lines can show.
+//! The objects that the cells of a few neighboring lines can show.
 
 use super::super::Renderer;
 use super::small::{ThinCells, heights};
@@ -7,7 +7,7 @@ use crate::prepared::candidates::ObjectSet;
 use crate::render::span::Span;
 use crate::shape::Geometry;
 
-/// What each place of a strip of lines can show.
+/// The columns in which each object can be seen on a strip of lines.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strip {
     spans: [Span; ObjectSet::CAPACITY],
@@ -15,8 +15,9 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// The candidates for the pixel centers of the lines from `top` to `bottom`, both included; `None` where they
-    /// are not known. Where something may be thin, its hulls tell more closely than its outline, and `thin` learns it.
+    /// The objects that pixel centers on the lines from `top` to `bottom`, both included, can show; `None` if they
+    /// are not known. Objects that may be thin are placed by their hulls, which are closer than outlines; their
+    /// places are added to `thin`.
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),
