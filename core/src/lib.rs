@@ -59,12 +59,12 @@
 //!
 //! # Exact and realtime
 //!
-//! [`Renderer::draw`] traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
+//! [`Renderer::draw`] with a line of colors traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
 //! outlines in the picture, so that each line knows what it can show; each light knows what can stand in its way; and more
 //! than 32 objects lie in a hierarchy of boxes. Where a processor tests four boxes at once, neighboring pixels of a line go through
 //! that together.
-//! [`Renderer::draw_realtime`] traces a grid of pixels, more where neighbors differ in what they saw, and interpolates the rest; see
-//! [`Realtime`] for what that gains and costs.
+//! With memory from [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ in what they saw, and
+//! interpolates the rest: [`Realtime`] says what this gains and costs, and [`Quality`] how to choose.
 //!
 //! # Conventions
 //!
@@ -81,21 +81,8 @@
 //!
 //! # Features
 //!
-//! - `candidates`, on unless left out: scenes of up to [`FEW_OBJECTS`](limits::FEW_OBJECTS) know which objects each line, light and
-//!   surface can have to do with. Without it every ray is tested against every object: the same bytes, later, and 11 KB less of flash.
-//!   [`Realtime`] quality wants it: without it small objects may fall between the pixels that are traced.
-//! - `hierarchy`, on unless left out: a hierarchy of boxes for scenes of more objects. Without it every ray of those is tested against every object: the same bytes, later,
-//!   and 12 KB less of flash.
-//! - `groups`, on unless left out: neighboring pixels of such scenes are traced side by side, in floating point. Without it they have the same
-//!   bytes, in twice the time, and there is 15 KB less of flash and 3 KB less of stack.
-//! - `optics`, on unless left out: colored glass and metal, Fresnel's shares, absorption, light of surfaces' own, lamps with falloff
-//!   and cones, ambient light. Without it a scene that has one of them is refused.
-//! - `textures`, on unless left out: patterns and images, and backgrounds that differ from one direction to another. Without it there
-//!   are solid colors and checkers in space; a scene that has more is refused.
-//! - `serde`: scenes from files and to files, see the module `read`; on a device from bytes in flash, `SceneBuf::from_bytes`.
-//! - `bake`: scenes as Rust source, for build scripts: see the module `bake`.
-//! - `std`: the standard library's square root. Changes no byte.
-//! - `micromath`: micromath's square roots for `f32`, refined: faster without an FPU, other bytes.
+//! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and in stack.
+//! [`Scene::features`] lists those that a scene needs.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 
@@ -140,8 +127,7 @@ pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Pattern, Progress,
-    Quantizer, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample, Settings, SettingsError, Tone,
-    Transfer,
+    Quality, Quantizer, Realtime, RealtimeBuffer, Renderer, Sample, Settings, SettingsError, Tone, Transfer,
 };
 #[cfg(feature = "serde")]
 pub use scene::BytesError;

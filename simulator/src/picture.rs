@@ -7,11 +7,12 @@ use core::fmt;
 use core::mem::MaybeUninit;
 use core::ops::Range;
 
-use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::limits::LINES_AT_ONCE;
 use rayline::math::Fixed;
 use rayline::{
-    DisplayColor, LineError, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, SettingsError,
+    DisplayColor, Light16, LineError, PreparedScene, Quantizer, RayCounts, Real, Renderer, Scene, SceneError,
+    Settings, SettingsError,
 };
 use rayon::prelude::*;
 
@@ -123,7 +124,7 @@ fn render_in<R: Real>(
     let mut rgb = blank(width, height)?;
     let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
     let rays = pool.install(|| match options.mode {
-        Mode::Exact => options.display.color(Lines { renderer, first: lines, rgb: rgb_lines, line_done }),
+        Mode::Exact => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
         Mode::Realtime => options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done }),
     });
     let rays = rays.map_err(RenderError::Line)?;
@@ -146,33 +147,26 @@ fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     Ok(rgb)
 }
 
-/// Some lines that are to be rendered.
+/// Some lines that are to be rendered. They are traced as light, so that the tracer is compiled once for all displays.
 struct Lines<'j, 'm, R: Real> {
     renderer: &'j Renderer<'j, 'm, R>,
-    first: Range<u32>,
-    rgb: &'j mut [u8],
+    options: &'j RenderOptions,
+    first: u32,
     line_done: &'j (dyn Fn() + Sync),
 }
 
-impl<R: Real> ForColor for Lines<'_, '_, R> {
-    type Output = Result<RayCounts, LineError>;
-
-    fn with<C>(self) -> Self::Output
-    where
-        C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
-    {
+impl<R: Real> Lines<'_, '_, R> {
+    fn render(&self, rgb: &mut [u8]) -> Result<RayCounts, LineError> {
         let width = self.renderer.width() as usize;
-        let blank_lines = || vec![C::from(BinaryColor::Off); width * LINES_AT_ONCE];
-        let lines = |colors: &mut Vec<C>, (chunk, pixels): (usize, &mut [u8])| {
+        let blank_lines = || vec![Light16::BLACK; width * LINES_AT_ONCE];
+        let lines = |lights: &mut Vec<Light16>, (chunk, rgb): (usize, &mut [u8])| {
             let mut rays = RayCounts::default();
-            let y = self.first.start + (chunk * LINES_AT_ONCE) as u32;
-            let colors = colors.get_mut(..pixels.len() / 3).unwrap_or_default();
-            self.renderer.lines(y, colors, &mut rays)?;
-            for (pixel, color) in pixels.chunks_exact_mut(3).zip(&*colors) {
-                let color: Rgb888 = (*color).into();
-                pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
-            }
-            (0..colors.len() / width.max(1)).for_each(|_| (self.line_done)());
+            let y = self.first + (chunk * LINES_AT_ONCE) as u32;
+            let lights = lights.get_mut(..rgb.len() / 3).unwrap_or_default();
+            self.renderer.lines(y, lights, &mut rays)?;
+            let RenderOptions { display, settings, .. } = self.options;
+            display.color(Lights { lights, settings, first: y, rgb });
+            (0..lights.len() / width.max(1)).for_each(|_| (self.line_done)());
             Ok(rays)
         };
         let sum = |mut a: RayCounts, b| {
@@ -180,11 +174,31 @@ impl<R: Real> ForColor for Lines<'_, '_, R> {
             Ok(a)
         };
         // A picture without columns has no bytes to share out, whatever the length of a chunk.
-        self.rgb
-            .par_chunks_mut((width * LINES_AT_ONCE * 3).max(1))
+        rgb.par_chunks_mut((width * LINES_AT_ONCE * 3).max(1))
             .enumerate()
             .map_init(blank_lines, lines)
             .try_reduce(RayCounts::default, sum)
+    }
+}
+
+/// Lines of light that are to be turned into a display's colors.
+struct Lights<'l> {
+    lights: &'l [Light16],
+    settings: &'l Settings,
+    first: u32,
+    rgb: &'l mut [u8],
+}
+
+impl ForColor for Lights<'_> {
+    type Output = ();
+
+    fn with<C: DisplayColor + Into<Rgb888>>(self) {
+        let width = self.settings.width;
+        let places = (self.first..).flat_map(|y| (0..width).map(move |x| (x as u16, y as u16)));
+        for ((light, pixel), (x, y)) in self.lights.iter().zip(self.rgb.chunks_exact_mut(3)).zip(places) {
+            let color: Rgb888 = C::from_light(*light, &Quantizer::new(self.settings, x, y)).into();
+            pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
+        }
     }
 }
 

@@ -12,9 +12,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use rayline::{
-    DisplayColor, DrawError, LineError, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
-};
+use rayline::{DisplayColor, DrawError, LineError, RayCounts, Real, Realtime, Renderer, Sample};
 use rayon::prelude::*;
 
 use crate::display::ForColor;
@@ -46,11 +44,10 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
             let width = renderer.width() as u16;
             let mut colors = vec![C::from(BinaryColor::Off); quality.colors(width)];
             let mut samples = vec![Sample::BLANK; quality.samples(width)];
-            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
             let mut canvas =
                 Canvas { width: renderer.width(), first, rgb, color: PhantomData::<C>, line_done };
             let mut rays = RayCounts::default();
-            let mut frame = renderer.realtime_frame(part, quality, buffer)?;
+            let mut frame = renderer.frame(part, quality.lend(&mut colors, &mut samples))?;
             loop {
                 match frame.step_watched(&mut canvas, u32::MAX, &mut rays) {
                     Ok(progress) if progress.is_done() => return Ok(rays),

@@ -149,7 +149,7 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
     /// Draws a picture until the camera is moved; tells whether to go on.
     fn show<C: DisplayColor + Into<Rgb888> + From<Rgb888>>(
         &mut self,
-        frame: &mut Frame<'_, '_, '_, R, rayline::shape::Shape<'_>, C>,
+        frame: &mut Frame<'_, '_, R, rayline::shape::Shape<'_>, &mut [C]>,
         display: &mut SimulatorDisplay<C>,
         window: &mut Window,
     ) -> Result<bool, WindowError> {
@@ -193,7 +193,7 @@ impl<R: Real> ForColor for View<'_, '_, R> {
                 let seen = self.orbit;
                 let renderer = Renderer::new(&prepared, settings).map_err(WindowError::Settings)?;
                 let mut frame = renderer
-                    .frame(0..settings.height, &mut buffer)
+                    .frame(0..settings.height, &mut buffer[..])
                     .map_err(|error| WindowError::Draw(error.into()))?;
                 if !self.show(&mut frame, &mut display, &mut window)? {
                     return Ok(());
@@ -216,7 +216,7 @@ impl<R: Real> ForColor for View<'_, '_, R> {
 
 /// Draws until the window needs to be looked after, or the picture is complete.
 fn draw_for_a_while<R: Real, C: DisplayColor>(
-    frame: &mut Frame<'_, '_, '_, R, rayline::shape::Shape<'_>, C>,
+    frame: &mut Frame<'_, '_, R, rayline::shape::Shape<'_>, &mut [C]>,
     display: &mut SimulatorDisplay<C>,
 ) -> Result<(), WindowError> {
     let start = Instant::now();

@@ -167,7 +167,7 @@ impl<R: Real> Path<R> {
 
     /// Follows the ray at hand, and those that wait, to their end: all of them, or as far as rays are left.
     // Where groups call it as well, one copy is enough.
-    #[cfg_attr(not(feature = "groups"), inline(always))]
+    #[cfg_attr(not(feature = "hierarchy"), inline(always))]
     fn end<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,

@@ -28,7 +28,7 @@
 //! - to bring pixels together that are on one object but not side by side: 1.03 times.
 //!
 //! A ray through glass waits until a mirrored one is done. Pixels that have such rays are finished alone, so that one stack is enough
-//! for all. A group of 16 takes 3 KB of stack in `f32`, and the code 15 KB of flash: the feature `groups`.
+//! for all. A group of 16 takes 3 KB of stack in `f32`, and the code 15 KB of flash: the feature `hierarchy`.
 
 use heapless::Vec;
 
@@ -144,7 +144,7 @@ fn take_run<'l, 'm, R: Real, K: PartialEq>(
 impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
     /// `None` where nothing would be gained.
     pub(crate) fn new(scene: &'p PreparedScene<'m, R, S>) -> Option<Self> {
-        if !cfg!(feature = "groups") || R::REACH.is_some() {
+        if !cfg!(feature = "hierarchy") || R::REACH.is_some() {
             return None;
         }
         Some(Self { scene, hierarchy: scene.hierarchy()?, blockers: [NOTHING; LIGHTS] })

@@ -52,11 +52,6 @@ impl<R: Real> Shininess<R> {
         R::ONE - cosine < (R::ONE - self.least) * share
     }
 
-    /// The sine of the angle at which that share [shows](Self::shows).
-    pub(crate) fn sine_shown(&self, share: f32) -> R {
-        ((R::ONE - self.least) * R::from_f32(2.0 * share)).sqrt()
-    }
-
     /// The power of a cosine; 0 where it is invisible.
     #[inline]
     pub(crate) fn power_of(&self, cosine: R) -> R {

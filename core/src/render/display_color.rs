@@ -42,6 +42,19 @@ pub trait DisplayColor: PixelColor {
     }
 }
 
+impl PixelColor for Light16 {
+    type Raw = ();
+}
+
+/// Light itself, for a program that makes colors of lines later, or for several displays:
+/// [`Renderer::lines`](super::Renderer::lines) into a slice of light, then [`from_light`](DisplayColor::from_light) of the
+/// display's color with [`Quantizer::new`].
+impl DisplayColor for Light16 {
+    fn from_light(light: Light16, _quantizer: &Quantizer) -> Self {
+        light
+    }
+}
+
 impl DisplayColor for Rgb888 {
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.level(light.r, 255), quantizer.level(light.g, 255), quantizer.level(light.b, 255))

@@ -22,7 +22,7 @@ pub struct Interleave {
 
 impl Interleave {
     /// The lines to draw in frame number `frame` of a picture of this height, for
-    /// [`Renderer::frame`](crate::Renderer::frame) or [`Renderer::realtime_frame`](crate::Renderer::realtime_frame).
+    /// [`Renderer::frame`](crate::Renderer::frame) or [`Frame::set_lines`](crate::Frame::set_lines).
     pub fn bands(self, height: u32, frame: u32) -> impl Iterator<Item = Range<u32>> {
         let (lines, every) = (self.lines.max(1), self.every.max(1));
         let first = frame.checked_rem(every).unwrap_or(0);

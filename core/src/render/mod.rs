@@ -3,16 +3,21 @@
 mod digest;
 mod display_color;
 mod error;
+mod exact;
 mod frame;
 mod groups;
 mod interleave;
+mod line;
 mod line_candidates;
 mod outline;
+mod outlines;
 mod painter;
 mod pattern;
+mod quality;
 mod quantize;
 mod realtime;
 mod settings;
+mod span;
 mod tone;
 mod unchanged;
 
@@ -22,16 +27,15 @@ pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use interleave::Interleave;
 pub use pattern::Pattern;
+pub use quality::Quality;
 pub use quantize::{Dither, Light16, Quantizer, Transfer};
-pub use realtime::{Grid, Realtime, RealtimeBuffer, RealtimeFrame, Sample};
+pub use realtime::{Grid, Realtime, RealtimeBuffer, Sample};
 pub use settings::Settings;
 pub use tone::Tone;
 
 use core::ops::Range;
 
-use groups::Groups;
-use line_candidates::Outlines;
-use painter::LinePainter;
+use outlines::Outlines;
 
 use embedded_graphics::draw_target::DrawTarget;
 
@@ -109,7 +113,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     }
 
     /// As [`light_at`](Self::light_at), in another scene and with other bounds.
-    #[inline(always)]
     fn light_in(
         &self,
         scene: &PreparedScene<'m, R, S>,
@@ -170,13 +173,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         let Some(y) = u16::try_from(y).ok().filter(|_| last < self.height()) else {
             return Err(LineError::NoSuchLine { line: last, height: self.height() });
         };
-        if let Some(mut groups) = Groups::new(self, probe) {
-            groups.trace(y, lines, &mut 0, u32::MAX, probe);
-            return Ok(());
-        }
-        for (down, line) in lines.chunks_mut(usize::from(self.width).max(1)).enumerate() {
-            LinePainter::new(self, y.wrapping_add(down as u16)).paint(0, line, u32::MAX, probe);
-        }
+        exact::trace_lines(self, y, lines, &mut 0, u32::MAX, probe);
         Ok(())
     }
 
@@ -203,48 +200,31 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         Ok(if self.width == 0 { 0..0 } else { lines })
     }
 
-    /// Draws the whole picture with its upper left corner at the display's origin, one `fill_contiguous` per
-    /// buffer. The buffer holds one line, or as many whole lines as shall be sent at once.
+    /// Draws the whole picture with its upper left corner at the display's origin: one `fill_contiguous` for each band of
+    /// lines. The lent memory says in which [`Quality`]: `&mut line` draws exactly, with one line or as many whole lines
+    /// as are to be sent together.
     ///
     /// # Errors
-    /// A buffer that does not hold whole lines, before the first pixel; or the display's own error, with the
-    /// line at which [`draw_lines`](Self::draw_lines) goes on.
-    pub fn draw<D>(&self, display: &mut D, buffer: &mut [D::Color]) -> Result<(), DrawError<D::Error>>
+    /// Memory of the wrong length, before the first pixel; or the display's own error, with the line from which a
+    /// [`frame`](Self::frame) goes on.
+    pub fn draw<D, Q>(&self, display: &mut D, quality: Q) -> Result<(), DrawError<D::Error>>
     where
         D: DrawTarget,
-        D::Color: DisplayColor,
+        Q: Quality<Color = D::Color>,
     {
-        self.draw_lines(0..self.height(), display, buffer)
+        self.frame(0..self.height(), quality)?.draw(display)
     }
 
-    /// Draws some lines of the picture, each where it belongs.
+    /// Begins to draw some lines of the picture, each where it belongs. [`Frame::draw`] draws them at once, and
+    /// [`Frame::step`] in steps of bounded work.
     ///
     /// # Errors
-    /// As [`draw`](Self::draw).
-    pub fn draw_lines<D>(
+    /// Memory of the wrong length, or lines that the picture does not have.
+    pub fn frame<Q: Quality>(
         &self,
         lines: Range<u32>,
-        display: &mut D,
-        buffer: &mut [D::Color],
-    ) -> Result<(), DrawError<D::Error>>
-    where
-        D: DrawTarget,
-        D::Color: DisplayColor,
-    {
-        let mut frame = self.frame(lines, buffer)?;
-        while !frame.step(display, u32::MAX)?.is_done() {}
-        Ok(())
-    }
-
-    /// Begins to draw some lines of the picture step by step, each step a bounded amount of work.
-    ///
-    /// # Errors
-    /// Where the buffer does not hold one whole line or several, or the picture has no such lines.
-    pub fn frame<'b, C: DisplayColor>(
-        &self,
-        lines: Range<u32>,
-        buffer: &'b mut [C],
-    ) -> Result<Frame<'p, 'm, 'b, R, S, C>, LineError> {
-        Frame::new(*self, lines, buffer)
+        quality: Q,
+    ) -> Result<Frame<'_, 'm, R, S, Q>, LineError> {
+        Frame::new(self, lines, quality)
     }
 }

@@ -1,91 +1,45 @@
-//! One line of the picture, pixel after pixel.
+//! What a frame needs from each quality.
 
-use super::line_candidates::LineCandidates;
-use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
-use crate::integrator::Sight;
+use core::ops::Range;
+
+use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
 
-/// Renders the pixels of one line, from left to right.
-pub(super) struct LinePainter<'r, 'p, 'm, R: Real, S: Geometry + 'm, C> {
-    renderer: &'r Renderer<'p, 'm, R, S>,
-    y: u16,
-    candidates: Option<LineCandidates<'r>>,
-    /// The display's color of a pixel that sees nothing, where all such pixels have the same.
-    background: Option<C>,
-}
+/// Traces bands of lines in one quality. A [`Frame`](super::Frame) sends each complete band to the display.
+///
+/// The trait is public because [`Quality`](super::Quality) names it, but no path leads to it from outside: this seals
+/// `Quality`.
+pub trait Painter<'m, R: Real, S: Geometry + 'm> {
+    /// The color of the display's pixels.
+    type Color: DisplayColor;
 
-impl<'r, 'p, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'p, 'm, R, S, C> {
-    pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, y: u16) -> Self {
-        let settings = &renderer.settings;
-        let candidates = LineCandidates::new(&renderer.outlines, y);
-        let background = match renderer.scene.background.solid() {
-            Some(color) if settings.dither == Dither::None && settings.samples_per_pixel == 1 => {
-                Some(C::from_light(Light16::new(color), &Quantizer::new(settings, 0, y)))
-            }
-            _ => None,
-        };
-        Self { renderer, y, candidates, background }
-    }
+    /// Drops the current band, because the frame goes on with other lines; so many are to be drawn.
+    fn restart(&mut self, lines_total: u32);
 
-    /// Pixels from column `x` on in the display's colors, until `budget_rays` are spent, and at least one; how many those are, and
-    /// the rays that they took. `x` must not decrease.
-    #[inline(always)]
-    pub(super) fn paint(
+    /// Traces the band of lines that holds the first of `lines`, until it is complete or `budget_rays` are spent. An
+    /// incomplete band gets one unit of work or more. The band stays until [`next_band`](Self::next_band).
+    fn trace(
         &mut self,
-        mut x: u16,
-        pixels: &mut [C],
+        renderer: &Renderer<'_, 'm, R, S>,
+        lines: &Range<u32>,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
-    ) -> (usize, u32) {
-        let (mut painted, mut spent) = (0, 0u32);
-        while let Some(rest) = pixels.get_mut(painted..)
-            && let Some(first) = rest.first_mut()
-        {
-            let mut run = 1;
-            match self.color_until(x, probe) {
-                Some((color, until)) => {
-                    let left = budget_rays.saturating_sub(spent).min(u32::from(until.saturating_sub(x)));
-                    run = rest.len().min(left.max(1) as usize);
-                    rest.iter_mut().take(run).for_each(|pixel| *pixel = color);
-                    spent = spent.saturating_add(run as u32);
-                }
-                None => {
-                    let (color, rays) = self.trace(x, probe);
-                    *first = color;
-                    spent = spent.saturating_add(rays);
-                }
-            }
-            painted += run;
-            x = x.wrapping_add(run as u16);
-            if spent >= budget_rays {
-                break;
-            }
-        }
-        (painted, spent)
-    }
+    ) -> Traced;
 
-    /// The color of the pixels from `x` to another column, where nothing can be seen; each takes a ray.
-    #[inline(always)]
-    fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
-        let until = self.candidates.as_mut()?.nothing_until(x)?;
-        self.background.filter(|_| !probe.is_watching()).map(|color| (color, until))
-    }
+    /// The complete band: the line after it, and its pixels from the first of `lines` on.
+    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[Self::Color]);
 
-    /// Pixel `x` in the display's color. `x` must not decrease.
-    pub(super) fn pixel(&mut self, x: u16) -> C {
-        self.color_until(x, &()).map_or_else(|| self.trace(x, &mut ()).0, |(color, _)| color)
-    }
+    /// Drops the current band, because it is on the display.
+    fn next_band(&mut self);
+}
 
-    /// The color of pixel `x`, and the rays that it took.
-    #[inline(always)]
-    fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let sight = match &mut self.candidates {
-            Some(candidates) => candidates.sight(x),
-            None => Sight::among(self.renderer.scene.all()),
-        };
-        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
-        (C::from_light(Light16::new(light), &Quantizer::new(&self.renderer.settings, x, self.y)), rays)
-    }
+/// What one call of [`Painter::trace`] did.
+#[derive(Clone, Copy, Debug)]
+pub struct Traced {
+    /// The rays that it spent.
+    pub rays: u32,
+    /// Whether the band is complete.
+    pub is_complete: bool,
 }

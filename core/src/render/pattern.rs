@@ -4,7 +4,7 @@ use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Point;
 
-use super::painter::LinePainter;
+use super::line::LinePainter;
 use super::{DisplayColor, DrawError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;

@@ -40,6 +40,9 @@ pub struct Light16 {
 }
 
 impl Light16 {
+    /// No light.
+    pub const BLACK: Self = Self { r: 0, g: 0, b: 0 };
+
     /// Clamps light to what a display can show.
     pub(super) fn new<R: Real>(light: LinearRgb<R>) -> Self {
         Self { r: light.r.to_q16(), g: light.g.to_q16(), b: light.b.to_q16() }
@@ -63,7 +66,8 @@ pub struct Quantizer {
 }
 
 impl Quantizer {
-    pub(super) fn new(settings: &Settings, x: u16, y: u16) -> Self {
+    /// For pixel (x, y) of a picture.
+    pub fn new(settings: &Settings, x: u16, y: u16) -> Self {
         let threshold = match settings.dither {
             Dither::None => 0x8000,
             Dither::Ordered => bayer(x, y) * 1024 + 512,

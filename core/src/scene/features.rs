@@ -6,7 +6,7 @@ use crate::limits::FEW_OBJECTS;
 use crate::material::Material;
 
 /// The features that only make pictures faster: without them they have the same bytes.
-pub const FASTER: [&str; 3] = ["candidates", "groups", "hierarchy"];
+pub const FASTER: [&str; 2] = ["candidates", "hierarchy"];
 
 impl<S> Scene<'_, S> {
     /// The features of this crate that the scene needs, or that make it faster ([`FASTER`]): a program that draws nothing else can
@@ -19,7 +19,6 @@ impl<S> Scene<'_, S> {
         let has_few = self.objects.len() <= FEW_OBJECTS;
         let all = [
             ("candidates", has_few),
-            ("groups", !has_few),
             ("hierarchy", !has_few),
             ("optics", has_optics),
             ("textures", has_textures),
@@ -40,7 +39,7 @@ mod tests {
     fn a_scene_tells_what_it_needs() {
         let needs = |scene: &Scene| scene.features().collect::<Vec<_>>();
         assert_eq!(needs(&CLASSIC), ["candidates"]);
-        assert_eq!(needs(&FLAKE), ["groups", "hierarchy"]);
+        assert_eq!(needs(&FLAKE), ["hierarchy"]);
         let lights = [Light::Ambient { color: LinearRgb::WHITE }];
         assert_eq!(needs(&Scene { lights: &lights, ..CLASSIC }), ["candidates", "optics"]);
         let squares = Squares { even: LinearRgb::WHITE, odd: LinearRgb::gray(0.5) };

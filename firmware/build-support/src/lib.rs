@@ -113,10 +113,15 @@ pub fn write_number() -> Result<Number, Box<dyn Error>> {
         Some("fixed") => (Number::Fixed, "rayline::math::Fixed"),
         Some(other) => return Err(format!("RAYLINE_NUMBER={other}: set it to f32 or fixed").into()),
     };
-    write(
-        "number.rs",
-        &format!("/// The number system that the program computes in.\npub type Number = {name};\n"),
-    )?;
+    let is_float = matches!(number, Number::F32);
+    let text = format!(
+        "/// The number system that the program computes in.
+pub type Number = {name};
+/// Whether the number system is floating point.
+pub const IS_FLOAT: bool = {is_float};
+"
+    );
+    write("number.rs", &text)?;
     Ok(number)
 }
 

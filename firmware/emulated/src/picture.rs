@@ -11,8 +11,8 @@ include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 /// Memory for the prepared scene.
 pub type Memory = Workspace<PREPARED_BYTES>;
 
-/// Lines that are drawn at once: of many objects several, whose pixels are traced side by side.
-pub const LINES: usize = if cfg!(feature = "groups") { LINES_AT_ONCE } else { 1 };
+/// Lines that are drawn at once: several where pixels are traced side by side, which needs many objects and floating point.
+pub const LINES: usize = if cfg!(feature = "hierarchy") && IS_FLOAT { LINES_AT_ONCE } else { 1 };
 
 /// The settings of the renderer.
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };

@@ -5,7 +5,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Geometry;
-use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
+use rayline::{DisplayColor, DrawError, PreparedScene, Renderer};
 
 use crate::fpu;
 use crate::meter::Meter;
@@ -56,8 +56,8 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     buffer: &mut Buffer<D::Color>,
 ) -> Result<(), Fault> {
     let Some(quality) = QUALITY else { return draw_exact(renderer, display, &mut buffer.colors) };
-    let buffer = RealtimeBuffer { colors: &mut buffer.colors, samples: &mut buffer.samples };
-    renderer.draw_realtime(quality, display, buffer).map_err(|error| match error {
+    let quality = quality.lend(&mut buffer.colors, &mut buffer.samples);
+    renderer.draw(display, quality).map_err(|error| match error {
         DrawError::Display { .. } => Fault::Output,
         _ => Fault::Buffer,
     })

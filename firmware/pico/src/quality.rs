@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
+use rayline::{Frame, LineError, Realtime, RealtimeBuffer, Renderer, Sample};
 
 use crate::band::Band;
 use crate::fault::Fault;
@@ -28,8 +28,8 @@ pub(crate) struct Memory {
 /// Lines that are being traced.
 #[derive(Debug)]
 pub(crate) enum Tracing<'r, 'b> {
-    Exact(Frame<'r, 'static, 'b, Number, Set, PanelColor>),
-    Realtime(RealtimeFrame<'r, 'static, 'b, Number, Set, PanelColor>),
+    Exact(Frame<'r, 'static, Number, Set, &'b mut [PanelColor; COLORS]>),
+    Realtime(Frame<'r, 'static, Number, Set, RealtimeBuffer<'b, PanelColor>>),
 }
 
 impl Memory {
@@ -45,10 +45,7 @@ impl Memory {
         let Self { colors, samples } = self;
         Ok(match QUALITY {
             None => Tracing::Exact(renderer.frame(0..0, colors)?),
-            Some(quality) => {
-                let buffer = RealtimeBuffer { colors, samples };
-                Tracing::Realtime(renderer.realtime_frame(0..0, quality, buffer)?)
-            }
+            Some(quality) => Tracing::Realtime(renderer.frame(0..0, quality.lend(colors, samples))?),
         })
     }
 }

@@ -8,9 +8,7 @@ use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
 use rayline::math::Fixed;
-use rayline::{
-    Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
-};
+use rayline::{Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, Renderer, Sample};
 use rayline_orbit::Orbit;
 
 use crate::board::{Board, EmulatorKind, Output};
@@ -82,8 +80,7 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
             let quality = Realtime::new();
             let mut colors = vec![black; quality.colors(picture.size.width)];
             let mut samples = vec![Sample::BLANK; quality.samples(picture.size.width)];
-            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
-            let mut frame = renderer.realtime_frame(0..renderer.height(), quality, buffer)?;
+            let mut frame = renderer.frame(0..renderer.height(), quality.lend(&mut colors, &mut samples))?;
             while !frame
                 .step_watched(&mut canvas, u32::MAX, &mut counts)
                 .ok()

@@ -11,7 +11,7 @@ use rayline::FASTER;
 use serde_json::Value;
 
 use crate::board::Board;
-use crate::picture::{Number, Picture};
+use crate::picture::Picture;
 
 /// The workspace of the firmware.
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
@@ -124,10 +124,8 @@ impl Toolchain {
             command.arg("-Zbuild-std=core");
         }
         let mut features = [board.program.features, features].concat();
-        // In fixed point pixels are not traced side by side.
-        let is_idle = |feature: &str| feature == "groups" && picture.number == Number::Fixed;
         for feature in picture.scene.scene.features() {
-            if !(is_idle(feature) || picture.small && FASTER.contains(&feature)) {
+            if !(picture.small && FASTER.contains(&feature)) {
                 features.push(feature);
             }
         }

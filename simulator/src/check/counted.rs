@@ -42,7 +42,7 @@ pub(super) struct Counted {
     csg: Figures,
     mesh: Figures,
     many: Figures,
-    /// By how much code is longer that has the hierarchy in place of candidates. In fixed point it is no longer: there are no groups.
+    /// By how much code is longer that has the hierarchy in place of candidates. In fixed point it is no longer: pixels are not traced side by side there.
     hierarchy: f64,
     /// How many times the instructions of an M4F a ray takes.
     slowness: f64,

@@ -13,7 +13,7 @@ mod counted;
 use core::fmt;
 
 use rayline::math::Fixed;
-use rayline::{PreparedScene, Real, Renderer, Scene, SceneError, Settings};
+use rayline::{PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, Settings};
 
 pub use boards::{BOARDS, Board};
 use counted::Counted;
@@ -95,7 +95,8 @@ impl Traced {
         let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
         for y in 0..settings.height as u16 {
             for x in 0..settings.width as u16 {
-                let (_, rays) = renderer.pixel(x, y, &mut ());
+                // The probe of pictures: with another one the tracer would be compiled once more.
+                let (_, rays) = renderer.pixel(x, y, &mut RayCounts::default());
                 traced.worst_rays = traced.worst_rays.max(rays);
                 traced.rays += u64::from(rays);
             }

@@ -8,8 +8,7 @@ use rayline::builtin::{PRISM, WHITTED};
 use rayline::math::Fixed;
 use rayline::{
     Background, Encoding, Ends, Event, Fault, Filter, Image, LinearRgb, Object, Panorama, Part, Pixels,
-    PreparedScene, Probe, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Sky,
-    Transfer, Vec3,
+    PreparedScene, Probe, RayKind, Real, Realtime, Renderer, Sample, Scene, Settings, Sky, Transfer, Vec3,
 };
 use rayline_tests::textbook::background_in;
 use rayline_tests::{
@@ -193,8 +192,7 @@ fn realtime(renderer: &Renderer<f32>, quality: Realtime) -> Picture {
     let width = renderer.width() as u16;
     let mut colors = vec![Rgb888::BLACK; quality.colors(width)];
     let mut samples = vec![Sample::BLANK; quality.samples(width)];
-    let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
-    renderer.draw_realtime(quality, &mut screen, buffer).expect("a picture");
+    renderer.draw(&mut screen, quality.lend(&mut colors, &mut samples)).expect("a picture");
     let pixels = screen.picture().iter().map(|color| [color.r(), color.g(), color.b()]).collect();
     Picture { width: renderer.width(), pixels }
 }

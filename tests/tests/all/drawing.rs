@@ -13,8 +13,8 @@ use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Progress,
-    Realtime, RealtimeBuffer, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
-    Vec3, Workspace, prepared_bytes,
+    Realtime, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer, Vec3, Workspace,
+    prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -90,7 +90,7 @@ fn assert_steps(scene: &Scene, most_beyond: u32, smallest_step: usize) {
         for (budget, lines) in [(0, 1), (1, 1), (7, 1), (50, 3), (300, 8), (10_000, 1)] {
             let mut screen = Screen::new(renderer);
             let mut buffer = vec![Rgb888::BLACK; 37 * lines];
-            let mut frame = renderer.frame(0..23, &mut buffer).expect("a frame");
+            let mut frame = renderer.frame(0..23, &mut buffer[..]).expect("a frame");
             let mut steps = 0;
             loop {
                 let progress = frame.step(&mut screen, budget).expect("a step");
@@ -154,7 +154,7 @@ fn some_lines_are_drawn_where_they_belong() {
     with_renderer(&CLASSIC, SMALL, |renderer| {
         let expected = picture(renderer);
         let mut screen = Screen::new(renderer);
-        renderer.draw_lines(5..9, &mut screen, &mut [Rgb888::BLACK; 37]).expect("drawn");
+        renderer.frame(5..9, &mut [Rgb888::BLACK; 37]).expect("a frame").draw(&mut screen).expect("drawn");
         for (i, pixel) in screen.pixels.iter().enumerate() {
             let inside = (5 * 37..9 * 37).contains(&i);
             assert_eq!(*pixel, inside.then(|| expected[i]));
@@ -175,7 +175,7 @@ fn a_display_that_fails_at_any_pixel_can_be_drawn_again_from_there() {
             assert_eq!(error, DrawError::Display { line, error: Unplugged });
             assert!(screen.pixels[failing].is_none());
             screen.pixels_until_failure = None;
-            renderer.draw_lines(line..7, &mut screen, &mut buffer).expect("drawn");
+            renderer.frame(line..7, &mut buffer).expect("a frame").draw(&mut screen).expect("drawn");
             assert!(screen.picture() == expected);
         }
     });
@@ -211,7 +211,7 @@ fn wrong_buffers_and_lines_are_refused_before_the_first_pixel() {
             let wrong = LineError::BufferLength { given, width: 37 };
             assert_eq!(renderer.line(0, &mut buffer), Err(wrong));
             let mut screen = Screen::new(renderer);
-            assert_eq!(renderer.draw(&mut screen, &mut buffer), Err(DrawError::Line(wrong)));
+            assert_eq!(renderer.draw(&mut screen, &mut buffer[..]), Err(DrawError::Line(wrong)));
             assert!(screen.windows.is_empty());
         }
         let mut buffer = [Rgb888::BLACK; 37];
@@ -262,8 +262,8 @@ fn no_lines_are_drawn_wherever_they_would_begin() {
 
             let mut colors = vec![Rgb888::BLACK; quality.colors(37)];
             let mut samples = vec![Sample::BLANK; quality.samples(37)];
-            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
-            let mut frame = renderer.realtime_frame(lines, quality, buffer).expect("nothing to draw");
+            let mut frame =
+                renderer.frame(lines, quality.lend(&mut colors, &mut samples)).expect("nothing to draw");
             let progress = frame.step(&mut screen, u32::MAX).expect("nothing to fail");
             assert_eq!((progress.lines_total, progress.rays), (0, 0));
             assert!(screen.windows.is_empty());
@@ -341,7 +341,7 @@ fn pictures_of_every_size_are_defined() {
             }
             if width == 0 || height == 0 {
                 let mut screen = Screen::new(renderer);
-                renderer.draw(&mut screen, &mut line).unwrap_or_else(|error| {
+                renderer.draw(&mut screen, &mut line[..]).unwrap_or_else(|error| {
                     // A picture without lines still wants a buffer that could hold one.
                     panic!("{width}x{height}: {error}")
                 });

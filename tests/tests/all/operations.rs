@@ -4,7 +4,7 @@
 use std::mem::MaybeUninit;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use rayline::{PreparedScene, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings};
+use rayline::{PreparedScene, Real, Realtime, Renderer, Sample, Scene, Settings};
 use rayline_tests::{Counted, Operations, Screen, operations_of, with_scene};
 
 /// The picture in exact mode or realtime quality, and what drawing it took once the scene was prepared.
@@ -15,12 +15,11 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
     let mut screen = Screen::new(&renderer);
     let width = settings.width as u16;
     let ((), operations) = operations_of(|| match quality {
-        None => renderer.draw(&mut screen, &mut vec![Rgb888::BLACK; width.into()]).unwrap(),
+        None => renderer.draw(&mut screen, &mut vec![Rgb888::BLACK; width.into()][..]).unwrap(),
         Some(quality) => {
             let mut colors = vec![Rgb888::BLACK; quality.colors(width)];
             let mut samples = vec![Sample::BLANK; quality.samples(width)];
-            let buffer = RealtimeBuffer { colors: &mut colors, samples: &mut samples };
-            renderer.draw_realtime(quality, &mut screen, buffer).unwrap();
+            renderer.draw(&mut screen, quality.lend(&mut colors, &mut samples)).unwrap();
         }
     });
     (screen.picture(), operations)

@@ -51,8 +51,8 @@ impl Memory {
         }
     }
 
-    fn lend(&mut self) -> RealtimeBuffer<'_, Rgb888> {
-        RealtimeBuffer { colors: &mut self.colors, samples: &mut self.samples }
+    fn lend(&mut self, quality: Realtime) -> RealtimeBuffer<'_, Rgb888> {
+        quality.lend(&mut self.colors, &mut self.samples)
     }
 }
 
@@ -60,7 +60,7 @@ impl Memory {
 fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl Probe<R>) -> Picture {
     let mut screen = Screen::new(renderer);
     let mut memory = Memory::new(renderer, quality);
-    let mut frame = renderer.realtime_frame(0..renderer.height(), quality, memory.lend()).expect("a frame");
+    let mut frame = renderer.frame(0..renderer.height(), memory.lend(quality)).expect("a frame");
     while !frame.step_watched(&mut screen, u32::MAX, probe).expect("a step").is_done() {}
     picture_on(&screen)
 }
@@ -487,7 +487,7 @@ const SMALL: Settings = Settings { bounces: 3, ..Settings::new(61, 43) };
 /// Draws some lines on their own.
 fn draw_part(renderer: &Renderer<f32>, quality: Realtime, lines: Range<u32>, screen: &mut Screen) {
     let mut memory = Memory::new(renderer, quality);
-    let mut frame = renderer.realtime_frame(lines, quality, memory.lend()).expect("a frame");
+    let mut frame = renderer.frame(lines, memory.lend(quality)).expect("a frame");
     while !frame.step(screen, u32::MAX).expect("a step").is_done() {}
 }
 
@@ -525,7 +525,7 @@ fn check_order(scene: &Scene, settings: Settings) {
             assert!(picture_on(&screen) == expected);
             // One frame goes on with other lines, some of which follow the last, and some of which it leaves before they are drawn.
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
-            let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
+            let mut frame = renderer.frame(0..43, memory.lend(quality)).expect("a frame");
             for lines in [16..24, 24..40, 3..9, 40..43, 9..16, 0..3] {
                 frame.set_lines(lines).expect("lines");
                 while !frame.step(&mut screen, u32::MAX).expect("a step").is_done() {}
@@ -553,7 +553,7 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
         let expected = realtime(renderer, quality, &mut ());
         for budget in [0, 1, 7, 50, 10_000] {
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
-            let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
+            let mut frame = renderer.frame(0..43, memory.lend(quality)).expect("a frame");
             let mut lines = 0;
             loop {
                 let progress = frame.step(&mut screen, budget).expect("a step");
@@ -579,7 +579,7 @@ fn drawing_goes_on_after_a_failing_display() {
             // In the same frame, and with the lines that are left in another one.
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
             screen.pixels_until_failure = Some(failure);
-            let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
+            let mut frame = renderer.frame(0..43, memory.lend(quality)).expect("a frame");
             let error = loop {
                 if let Err(error) = frame.step(&mut screen, 100) {
                     break error;
@@ -682,7 +682,7 @@ fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
         ] {
             let mut memory =
                 Memory { colors: vec![Rgb888::BLACK; given.0], samples: vec![Sample::BLANK; given.1] };
-            let error = renderer.realtime_frame(0..43, quality, memory.lend()).unwrap_err();
+            let error = renderer.frame(0..43, memory.lend(quality)).unwrap_err();
             let expected = if fewer {
                 LineError::BandLength { given: given.0, needed: colors }
             } else {
@@ -691,7 +691,7 @@ fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
             assert_eq!(error, expected);
         }
         let mut memory = Memory::new(renderer, quality);
-        let error = renderer.realtime_frame(40..44, quality, memory.lend()).unwrap_err();
+        let error = renderer.frame(40..44, memory.lend(quality)).unwrap_err();
         assert_eq!(error, LineError::NoSuchLine { line: 43, height: 43 });
     });
 }

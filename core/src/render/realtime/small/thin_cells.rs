@@ -1,18 +1,17 @@
-//! Where something is seen that is so thin that it could hide between the points of the grid.
+//! The cells that can show something so thin that it may lie unseen between the points of the grid. They are
+//! traced in full.
 
-use super::super::Renderer;
-use super::super::line_candidates::Span;
-use super::super::outline::pixel;
-use super::Grid;
-use super::cell::SQUARE;
-use super::places::Places;
+use super::super::grid::{Grid, SQUARE};
+use super::column_set::ColumnSet;
 use super::stadium::Stadium;
 use crate::hierarchy::Wedge;
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
+use crate::render::Renderer;
+use crate::render::span::{Span, pixel};
 use crate::shape::{Geometry, Hull};
 
-/// The objects of which a hull is thin where it is seen; `None` where a scene has more than a set holds.
+/// The objects with a hull that is thin as it is seen; `None` if a scene has more objects than a set holds.
 pub(super) fn thin_objects<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     grid: Grid,
@@ -22,26 +21,25 @@ pub(super) fn thin_objects<R: Real, S: Geometry>(
     renderer.scene.objects_where(|object| renderer.scene.hulls(object).any(is_thin))
 }
 
-/// The places of a strip of lines at which something thin can be seen.
+/// The cells of a band that can show something thin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ThinPlaces {
-    /// A bit for a column of cells.
-    places: Places,
+pub(in crate::render::realtime) struct ThinCells {
+    /// A bit stands for one column of cells, or for several.
+    columns: ColumnSet,
     grid: Grid,
-    /// The objects of which something may be thin. Where there is no set, all may be, and what is not narrow does not count: there would
-    /// be too much of it.
+    /// The objects that may have a thin hull. `None`: any object may, and only hulls narrower than a cell
+    /// count, as scenes of many objects have too many of the others.
     objects: Option<ObjectSet>,
 }
 
-impl ThinPlaces {
-    /// None yet, in a picture of this width.
+impl ThinCells {
+    /// No cells, in a picture of this width.
     pub(super) fn none(width: u16, grid: Grid, objects: Option<ObjectSet>) -> Self {
-        Self { places: Places::none(width, grid.pixels().trailing_zeros()), grid, objects }
+        Self { columns: ColumnSet::none(width, grid.pixels().trailing_zeros()), grid, objects }
     }
 
-    /// Adds what is thin on the lines from `top` to `bottom`, both included.
-    #[inline(never)]
-    pub(super) fn add_all<R: Real, S: Geometry>(
+    /// Adds the cells with something thin on the lines from `top` to `bottom`, both included.
+    pub(in crate::render::realtime) fn add_all<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         lines: (u16, u16),
@@ -54,10 +52,11 @@ impl ThinPlaces {
         });
     }
 
-    /// Adds what is thin between two heights of an object that is seen within a span of columns, if at all; tells where it is seen there,
-    /// more closely.
+    /// Adds the cells that show something thin of an object between two heights. It is known that the object
+    /// is seen within the span `known` at most. Returns a span that is the same or shorter.
+    // Called for every object of every band, from two places: one copy is enough.
     #[inline(never)]
-    pub(super) fn add_object<R: Real, S: Geometry>(
+    pub(in crate::render::realtime) fn add_object<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         object: usize,
@@ -71,22 +70,23 @@ impl ThinPlaces {
                 continue;
             };
             if let Some((left, right)) = stadium.extent(upper, lower) {
-                let place = known.common(Span { start: pixel(left, -1), end: pixel(right, 2) });
-                all = all.hull(place);
+                let span = known.common(Span { start: pixel(left, -1), end: pixel(right, 2) });
+                all = all.hull(span);
                 let is_thin = match self.objects {
                     Some(_) => stadium.is_thin(self.grid),
                     None => stadium.is_narrow(self.grid),
                 };
                 if is_thin {
-                    self.add(place);
+                    self.add(span);
                 }
             }
         }
         known.common(all)
     }
 
-    /// Adds the shadows on the lines from `top` to `bottom`, both included, that are so low that every second line may miss them.
-    pub(super) fn add_shadows<R: Real, S: Geometry>(
+    /// Adds the cells with shadows less than four lines high on the lines from `top` to `bottom`, both
+    /// included: every second line may miss such a shadow.
+    pub(in crate::render::realtime) fn add_shadows<R: Real, S: Geometry>(
         &mut self,
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),
@@ -96,26 +96,27 @@ impl ThinPlaces {
         }
     }
 
-    /// Adds all cells that have one of these pixels, or end at it.
+    /// Adds all cells that have one of these pixels, or whose right side is one of them.
     fn add(&mut self, span: Span) {
         if span.start < span.end {
-            self.places.add(Span { start: span.start.saturating_sub(1), ..span });
+            self.columns.add(Span { start: span.start.saturating_sub(1), ..span });
         }
     }
 
-    /// Whether something of an object may be thin.
-    pub(super) fn may_have(&self, object: usize) -> bool {
+    /// Whether an object may have a thin hull.
+    pub(in crate::render::realtime) fn may_have(&self, object: usize) -> bool {
         self.objects.is_none_or(|objects| objects.contains(object))
     }
 
     /// Whether the cell that begins in this column can show something thin.
-    pub(super) fn holds(&self, left: u32) -> bool {
-        self.places.hold(left)
+    pub(in crate::render::realtime) fn holds(&self, left: u32) -> bool {
+        self.columns.hold(left)
     }
 }
 
-/// The heights of some lines, both included, with a pixel of room for rounding.
-pub(super) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
+/// The heights between which the lines from `top` to `bottom` lie, both included, with a pixel of room for
+/// rounding.
+pub(in crate::render::realtime) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup) {
     let half = R::Setup::from_f32(0.5);
     (R::Setup::from_u16(top) - half, R::Setup::from_u16(bottom) + half + R::Setup::ONE)
 }
@@ -124,15 +125,15 @@ pub(super) fn heights<R: Real>((top, bottom): (u16, u16)) -> (R::Setup, R::Setup
 mod tests {
     use super::*;
 
-    /// The first columns of the cells that hold something.
+    /// The first columns of the cells that are held, after some spans are added.
     fn held(width: u16, grid: Grid, spans: &[(u16, u16)]) -> Vec<u32> {
-        let mut places = ThinPlaces::none(width, grid, None);
-        spans.iter().for_each(|&(start, end)| places.add(Span { start, end }));
-        (0..u32::from(width)).step_by(grid.pixels()).filter(|left| places.holds(*left)).collect()
+        let mut cells = ThinCells::none(width, grid, None);
+        spans.iter().for_each(|&(start, end)| cells.add(Span { start, end }));
+        (0..u32::from(width)).step_by(grid.pixels()).filter(|left| cells.holds(*left)).collect()
     }
 
     #[test]
-    fn cells_hold_what_is_in_them_or_where_they_end() {
+    fn cells_are_held_that_have_a_pixel_or_end_at_one() {
         assert_eq!(held(64, Grid::Eight, &[(16, 17)]), [8, 16]);
         assert_eq!(held(64, Grid::Eight, &[(17, 25), (4, 4), (63, 900)]), [16, 24, 56]);
         assert_eq!(held(64, Grid::Four, &[(0, 5)]), [0, 4]);
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn wide_pictures_have_fewer_places() {
+    fn in_wide_pictures_several_columns_share_a_bit() {
         let all: Vec<_> = (0..65_535).step_by(2).collect();
         assert_eq!(held(65_535, Grid::Two, &[(0, u16::MAX)]), all);
         let few = held(65_535, Grid::Two, &[(1000, 1001)]);

@@ -1,30 +1,35 @@
-//! How much two pixels may differ before one looks between them.
+//! The difference between two pixels up to which the pixels between them are interpolated.
 
-use super::Sample;
 use super::budget::Detail;
+use super::sample::Sample;
 
-/// How much two pixels may differ before one looks between them.
+/// The difference between two pixels up to which the pixels between them are interpolated.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// Of what both saw, the bits that count.
+pub(super) struct Tolerance {
+    /// The bits of a sample's digests that must be the same: all or none.
     marks: u32,
-    /// The most that their tones may differ: far apart, two pixels apart, and there near a small highlight.
+    /// The largest difference of tones for pixels more than two pixels apart.
     far: u16,
+    /// The largest difference of tones for pixels up to two pixels apart.
     near: u16,
+    /// The largest difference of tones near a small highlight.
     glint: u16,
-    /// Whether anything but the pixels of the grid is traced.
+    /// Whether any pixels but those of the grid are traced.
     traces: bool,
+    /// The distance of the grid's pixels.
     grid: usize,
 }
 
-impl Limits {
-    /// Nothing between the pixels of the grid is looked at.
+impl Tolerance {
+    /// Everything between the pixels of the grid is interpolated.
     pub(super) const NONE: Self =
         Self { marks: 0, far: u16::MAX, near: u16::MAX, glint: u16::MAX, traces: false, grid: 0 };
 
+    /// `threshold` is that of [`Realtime`](super::Realtime), `grid` the distance of the grid's pixels.
     pub(super) fn new(threshold: u16, detail: Detail, grid: usize) -> Self {
         match detail {
-            // Two pixels away, more is allowed: it is wrong for one pixel. But a small highlight may just begin.
+            // Two pixels apart, more is allowed, as one pixel at most is wrong. Near a small highlight, less
+            // is allowed, as it may just begin.
             Detail::Full => Self {
                 marks: Sample::SEEN,
                 far: threshold,
@@ -41,14 +46,14 @@ impl Limits {
         }
     }
 
-    /// Whether something may lie between two points so many pixels apart.
+    /// Whether two pixels at this distance differ so much that something may lie between them.
     #[inline(always)]
     pub(super) fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool {
         if a.marks_differ(b, self.marks) {
             return true;
         }
-        let limit = if a.is_near_glint(b) {
-            if self.is_full() && (distance >= self.grid || distance > 2 && a.are_near_glint(b)) {
+        let limit = if a.either_near_glint(b) {
+            if self.is_full() && (distance >= self.grid || distance > 2 && a.both_near_glint(b)) {
                 return true;
             }
             self.glint
@@ -60,13 +65,13 @@ impl Limits {
         a.differs_in_color(b, limit)
     }
 
-    /// Whether anything but the pixels of the grid is traced.
+    /// Whether any pixels but those of the grid are traced.
     pub(super) fn may_trace(&self) -> bool {
         self.traces
     }
 
-    /// Whether neighbors are looked at wherever they differ.
-    #[inline(always)]
+    /// Whether pixels are compared by their digests too: [`Detail::Full`].
+    #[inline]
     pub(super) fn is_full(&self) -> bool {
         self.marks != 0
     }

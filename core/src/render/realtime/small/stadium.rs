@@ -1,11 +1,11 @@
-//! The outline of a hull in the picture: all places within some distance of a line.
+//! A stadium: all places of the picture within some distance of a line. It encloses the picture of a hull.
 
-use super::Grid;
+use super::super::grid::Grid;
 use crate::camera::Viewport;
 use crate::math::{Real, Vec3};
 use crate::shape::Hull;
 
-/// The places of the picture within `radius` of the line between two places, in pixels.
+/// The places of the picture within `radius` of the line from `from` to `to`, in pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stadium<N> {
     from: (N, N),
@@ -13,15 +13,17 @@ pub(super) struct Stadium<N> {
     radius: N,
 }
 
-/// A hull has so many corners at most.
+/// The most corners of a hull's parallelepiped.
 const CORNERS: usize = 8;
 
 impl<N: Real<Setup = N>> Stadium<N> {
-    /// What holds everything that is seen of a hull: the line lies along one of its axes, that for which the radius is least. `None`
-    /// where it is not well in front of the camera.
+    /// Encloses everything that is seen of a hull. Its line lies along that axis of the hull for which the
+    /// radius is least. `None` if the hull is not well in front of the camera.
     ///
-    /// A point is seen at f · c / c_z. One that is δ away is seen elsewhere by f · (δ c_z - c δ_z) / (c_z (c_z + δ_z)),
-    /// which is at most f · r |c| / (c_z (c_z - r)): largest at one of the corners.
+    /// A point c, relative to the camera, is seen at f · c / c_z. A point at distance δ from it is seen
+    /// elsewhere by f · (δ c_z - c δ_z) / (c_z (c_z + δ_z)), which is at most f · r |c| / (c_z (c_z - r)) for
+    /// a hull of radius r. That is largest at one of the corners.
+    // Called for every hull of a scene, from two places: one copy is enough.
     #[inline(never)]
     pub(super) fn new<R: Real<Setup = N>>(viewport: &Viewport<R>, hull: &Hull<R>) -> Option<Self> {
         let radius = hull.radius.to_setup();
@@ -43,7 +45,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
         let places = places.get(..count)?;
         let mut narrowest: Option<Self> = None;
         for axis in &hull.axes {
-            // Where all are none, it is a point.
+            // A hull without axes is a ball: one axis of length 0 is enough for it.
             if *axis == Vec3::ZERO && narrowest.is_some() {
                 continue;
             }
@@ -57,12 +59,11 @@ impl<N: Real<Setup = N>> Stadium<N> {
         narrowest.map(|stadium| Self { radius: stadium.radius + around, ..stadium })
     }
 
-    /// What holds some places, along the line between two.
-    #[inline(never)]
+    /// Encloses some places, along the line through `from` and `to`.
     fn along(from: (N, N), to: (N, N), places: &[(N, N)]) -> Self {
         let (x, y) = (to.0 - from.0, to.1 - from.1);
         let length = (x * x + y * y).sqrt();
-        // Seen from its end, any direction will do.
+        // An axis that is seen from its end gives no direction: take any.
         let (x, y) = if length > N::from_f32(1e-3) { (x / length, y / length) } else { (N::ONE, N::ZERO) };
         let (mut begin, mut end, mut radius) = (N::ZERO, N::ZERO, N::ZERO);
         for place in places {
@@ -76,20 +77,22 @@ impl<N: Real<Setup = N>> Stadium<N> {
         Self { from: at(begin), to: at(end), radius }
     }
 
-    /// Whether it could hide between the points of a grid: it is less than two cells wide or high, or aslant less than one. What is as wide
-    /// as a cell does not cross a side between two points, enter and leave.
+    /// Whether it may lie unseen between the points of a grid: it is less than two cells wide or high, or
+    /// less than one cell wide at an angle. A stadium as wide as a cell cannot enter and leave through a side
+    /// between two points.
     pub(super) fn is_thin(&self, grid: Grid) -> bool {
         let two_sides = N::from_u16(2 * grid.pixels() as u16);
         let (x, y) = ((self.to.0 - self.from.0).abs(), (self.to.1 - self.from.1).abs());
         self.is_narrow(grid) || x.smaller(y) + self.radius + self.radius < two_sides
     }
 
-    /// Whether it is less than a cell wide, however it lies.
+    /// Whether it is less than one cell wide, at any angle.
     pub(super) fn is_narrow(&self, grid: Grid) -> bool {
         self.radius + self.radius < N::from_u16(grid.pixels() as u16)
     }
 
-    /// Its leftmost and rightmost place between two heights, or a little more; `None` where it is not there.
+    /// Its leftmost and rightmost place between two heights, or a little more; `None` if it is not between
+    /// them.
     pub(super) fn extent(&self, top: N, bottom: N) -> Option<(N, N)> {
         let (top, bottom) = (top - self.radius, bottom + self.radius);
         let (from, to) = if self.from.1 > self.to.1 { (self.to, self.from) } else { (self.from, self.to) };
@@ -97,7 +100,7 @@ impl<N: Real<Setup = N>> Stadium<N> {
             return None;
         }
         let (height, across) = (to.1 - from.1, to.0 - from.0);
-        // Next to level lines are as good as level: they lie between the heights from end to end.
+        // A line less than a pixel high counts from end to end: its slope is too inexact.
         let at = |y: N| if height > N::ONE { from.0 + across * ((y - from.1) / height) } else { from.0 };
         let upper = if top > from.1 && height > N::ONE { at(top) } else { from.0 };
         let lower = if bottom < to.1 && height > N::ONE { at(bottom) } else { to.0 };
@@ -106,7 +109,8 @@ impl<N: Real<Setup = N>> Stadium<N> {
     }
 }
 
-/// [`Viewport::project`], once in a program's code for all places that need it.
+/// The place of the picture where a point is seen: [`Viewport::project`], in one copy for all callers in this
+/// folder.
 #[inline(never)]
 pub(super) fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
     viewport: &Viewport<R>,
@@ -123,14 +127,15 @@ mod tests {
     fn a_slanted_line_is_narrow_between_two_heights() {
         let stadium = Stadium { from: (10.0f32, 80.0), to: (90.0, 0.0), radius: 1.0 };
         let (left, right) = stadium.extent(40.0, 44.0).unwrap();
-        // At heights 44 and 40 the line is at 46 and 50; each side has its radius, and that of what reaches in.
+        // The line is at x = 46 at height 44, and at 50 at height 40. The radius is added twice: to the
+        // heights, and to the sides.
         assert!((left - 44.0).abs() < 1e-3 && (right - 52.0).abs() < 1e-3, "{left} to {right}");
         assert_eq!(stadium.extent(82.0, 84.0), None);
         assert_eq!(stadium.extent(-5.0, -2.0), None);
     }
 
     #[test]
-    fn a_level_line_is_there_from_end_to_end() {
+    fn a_level_line_counts_from_end_to_end() {
         let stadium = Stadium { from: (90.0f32, 20.25), to: (10.0, 20.5), radius: 2.0 };
         assert_eq!(stadium.extent(20.0, 24.0), Some((8.0, 92.0)));
         assert_eq!(stadium.extent(24.0, 28.0), None);

@@ -1,0 +1,97 @@
+//! Exact quality: every pixel is traced.
+
+use core::ops::Range;
+
+use super::groups::Groups;
+use super::line::LinePainter;
+use super::painter::{Painter, Traced};
+use super::{DisplayColor, LineError, Renderer};
+use crate::math::Real;
+use crate::probe::Probe;
+use crate::shape::Geometry;
+
+/// Traces every pixel of a band: of as many whole lines as the lent memory holds.
+#[derive(Debug)]
+pub struct ExactPainter<'b, C> {
+    colors: &'b mut [C],
+    /// Pixels of the band that are traced.
+    traced: usize,
+}
+
+impl<'b, C> ExactPainter<'b, C> {
+    pub(super) fn new<R: Real, S: Geometry>(
+        renderer: &Renderer<'_, '_, R, S>,
+        colors: &'b mut [C],
+    ) -> Result<Self, LineError> {
+        renderer.whole_lines(colors.len())?;
+        Ok(Self { colors, traced: 0 })
+    }
+
+    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the picture.
+    fn band_pixels(&self, lines: &Range<u32>, width: u16) -> usize {
+        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
+        usize::try_from(left).map_or(self.colors.len(), |left| left.min(self.colors.len()))
+    }
+}
+
+impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for ExactPainter<'_, C> {
+    type Color = C;
+
+    fn restart(&mut self, _lines_total: u32) {
+        self.traced = 0;
+    }
+
+    fn trace(
+        &mut self,
+        renderer: &Renderer<'_, 'm, R, S>,
+        lines: &Range<u32>,
+        budget_rays: u32,
+        probe: &mut impl Probe<R>,
+    ) -> Traced {
+        let pixels = self.band_pixels(lines, renderer.width);
+        let band = self.colors.get_mut(..pixels).unwrap_or_default();
+        let rays = trace_lines(renderer, lines.start as u16, band, &mut self.traced, budget_rays, probe);
+        Traced { rays, is_complete: self.traced >= pixels }
+    }
+
+    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
+        let pixels = self.band_pixels(lines, renderer.width);
+        let height = pixels.checked_div(usize::from(renderer.width)).unwrap_or(0) as u32;
+        (lines.start.saturating_add(height), self.colors.get(..pixels).unwrap_or_default())
+    }
+
+    fn next_band(&mut self) {
+        self.traced = 0;
+    }
+}
+
+/// Traces whole lines from line `y` on, of which the first `traced` pixels are done, until all are done or `budget_rays`
+/// are spent; at least one pixel, or one group of pixels that are traced side by side. Returns the rays that it spent.
+pub(super) fn trace_lines<R: Real, S: Geometry, C: DisplayColor>(
+    renderer: &Renderer<'_, '_, R, S>,
+    y: u16,
+    pixels: &mut [C],
+    traced: &mut usize,
+    budget_rays: u32,
+    probe: &mut impl Probe<R>,
+) -> u32 {
+    if let Some(mut groups) = Groups::new(renderer, probe) {
+        return groups.trace(y, pixels, traced, budget_rays, probe);
+    }
+    let width = usize::from(renderer.width).max(1);
+    let (mut down, mut x) = (*traced / width, *traced % width);
+    let mut spent: u32 = 0;
+    while *traced < pixels.len() {
+        let end = pixels.len().min(traced.saturating_add(width - x));
+        let line = pixels.get_mut(*traced..end).unwrap_or_default();
+        let mut painter = LinePainter::new(renderer, y.wrapping_add(down as u16));
+        let (painted, rays) = painter.paint(x as u16, line, budget_rays.saturating_sub(spent), probe);
+        *traced = traced.saturating_add(painted);
+        spent = spent.saturating_add(rays);
+        if painted == 0 || spent >= budget_rays {
+            break;
+        }
+        (down, x) = (down.wrapping_add(1), 0);
+    }
+    spent
+}

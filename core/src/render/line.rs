@@ -1,0 +1,110 @@
+//! One line of the picture in exact quality, pixel after pixel.
+
+use super::line_candidates::LineCandidates;
+use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
+use crate::integrator::Sight;
+use crate::math::Real;
+use crate::probe::Probe;
+use crate::shape::Geometry;
+
+/// Traces the pixels of one line, from left to right. Knows no display: the tracer is compiled once for all colors.
+struct LineTracer<'r, 'm, R: Real, S: Geometry + 'm> {
+    renderer: &'r Renderer<'r, 'm, R, S>,
+    y: u16,
+    candidates: Option<LineCandidates<'r>>,
+}
+
+impl<R: Real, S: Geometry> LineTracer<'_, '_, R, S> {
+    /// The column after pixel `x` up to which no object can be seen, if `x` sees none. `x` must not decrease.
+    #[inline]
+    fn nothing_until(&mut self, x: u16) -> Option<u16> {
+        self.candidates.as_mut()?.nothing_until(x)
+    }
+
+    /// The light of pixel `x`, and the rays that it took. [`nothing_until`](Self::nothing_until) was called for `x` before.
+    fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (Light16, u32) {
+        let sight = match &mut self.candidates {
+            Some(candidates) => candidates.sight(x),
+            None => Sight::among(self.renderer.scene.all()),
+        };
+        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
+        (Light16::new(light), rays)
+    }
+}
+
+/// Renders the pixels of one line in a display's colors, from left to right.
+pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
+    tracer: LineTracer<'r, 'm, R, S>,
+    /// The color of a pixel that sees no object, if all such pixels have the same.
+    background: Option<C>,
+}
+
+impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, S, C> {
+    pub(super) fn new(renderer: &'r Renderer<'r, 'm, R, S>, y: u16) -> Self {
+        let settings = &renderer.settings;
+        let candidates = LineCandidates::new(&renderer.outlines, y);
+        let background = match renderer.scene.background.solid() {
+            Some(color) if settings.dither == Dither::None && settings.samples_per_pixel == 1 => {
+                Some(C::from_light(Light16::new(color), &Quantizer::new(settings, 0, y)))
+            }
+            _ => None,
+        };
+        Self { tracer: LineTracer { renderer, y, candidates }, background }
+    }
+
+    /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one. Returns how many
+    /// pixels it rendered, and the rays that they took. `x` must not decrease.
+    pub(super) fn paint(
+        &mut self,
+        mut x: u16,
+        pixels: &mut [C],
+        budget_rays: u32,
+        probe: &mut impl Probe<R>,
+    ) -> (usize, u32) {
+        let (mut painted, mut spent) = (0, 0u32);
+        while let Some(rest) = pixels.get_mut(painted..)
+            && let Some(first) = rest.first_mut()
+        {
+            let mut run = 1;
+            match self.color_until(x, probe) {
+                Some((color, until)) => {
+                    let left = budget_rays.saturating_sub(spent).min(u32::from(until.saturating_sub(x)));
+                    run = rest.len().min(left.max(1) as usize);
+                    rest.iter_mut().take(run).for_each(|pixel| *pixel = color);
+                    spent = spent.saturating_add(run as u32);
+                }
+                None => {
+                    let (color, rays) = self.trace(x, probe);
+                    *first = color;
+                    spent = spent.saturating_add(rays);
+                }
+            }
+            painted += run;
+            x = x.wrapping_add(run as u16);
+            if spent >= budget_rays {
+                break;
+            }
+        }
+        (painted, spent)
+    }
+
+    /// The color of the pixels from `x` to another column, if no object can be seen there; each takes a ray.
+    #[inline]
+    fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
+        let until = self.tracer.nothing_until(x)?;
+        self.background.filter(|_| !probe.is_watching()).map(|color| (color, until))
+    }
+
+    /// Pixel `x` in the display's color. `x` must not decrease.
+    pub(super) fn pixel(&mut self, x: u16) -> C {
+        self.color_until(x, &()).map_or_else(|| self.trace(x, &mut ()).0, |(color, _)| color)
+    }
+
+    /// The color of pixel `x`, and the rays that it took.
+    #[inline]
+    fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
+        let (light, rays) = self.tracer.trace(x, probe);
+        let LineTracer { renderer, y, .. } = self.tracer;
+        (C::from_light(light, &Quantizer::new(&renderer.settings, x, y)), rays)
+    }
+}

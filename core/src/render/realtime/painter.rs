@@ -1,0 +1,107 @@
+//! Realtime quality as a frame sees it: memory that is lent, and a painter of bands.
+
+use core::ops::Range;
+
+use super::band::{Band, BandPainter};
+use super::quality::Realtime;
+use super::sample::Sample;
+use crate::math::Real;
+use crate::probe::Probe;
+use crate::render::painter::{Painter, Traced};
+use crate::render::{DisplayColor, LineError, Quality, Renderer};
+use crate::shape::Geometry;
+
+/// Realtime quality, with the memory that it takes: see [`Realtime::lend`].
+#[derive(Debug)]
+pub struct RealtimeBuffer<'b, C> {
+    /// How much the picture may differ from the exact one.
+    pub quality: Realtime,
+    /// A band of lines: [`Realtime::colors`] pixels.
+    pub colors: &'b mut [C],
+    /// A row of samples: [`Realtime::samples`].
+    pub samples: &'b mut [Sample],
+}
+
+impl Realtime {
+    /// This quality with memory to draw in, for [`Renderer::draw`] and [`Renderer::frame`]. The memory holds
+    /// [`colors`](Self::colors) pixels and [`samples`](Self::samples) samples.
+    pub fn lend<'b, C>(self, colors: &'b mut [C], samples: &'b mut [Sample]) -> RealtimeBuffer<'b, C> {
+        RealtimeBuffer { quality: self, colors, samples }
+    }
+}
+
+impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
+    type Color = C;
+    type Painter<'m, R: Real, S: Geometry + 'm> = RealtimePainter<'m, 'b, R, S, C>;
+
+    fn painter<'m, R: Real, S: Geometry + 'm>(
+        self,
+        renderer: &Renderer<'_, 'm, R, S>,
+    ) -> Result<RealtimePainter<'m, 'b, R, S, C>, LineError> {
+        let needed = self.quality.colors(renderer.width);
+        if self.colors.len() != needed {
+            return Err(LineError::BandLength { given: self.colors.len(), needed });
+        }
+        let needed = self.quality.samples(renderer.width);
+        if self.samples.len() != needed {
+            return Err(LineError::SampleCount { given: self.samples.len(), needed });
+        }
+        let bands = BandPainter::new::<C>(renderer, self.quality);
+        Ok(RealtimePainter { bands, band: None, buffer: self })
+    }
+}
+
+/// Draws bands of lines in realtime quality. A pixel is traced once for one band, and some pixels once more without lights.
+#[derive(Debug)]
+pub struct RealtimePainter<'m, 'b, R: Real, S: Geometry + 'm, C> {
+    bands: BandPainter<'m, R, S>,
+    /// The band that is being drawn, or that is complete and not yet on the display.
+    band: Option<Band>,
+    buffer: RealtimeBuffer<'b, C>,
+}
+
+impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for RealtimePainter<'m, '_, R, S, C> {
+    type Color = C;
+
+    fn restart(&mut self, lines_total: u32) {
+        let is_unfinished = self.band.take().is_some();
+        self.bands.restart(lines_total, is_unfinished);
+    }
+
+    fn trace(
+        &mut self,
+        renderer: &Renderer<'_, 'm, R, S>,
+        lines: &Range<u32>,
+        budget_rays: u32,
+        probe: &mut impl Probe<R>,
+    ) -> Traced {
+        let mut band = match self.band {
+            Some(band) => band,
+            None => self.bands.begin(renderer, lines),
+        };
+        let mut spent: u32 = 0;
+        while band.left < renderer.width() {
+            let rays = self.bands.draw_cell(renderer, &mut band, &mut self.buffer, probe);
+            // A cell without rays takes time too.
+            spent = spent.saturating_add(rays.max(1));
+            if spent >= budget_rays {
+                break;
+            }
+        }
+        self.band = Some(band);
+        Traced { rays: spent, is_complete: band.left >= renderer.width() }
+    }
+
+    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
+        let top = self.band.as_ref().map_or(lines.start, |band| band.top);
+        let end = (top + self.buffer.quality.grid.pixels() as u32).min(lines.end);
+        let pixels = |lines: u32| lines as usize * usize::from(renderer.width);
+        let above = pixels(lines.start.saturating_sub(top));
+        let shown = above..above + pixels(end.saturating_sub(lines.start));
+        (end, self.buffer.colors.get(shown).unwrap_or_default())
+    }
+
+    fn next_band(&mut self) {
+        self.band = None;
+    }
+}
