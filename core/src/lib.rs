@@ -59,12 +59,13 @@
 //!
 //! # Exact and realtime
 //!
-//! [`Renderer::draw`] with a line of colors traces every pixel. What makes it fast never changes a byte: objects, and their shadows on the floor, have
-//! outlines in the picture, so that each line knows what it can show; each light knows what can stand in its way; and more
-//! than 32 objects lie in a hierarchy of boxes. Where a processor tests four boxes at once, neighboring pixels of a line go through
-//! that together.
-//! With memory from [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ in what they saw, and
-//! interpolates the rest: [`Realtime`] says what this gains and costs, and [`Quality`] how to choose.
+//! [`Renderer::draw`] draws exactly if it is lent a line of colors: it traces every pixel. Acceleration never changes a byte:
+//! objects, and their shadows on the floor, have outlines in the picture, so that each line knows the objects that it can
+//! show; each light knows the objects that can shade a surface; and more than 32 objects lie in a hierarchy of boxes. In
+//! floating point, neighboring pixels go through the hierarchy together.
+//!
+//! If it is lent [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ, and interpolates the
+//! rest. [`Realtime`] says what this gains and what can be lost.
 //!
 //! # Conventions
 //!
@@ -81,7 +82,7 @@
 //!
 //! # Features
 //!
-//! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and in stack.
+//! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and stack.
 //! [`Scene::features`] lists those that a scene needs.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]

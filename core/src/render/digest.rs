@@ -1,7 +1,7 @@
 //! One number for a whole picture.
 
-/// One number for a whole picture, the same on every processor: a board shows that it drew the right bytes by
-/// showing this. FNV-1a with 64 bits (Fowler, Noll and Vo 1991).
+/// One number for a whole picture, the same on every processor: a board that reports it shows that it drew
+/// the right bytes. The hash is FNV-1a with 64 bits (Fowler, Noll and Vo 1991).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(u64);
 

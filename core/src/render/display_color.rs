@@ -1,10 +1,10 @@
-//! What a display's color is made of.
+//! The colors that displays take.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888};
 
 use super::{Light16, Quantizer, Tone};
 
-/// A display's color that light can become. Implement it for the color of your own display:
+/// The color of a display's pixels, made from light. Implement it for the color of your own display:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{PixelColor, raw::RawU2};
@@ -28,14 +28,15 @@ pub trait DisplayColor: PixelColor {
     /// The color of a pixel that shows `light`.
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self;
 
-    /// Light on this display's own scale, which realtime quality interpolates. Unless you tell, that is light itself.
+    /// Light on this display's own scale, which realtime quality interpolates. The default is light itself.
     #[inline]
     fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
         let _ = quantizer;
         Tone::from_light(light)
     }
 
-    /// The color of a pixel that shows `tone`: that of [`tone`](Self::tone) is the same as of its light.
+    /// The color of a pixel that shows `tone`. The color of [`tone`](Self::tone) must be
+    /// [`from_light`](Self::from_light) of the same light.
     #[inline]
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
         Self::from_light(tone.to_light(), quantizer)
@@ -47,8 +48,8 @@ impl PixelColor for Light16 {
 }
 
 /// Light itself, for a program that makes colors of lines later, or for several displays:
-/// [`Renderer::lines`](super::Renderer::lines) into a slice of light, then [`from_light`](DisplayColor::from_light) of the
-/// display's color with [`Quantizer::new`].
+/// [`Renderer::lines`](super::Renderer::lines) into a slice of light, then
+/// [`from_light`](DisplayColor::from_light) of the display's color with [`Quantizer::new`].
 impl DisplayColor for Light16 {
     fn from_light(light: Light16, _quantizer: &Quantizer) -> Self {
         light

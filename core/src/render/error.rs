@@ -13,9 +13,9 @@ pub enum SettingsError {
         /// The longest that is allowed.
         most: u32,
     },
-    /// Too many bounces. Ask for fewer.
+    /// Too many bounces. Use fewer.
     Bounces {
-        /// How many were asked for.
+        /// Bounces in the settings.
         given: u8,
         /// The most that are allowed.
         most: u8,
@@ -46,35 +46,35 @@ impl core::error::Error for SettingsError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LineError {
-    /// The buffer does not hold whole lines. Lend one of the picture's width; to draw several lines at once, of a
-    /// multiple of it.
+    /// The buffer does not hold whole lines. Lend one line of the picture's width, or a multiple to draw
+    /// several lines together.
     BufferLength {
-        /// Pixels that it holds.
+        /// Pixels of the buffer.
         given: usize,
         /// Width of the picture.
         width: u32,
     },
-    /// The buffer of colors for realtime quality does not hold one band of lines. Lend as many pixels as
-    /// [`Realtime::colors`](crate::Realtime::colors) tells.
+    /// The buffer of colors for realtime quality does not hold one band of lines. Lend
+    /// [`Realtime::colors`](crate::Realtime::colors) pixels.
     BandLength {
-        /// Pixels that it holds.
+        /// Pixels of the buffer.
         given: usize,
         /// Pixels of a band.
         needed: usize,
     },
-    /// The buffer of samples for realtime quality has the wrong length. Lend as many as
-    /// [`Realtime::samples`](crate::Realtime::samples) tells.
+    /// The buffer of samples for realtime quality has the wrong length. Lend
+    /// [`Realtime::samples`](crate::Realtime::samples) samples.
     SampleCount {
-        /// Samples that it holds.
+        /// Samples of the buffer.
         given: usize,
-        /// Samples of a line.
+        /// Samples of a row.
         needed: usize,
     },
-    /// The picture has no such line. Ask for one that it has.
+    /// The picture has no such line. Name one below its height.
     NoSuchLine {
-        /// The line that was asked for.
+        /// The line that was named.
         line: u32,
-        /// How many the picture has.
+        /// The number of lines of the picture.
         height: u32,
     },
 }
@@ -110,9 +110,9 @@ impl core::error::Error for LineError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DrawError<E> {
-    /// Nothing was drawn: buffer and lines do not fit the picture.
+    /// Nothing was drawn, because memory or lines do not fit the picture.
     Line(LineError),
-    /// The display failed. Everything above `line` was drawn; draw again from there.
+    /// The display failed. All lines before `line` are on the display; draw again from there.
     Display {
         /// The first line that may not have been drawn.
         line: u32,

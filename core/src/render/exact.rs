@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::groups::Groups;
 use super::line::LinePainter;
 use super::painter::{Painter, Traced};
-use super::{DisplayColor, LineError, Renderer};
+use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
@@ -19,15 +19,12 @@ pub struct ExactPainter<'b, C> {
 }
 
 impl<'b, C> ExactPainter<'b, C> {
-    pub(super) fn new<R: Real, S: Geometry>(
-        renderer: &Renderer<'_, '_, R, S>,
-        colors: &'b mut [C],
-    ) -> Result<Self, LineError> {
-        renderer.whole_lines(colors.len())?;
-        Ok(Self { colors, traced: 0 })
+    pub(super) fn new(colors: &'b mut [C]) -> Self {
+        Self { colors, traced: 0 }
     }
 
-    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the picture.
+    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
+    /// picture.
     fn band_pixels(&self, lines: &Range<u32>, width: u16) -> usize {
         let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
         usize::try_from(left).map_or(self.colors.len(), |left| left.min(self.colors.len()))
@@ -65,8 +62,9 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     }
 }
 
-/// Traces whole lines from line `y` on, of which the first `traced` pixels are done, until all are done or `budget_rays`
-/// are spent; at least one pixel, or one group of pixels that are traced side by side. Returns the rays that it spent.
+/// Traces whole lines from line `y` on, of which the first `traced` pixels are done, until all are done or
+/// `budget_rays` are spent; at least one pixel, or one group of pixels that are traced side by side.
+/// Returns the rays that it spent.
 pub(super) fn trace_lines<R: Real, S: Geometry, C: DisplayColor>(
     renderer: &Renderer<'_, '_, R, S>,
     y: u16,

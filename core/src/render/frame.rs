@@ -15,8 +15,8 @@ use crate::shape::Geometry;
 /// A picture that is being drawn in one [`Quality`], and how far it is.
 ///
 /// # Guarantees
-/// [`step`](Self::step) performs a bounded amount of work. A picture that is drawn in steps, in any order of lines, has
-/// the same bytes as one that is drawn at once.
+/// [`step`](Self::step) performs a bounded amount of work. A picture that is drawn in steps, in any order
+/// of lines, has the same bytes as one that is drawn at once.
 #[derive(Debug)]
 pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> {
     renderer: &'r Renderer<'r, 'm, R, S>,
@@ -46,23 +46,21 @@ impl Progress {
 }
 
 impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
-    pub(super) fn new(
-        renderer: &'r Renderer<'r, 'm, R, S>,
-        lines: Range<u32>,
-        quality: Q,
-    ) -> Result<Self, LineError> {
-        let lines = renderer.lines_of(lines)?;
+    /// Of these lines, which the picture has, in memory that was checked.
+    #[inline]
+    pub(super) fn new(renderer: &'r Renderer<'r, 'm, R, S>, lines: Range<u32>, quality: Q) -> Self {
         let total = lines.end.saturating_sub(lines.start);
-        let mut painter = quality.painter(renderer)?;
-        painter.restart(total);
-        Ok(Self { renderer, lines, total, painter })
+        let mut frame = Self { renderer, lines, total, painter: quality.painter(renderer) };
+        frame.painter.restart(total);
+        frame
     }
 
-    /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not yet on the
-    /// display are not drawn.
+    /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not
+    /// yet on the display are not drawn.
     ///
-    /// In realtime quality, the frame keeps what it knows of the whole picture, and a row of samples that lies above the
-    /// new lines if these follow the lines drawn last. The frame's budget of rays begins anew.
+    /// In realtime quality, the frame keeps what it knows of the whole picture, and a row of samples that
+    /// lies above the new lines if these follow the lines drawn last. The frame's budget of rays begins
+    /// anew.
     ///
     /// # Errors
     /// If the picture has no such lines. The frame is then as before.
@@ -85,17 +83,18 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
         Ok(())
     }
 
-    /// Traces until `budget_rays` are spent, and at least one pixel; in realtime quality, at least one cell of the grid.
-    /// Sends each band of lines to the display as soon as it is complete.
+    /// Traces until `budget_rays` are spent, and at least one pixel; in realtime quality, at least one cell
+    /// of the grid. Sends each band of lines to the display as soon as it is complete.
     ///
-    /// A step spends less than `budget_rays` plus [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel) for each
-    /// pixel of the last piece of work. In exact quality this is one pixel; in a scene with a hierarchy, in floating
-    /// point, a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines. In realtime quality it is a cell with its
+    /// A step spends less than `budget_rays` plus
+    /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel) for each pixel of the last piece of
+    /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a square
+    /// of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines. In realtime quality it is a cell with its
     /// sides, and each pixel counts twice, because some are traced once more without lights.
     ///
     /// # Errors
-    /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next step sends
-    /// that line again.
+    /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next
+    /// step sends that line again.
     pub fn step<D>(&mut self, display: &mut D, budget_rays: u32) -> Result<Progress, DrawError<D::Error>>
     where
         D: DrawTarget<Color = Q::Color>,
@@ -103,8 +102,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
         self.step_watched(display, budget_rays, &mut ())
     }
 
-    /// As [`step`](Self::step), with a probe that records what happens. Realtime quality records only the pixels that it
-    /// traces.
+    /// As [`step`](Self::step), with a probe that records what happens. Realtime quality records only the
+    /// pixels that it traces.
     ///
     /// # Errors
     /// As [`step`](Self::step).

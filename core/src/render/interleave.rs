@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-/// Draws every second, or every fourth, band of lines in each frame, and another one in the next: a picture that moves
-/// is seen earlier.
+/// Draws every second band of lines, or every fourth, in each frame, and the others in the frames after it.
+/// A picture that moves changes earlier on the display.
 ///
 /// ```
 /// use rayline::Interleave;
@@ -14,9 +14,9 @@ use core::ops::Range;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interleave {
-    /// Lines of a band: 1, or in realtime quality as many as the distance of its grid. 0 counts as 1.
+    /// Lines of a band: 1, or in realtime quality [`Grid::pixels`](crate::Grid::pixels). 0 counts as 1.
     pub lines: u32,
-    /// After how many frames all bands have been drawn. 0 counts as 1.
+    /// The number of frames that draw all bands. 0 counts as 1.
     pub every: u32,
 }
 

@@ -7,7 +7,8 @@ use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
 
-/// Traces the pixels of one line, from left to right. Knows no display: the tracer is compiled once for all colors.
+/// Traces the pixels of one line, from left to right. Knows no display: the tracer is compiled once for all
+/// colors.
 struct LineTracer<'r, 'm, R: Real, S: Geometry + 'm> {
     renderer: &'r Renderer<'r, 'm, R, S>,
     y: u16,
@@ -16,12 +17,14 @@ struct LineTracer<'r, 'm, R: Real, S: Geometry + 'm> {
 
 impl<R: Real, S: Geometry> LineTracer<'_, '_, R, S> {
     /// The column after pixel `x` up to which no object can be seen, if `x` sees none. `x` must not decrease.
-    #[inline]
+    #[inline(always)]
     fn nothing_until(&mut self, x: u16) -> Option<u16> {
         self.candidates.as_mut()?.nothing_until(x)
     }
 
-    /// The light of pixel `x`, and the rays that it took. [`nothing_until`](Self::nothing_until) was called for `x` before.
+    /// The light of pixel `x`, and the rays that it took. [`nothing_until`](Self::nothing_until) was called
+    /// for `x` before.
+    #[inline(always)]
     fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (Light16, u32) {
         let sight = match &mut self.candidates {
             Some(candidates) => candidates.sight(x),
@@ -52,8 +55,9 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         Self { tracer: LineTracer { renderer, y, candidates }, background }
     }
 
-    /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one. Returns how many
-    /// pixels it rendered, and the rays that they took. `x` must not decrease.
+    /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
+    /// Returns how many pixels it rendered, and the rays that they took. `x` must not decrease.
+    #[inline(always)]
     pub(super) fn paint(
         &mut self,
         mut x: u16,
@@ -89,7 +93,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
     }
 
     /// The color of the pixels from `x` to another column, if no object can be seen there; each takes a ray.
-    #[inline]
+    #[inline(always)]
     fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
         let until = self.tracer.nothing_until(x)?;
         self.background.filter(|_| !probe.is_watching()).map(|color| (color, until))
@@ -101,7 +105,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
     }
 
     /// The color of pixel `x`, and the rays that it took.
-    #[inline]
+    #[inline(always)]
     fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
         let (light, rays) = self.tracer.trace(x, probe);
         let LineTracer { renderer, y, .. } = self.tracer;

@@ -9,8 +9,7 @@ use crate::shape::Geometry;
 
 /// Traces bands of lines in one quality. A [`Frame`](super::Frame) sends each complete band to the display.
 ///
-/// The trait is public because [`Quality`](super::Quality) names it, but no path leads to it from outside: this seals
-/// `Quality`.
+/// The trait is public because [`Quality`](super::Quality) names it, but no path leads to it from outside.
 pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// The color of the display's pixels.
     type Color: DisplayColor;
@@ -18,8 +17,9 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// Drops the current band, because the frame goes on with other lines; so many are to be drawn.
     fn restart(&mut self, lines_total: u32);
 
-    /// Traces the band of lines that holds the first of `lines`, until it is complete or `budget_rays` are spent. An
-    /// incomplete band gets one unit of work or more. The band stays until [`next_band`](Self::next_band).
+    /// Traces the band of lines that holds the first of `lines`, until it is complete or `budget_rays` are
+    /// spent. An incomplete band gets one unit of work or more. The band stays until
+    /// [`next_band`](Self::next_band).
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,

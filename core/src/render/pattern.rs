@@ -9,10 +9,10 @@ use super::{DisplayColor, DrawError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;
 
-/// Which pixels a frame draws, where each frame draws others: a picture that moves is seen earlier, everywhere.
+/// Draws other pixels in each frame, evenly spread: a picture that moves changes earlier everywhere.
 ///
-/// The display must hold what frames before have drawn, and take single pixels. For those that take whole lines
-/// there is [`Interleave`](super::Interleave).
+/// The display must keep the pixels of the frames before, and take single pixels. For displays that take
+/// whole lines there is [`Interleave`](super::Interleave).
 ///
 /// ```
 /// use rayline::Pattern;
@@ -30,7 +30,7 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// After how many frames all pixels have been drawn.
+    /// The number of frames that draw all pixels.
     pub const fn frames(self) -> u32 {
         match self {
             Self::Checkerboard => 2,
@@ -44,7 +44,8 @@ impl Pattern {
         x & (step - 1) == first
     }
 
-    /// The first column that a frame draws of a line, and how far apart they are; a first column beyond that: none.
+    /// The first column that a frame draws on a line, and the distance of its columns. A first column that
+    /// is not less than the distance means that the frame draws nothing on this line.
     fn columns(self, y: u16, frame: u32) -> (u16, u16) {
         let (frame, y) = ((frame & 3) as u16, y & 1);
         match self {
@@ -59,7 +60,7 @@ impl Pattern {
 }
 
 impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
-    /// Draws those pixels of the picture that are this frame's, without a buffer: one `draw_iter` per line.
+    /// Draws the pixels of one frame of a pattern, without a buffer: one `draw_iter` per line.
     ///
     /// # Errors
     /// The display's own error, with the line.

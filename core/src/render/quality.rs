@@ -1,49 +1,53 @@
 //! How a picture is drawn: the memory that a program lends says it.
 //!
 //! Exact quality needs a line of colors and nothing else. Realtime quality needs a band of colors, a row of
-//! [samples](super::Sample) and its own settings. So the argument that lends memory is also the one that chooses the
-//! quality:
+//! [samples](super::Sample) and its own settings. So the argument that lends memory is also the one that
+//! chooses the quality:
 //!
-//! ```no_run
-//! # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
-//! # use rayline::{DrawError, Realtime, Renderer, Sample};
-//! # fn draw<E>(renderer: &Renderer<'_, '_, f32>, mut display: MockDisplay<Gray8>) -> Result<(), DrawError<core::convert::Infallible>> {
-//! // Exact: a line.
-//! let mut line = [Gray8::new(0); 64];
-//! renderer.draw(&mut display, &mut line)?;
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+//! use rayline::{DrawError, Real, Realtime, Renderer, Sample};
 //!
-//! // Realtime: a quality with memory for it.
 //! const QUALITY: Realtime = Realtime::new();
-//! let mut colors = [Gray8::new(0); QUALITY.colors(64)];
-//! let mut samples = [Sample::BLANK; QUALITY.samples(64)];
-//! renderer.draw(&mut display, QUALITY.lend(&mut colors, &mut samples))?;
-//! # Ok(())
-//! # }
+//!
+//! fn draw<R: Real>(
+//!     renderer: &Renderer<'_, '_, R>,
+//!     display: &mut MockDisplay<Gray8>,
+//! ) -> Result<(), DrawError<core::convert::Infallible>> {
+//!     // Exact quality: a line.
+//!     let mut line = [Gray8::new(0); 64];
+//!     renderer.draw(display, &mut line)?;
+//!
+//!     // Realtime quality: its settings, with memory.
+//!     let mut colors = [Gray8::new(0); QUALITY.colors(64)];
+//!     let mut samples = [Sample::BLANK; QUALITY.samples(64)];
+//!     renderer.draw(display, QUALITY.lend(&mut colors, &mut samples))
+//! }
 //! ```
 //!
-//! Each quality has its own type, and the type names the [`Painter`] that traces. A program links only the painters
-//! that it names: 32 KB of flash hold an exact picture because no code of realtime quality is in the program. An `enum` of
-//! both qualities would link both.
+//! Each quality has its own type, and the type names the [`Painter`] that traces. A program links only the
+//! painters that it names: 32 KB of flash hold an exact picture because no code of realtime quality is in
+//! the program. An `enum` of both qualities would link both.
 
-use super::DisplayColor;
-use super::LineError;
-use super::Renderer;
 use super::exact::ExactPainter;
 use super::painter::Painter;
+use super::{DisplayColor, LineError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;
 
 /// The quality in which a picture is drawn, with the memory that this takes. Three types implement it:
-/// - `&mut [C]` and `&mut [C; N]`: exact quality, with memory for one line of the picture, or for several whole lines that
-///   are sent to the display together;
-/// - [`RealtimeBuffer`](super::RealtimeBuffer): realtime quality, see [`Realtime::lend`](super::Realtime::lend).
+/// - `&mut [C]` and `&mut [C; N]`: exact quality, with memory for one line of the picture, or for several
+///   whole lines that are sent to the display together;
+/// - [`RealtimeBuffer`](super::RealtimeBuffer): realtime quality, see
+///   [`Realtime::lend`](super::Realtime::lend).
 ///
 /// The trait is sealed: other crates cannot implement it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not memory to draw a picture in",
-    note = "lend a slice of colors (`&mut line[..]`) for exact quality, or `Realtime::lend(…)` for realtime quality"
+    note = "for exact quality, lend a slice of colors: `&mut line[..]`",
+    note = "for realtime quality, lend `Realtime::lend(…)`"
 )]
-pub trait Quality: Sized {
+pub trait Quality: Sized + Sealed {
     /// The color of the display's pixels.
     type Color: DisplayColor;
 
@@ -51,34 +55,47 @@ pub trait Quality: Sized {
     #[doc(hidden)]
     type Painter<'m, R: Real, S: Geometry + 'm>: Painter<'m, R, S, Color = Self::Color>;
 
-    /// The painter of a frame.
+    /// Whether the memory has the right length.
+    #[doc(hidden)]
+    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError>;
+
+    /// The painter of a frame. It is large: it is made where it stays, in a function that cannot fail.
     #[doc(hidden)]
     fn painter<'m, R: Real, S: Geometry + 'm>(
         self,
         renderer: &Renderer<'_, 'm, R, S>,
-    ) -> Result<Self::Painter<'m, R, S>, LineError>;
+    ) -> Self::Painter<'m, R, S>;
 }
+
+/// No path leads to this trait from outside, so that no other crate can implement [`Quality`].
+pub trait Sealed {}
+
+impl<C: DisplayColor> Sealed for &mut [C] {}
 
 impl<'b, C: DisplayColor> Quality for &'b mut [C] {
     type Color = C;
     type Painter<'m, R: Real, S: Geometry + 'm> = ExactPainter<'b, C>;
 
-    fn painter<'m, R: Real, S: Geometry + 'm>(
-        self,
-        renderer: &Renderer<'_, 'm, R, S>,
-    ) -> Result<ExactPainter<'b, C>, LineError> {
-        ExactPainter::new(renderer, self)
+    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+        renderer.whole_lines(self.len()).map(|_| ())
+    }
+
+    fn painter<'m, R: Real, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
+        ExactPainter::new(self)
     }
 }
+
+impl<C: DisplayColor, const N: usize> Sealed for &mut [C; N] {}
 
 impl<'b, C: DisplayColor, const N: usize> Quality for &'b mut [C; N] {
     type Color = C;
     type Painter<'m, R: Real, S: Geometry + 'm> = ExactPainter<'b, C>;
 
-    fn painter<'m, R: Real, S: Geometry + 'm>(
-        self,
-        renderer: &Renderer<'_, 'm, R, S>,
-    ) -> Result<ExactPainter<'b, C>, LineError> {
-        ExactPainter::new(renderer, self)
+    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+        renderer.whole_lines(N).map(|_| ())
+    }
+
+    fn painter<'m, R: Real, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
+        ExactPainter::new(self)
     }
 }

@@ -1,11 +1,10 @@
-//! From linear light to the levels of a display, in integers: the same on every processor and in every number
-//! system.
+//! From linear light to the levels of a display, in integers: the same bytes on every processor.
 
 use super::Settings;
 use crate::color::LinearRgb;
 use crate::math::Real;
 
-/// How light becomes a display's code.
+/// The curve from light to the codes of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Transfer {
     /// The curve of IEC 61966-2-1, which displays expect.
@@ -15,7 +14,7 @@ pub enum Transfer {
     Linear,
 }
 
-/// How light is rounded to a display's levels.
+/// The rounding of light to the levels of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dither {
     /// To the nearest level.
@@ -26,9 +25,11 @@ pub enum Dither {
     Ordered,
 }
 
-/// Light at a pixel, clamped to what a display can show: 0 is black, 65536 full light in a channel.
+/// Light at a pixel, clamped to the range of a display: in each channel, 0 is black and 65536 is full
+/// light.
 ///
-/// All that a renderer makes is within these bounds, whatever the light; in one of your own, what is more counts as full light.
+/// A renderer makes no light above 65536. In light that a program makes itself, a higher number counts as
+/// full light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Light16 {
     /// Red, 0 to 65536.
@@ -43,21 +44,21 @@ impl Light16 {
     /// No light.
     pub const BLACK: Self = Self { r: 0, g: 0, b: 0 };
 
-    /// Clamps light to what a display can show.
+    /// Clamps light to the range of a display.
     pub(super) fn new<R: Real>(light: LinearRgb<R>) -> Self {
         Self { r: light.r.to_q16(), g: light.g.to_q16(), b: light.b.to_q16() }
     }
 
     /// The luminance, 0 to 65536 (ITU-R BT.709: 0.2126 R + 0.7152 G + 0.0722 B).
     pub fn luminance(&self) -> u32 {
-        // Known of what a renderer makes, and then no instruction remains.
+        // The compiler leaves this out for light that a renderer makes.
         let [r, g, b] = [self.r, self.g, self.b].map(|channel| channel.min(65536));
         // The weights in units of 1/32768, so that the sum fits in 32 bits: they add up to 32768.
         (r * 6966 + g * 23436 + b * 2366 + 0x4000) >> 15
     }
 }
 
-/// Turns light into levels, for one pixel.
+/// Makes the levels of a display from light, for one pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantizer {
     transfer: Transfer,
@@ -85,12 +86,12 @@ impl Quantizer {
         ((code * u32::from(most) + self.threshold) >> 16) as u8
     }
 
-    /// To the nearest level, whatever the pixel.
+    /// Rounds to the nearest level, for any pixel.
     pub(super) const fn nearest(transfer: Transfer) -> Self {
         Self { transfer, threshold: 0x8000 }
     }
 
-    /// Light from 0 to 65536 on the scale of a display of `BITS` bits: half a level more than what
+    /// The tone of light from 0 to 65536, for a display of `BITS` bits: half a level is added, because
     /// [`cut`](Self::cut) rounds down.
     pub(super) fn tone<const BITS: u32>(&self, light: u32) -> u16 {
         let light = light.min(65536);
@@ -102,8 +103,8 @@ impl Quantizer {
         (((code * ((1 << BITS) - 1)) >> BITS) + (1 << (15 - BITS))) as u16
     }
 
-    /// The level of a tone. For one that was not interpolated it is that of [`level`](Self::level): no carry gets
-    /// lost below 1/512 of a level.
+    /// The level of a tone. For a tone of [`tone`](Self::tone), it is the [`level`](Self::level) of the
+    /// same light.
     #[inline]
     pub(super) const fn cut<const BITS: u32>(&self, tone: u16) -> u8 {
         let dithered =
@@ -112,8 +113,8 @@ impl Quantizer {
     }
 }
 
-/// Place of a pixel in the order in which Bayer's 8×8 matrix turns them on, 0 to 63: the bits of x ^ y and y,
-/// interleaved, from the lowest up.
+/// The position of a pixel, 0 to 63, in the order in which Bayer's 8×8 matrix turns pixels on: the bits of
+/// x ^ y and of y, interleaved, lowest bit first.
 fn bayer(x: u16, y: u16) -> u32 {
     let (a, b) = (u32::from(x ^ y), u32::from(y));
     (a & 1) << 5 | (b & 1) << 4 | (a & 2) << 2 | (b & 2) << 1 | (a & 4) >> 1 | (b & 4) >> 2
@@ -122,8 +123,8 @@ fn bayer(x: u16, y: u16) -> u32 {
 /// Segments of the tone curve.
 const SEGMENTS: usize = 512;
 
-/// The curve of sRGB at every 512th part of the range, in units of 1/65535: 1 KB of flash. Between them it is
-/// read off a straight line, which is right within 0.2 of 255.
+/// The sRGB curve at every 512th part of the range, in units of 1/65535: 1 KB of flash. Between these
+/// points it is interpolated, with an error below 0.2 of 255 levels.
 static SRGB: [u16; SEGMENTS + 1] = srgb_curve();
 
 const fn srgb_curve() -> [u16; SEGMENTS + 1] {

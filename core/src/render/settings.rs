@@ -18,18 +18,19 @@ pub struct Settings {
     /// How often light may be mirrored or refracted on its way: 0 to
     /// [`MAX_BOUNCES`](crate::limits::MAX_BOUNCES).
     pub bounces: u8,
-    /// The most rays that one pixel may spend, shadow rays included: 1 or more. What exceeds it is left out and
-    /// counted.
+    /// The most rays that one pixel may spend, shadow rays included: 1 or more. Rays beyond it are left
+    /// out, and counted as [`Cut::Rays`](crate::Cut::Rays).
     pub rays_per_pixel: u32,
-    /// Rays that would bring a smaller share of their light than this to the pixel are left out: 0 to 1.
+    /// Rays of which a smaller share of light than this reaches the pixel are left out: 0 to 1.
     pub cutoff: f32,
-    /// How many places of each pixel are looked at: 1 or more. One looks at the center; more smooth the edges.
+    /// The number of rays from the eye through each pixel: 1 or more. One goes through the center; more
+    /// make edges smooth.
     pub samples_per_pixel: u16,
-    /// Where in the pixel several samples lie.
+    /// Chooses the places of several samples inside each pixel.
     pub seed: u32,
-    /// How light becomes a display's code.
+    /// The curve from light to the codes of a display.
     pub transfer: Transfer,
-    /// How light is rounded to the display's levels.
+    /// The rounding of light to the levels of a display.
     pub dither: Dither,
 }
 
@@ -49,7 +50,7 @@ impl Settings {
         }
     }
 
-    /// Checks every setting and tells width and height.
+    /// Checks every setting. Returns width and height.
     pub(super) fn check(&self) -> Result<(u16, u16), SettingsError> {
         let side = |side: u32| u16::try_from(side).map_err(|_| SettingsError::Size { side, most: MAX_SIDE });
         if self.bounces > MAX_BOUNCES {

@@ -1,11 +1,12 @@
-//! Light on a display's own scale, finer than its levels: realtime quality interpolates it.
+//! Tones: light on the scale of a display, finer than its levels. Realtime quality interpolates them.
 
 use super::Light16;
 
-/// Light on a display's own scale, finer than its levels, in up to three channels of 16 bits.
+/// Light on the scale of a display, after its tone curve and finer than its levels, in up to three channels
+/// of 16 bits.
 ///
-/// Neighboring pixels lie on straight lines between tones: two additions a pixel, where light would take a tone curve
-/// for each. See [`DisplayColor::tone`](super::DisplayColor::tone).
+/// Realtime quality interpolates tones, which takes two additions a pixel. To interpolate light would take
+/// the tone curve for each pixel. See [`DisplayColor::tone`](super::DisplayColor::tone).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tone {
     /// The first channel in the upper half, the second in the lower: one addition for both.
@@ -49,7 +50,7 @@ impl Tone {
         Self { pair, third: third as u32 }
     }
 
-    /// Light whose channels are the tone's.
+    /// The tone whose channels are those of light, at most 65535.
     #[inline]
     pub(super) fn from_light(light: Light16) -> Self {
         let channel = |light: u32| u16::try_from(light).unwrap_or(u16::MAX);
@@ -62,10 +63,10 @@ impl Tone {
         Light16 { r: self.first().into(), g: self.second().into(), b: self.third().into() }
     }
 
-    /// One of 2^`shift` steps from here to `other`.
+    /// The step that leads from this tone to `other` in 2^`shift` steps.
     #[inline]
     pub(super) fn step_toward(self, other: Self, shift: u32) -> Step {
-        // Rounded toward zero, so that no channel leaves the range between the two.
+        // Rounded toward zero, so that no channel leaves the range between the two tones.
         let part = |from: u32, to: u32| {
             let way = to.wrapping_sub(from) as i32;
             (way.wrapping_add((way >> 31) & ((1 << shift) - 1)) >> shift) as u32
@@ -78,11 +79,11 @@ impl Tone {
     /// The tone after this step.
     #[inline]
     pub(super) fn after(self, step: Step) -> Self {
-        // What the lower channel borrows from the upper one, the next sum gives back.
+        // A carry between the channels of a pair cancels out in a sum of several steps.
         Self { pair: self.pair.wrapping_add(step.pair), third: self.third.wrapping_add(step.third) }
     }
 
-    /// Halfway between two.
+    /// The tone halfway between two tones.
     #[inline]
     pub(super) fn middle(self, other: Self) -> Self {
         let half = |a: u16, b: u16| ((u32::from(a) + u32::from(b)) >> 1) as u16;
@@ -93,7 +94,7 @@ impl Tone {
         )
     }
 
-    /// Whether a channel of the two is farther apart than `threshold`.
+    /// Whether any channel differs by more than `threshold`.
     #[inline]
     pub(super) fn differs(self, other: Self, threshold: u16) -> bool {
         self.first().abs_diff(other.first()) > threshold

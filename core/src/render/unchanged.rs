@@ -1,17 +1,20 @@
-//! Which lines of a picture are surely those of the picture before.
+//! Lines that look as they did in the picture before, and need not be drawn again.
 
 use super::Renderer;
 use crate::math::Real;
 use crate::shape::Geometry;
 
 impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
-    /// Whether line `y` surely looks as it did when `before` drew it, so that it need not be drawn again. In realtime
-    /// quality that holds for a band of lines if it does for all of them and the one below.
+    /// Whether line `y` certainly looks as it did when `before` drew it, and need not be drawn again. In
+    /// realtime quality, a band of lines is unchanged if all its lines and the line below it are, and if no
+    /// budget of rays ended too early.
     ///
-    /// True where nothing has changed at all: the very same prepared scene and the same settings; and where none of
-    /// the objects can be seen on that line, neither now nor then, before the same background, which must be solid where
-    /// the camera has moved. Where objects can be seen, is known with the feature `candidates` and of few objects. Else false, also
-    /// for lines that happen to be the same. In realtime quality it holds where no budget of rays ends too early.
+    /// The answer is `true` in two cases. First, nothing has changed: both renderers have the same prepared
+    /// scene, at the same address, and the same settings. Second, no object can be seen on that line in
+    /// either picture, and the background is the same; if the camera has moved, the background must be
+    /// solid. Lines without objects are known with the feature `candidates`, in scenes of up to
+    /// [`FEW_OBJECTS`](crate::limits::FEW_OBJECTS) objects. In all other cases the answer is `false`, also
+    /// for lines that happen to be the same.
     ///
     /// ```
     /// use rayline::builtin::CLASSIC;
@@ -43,13 +46,13 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
             || self.sees_same_background(before) && self.sees_nothing(line) && before.sees_nothing(line)
     }
 
-    /// Whether surely both see the same where they see nothing else.
+    /// Whether rays that meet no object certainly see the same in both pictures.
     fn sees_same_background<T: Geometry>(&self, before: &Renderer<'_, '_, R, T>) -> bool {
         let (now, then) = (&self.scene.background, &before.scene.background);
         now.is_same(then) && (now.solid().is_some() || self.viewport == before.viewport)
     }
 
-    /// Whether surely no object is seen on a line.
+    /// Whether certainly no object is seen on a line.
     fn sees_nothing(&self, y: u16) -> bool {
         let spans = self.outlines.strip(y, y);
         spans.is_some_and(|mut spans| spans.all(|span| span.start >= span.end || span.start >= self.width))

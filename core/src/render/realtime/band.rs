@@ -46,6 +46,22 @@ pub(super) struct Band {
     tips: Option<TipPoints>,
 }
 
+impl Band {
+    /// The corners of the next cell, in which no ray meets an object.
+    fn empty_corners(&self, nothing: Sample, side: usize) -> Corners {
+        let corner = |x: usize, y: usize| match &self.tips {
+            Some(tips) => tips.mark(nothing, self.left + x as u32, y),
+            None => nothing,
+        };
+        Corners {
+            top_left: corner(0, 0),
+            top_right: corner(side, 0),
+            bottom_left: corner(0, side),
+            bottom_right: corner(side, side),
+        }
+    }
+}
+
 /// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
 #[derive(Debug)]
 pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
@@ -67,6 +83,7 @@ pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
 
 impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     /// For a picture in colors of type `C`, of which no lines are to be drawn yet.
+    #[inline]
     pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
         let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
@@ -133,17 +150,19 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> Spent {
-        let side = self.quality.grid.pixels();
-        let left = band.left as usize;
+        let (side, left) = (self.quality.grid.pixels(), band.left as usize);
+        let (settings, width) = (&renderer.settings, usize::from(renderer.width));
+        let paint = Paint { settings, width, left, top: band.top, side };
         let among = objects_shown(renderer, band, side);
+        if let Some(nothing) = self.nothing
+            && among.is_empty()
+        {
+            paint.blank(buffer.colors, nothing);
+            self.hand_on_corners(band, &band.empty_corners(nothing, side), buffer.samples);
+            return Spent::default();
+        }
         let detail = self.budget.detail();
-        // The constant says whether a shape can have rims: without one, the compiler leaves out all that
-        // follows.
-        let has_rim = S::Prepared::<'m, R>::HAS_RIMS
-            && detail == Detail::Full
-            && self.small.has_rim(band.left, band.top);
-        let settings = &renderer.settings;
-        let paint = Paint { settings, width: usize::from(renderer.width), left, top: band.top, side };
+        let seen = self.seen(band, detail);
         let mut tracer = Tracer {
             renderer,
             bounds: &self.bounds,
@@ -159,15 +178,6 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             rays: 0,
             allowed: self.budget.left(),
         };
-        if let Some(nothing) = self.nothing
-            && among.is_empty()
-        {
-            paint.blank(buffer.colors, nothing);
-            let corners = tracer.empty_corners(nothing, side);
-            self.hand_on_corners(band, &corners, buffer.samples);
-            return Spent::default();
-        }
-
         let above: Above<'_> = if band.has_top { buffer.samples.get(left..) } else { None };
         let is_first = left == 0;
         let traces_row = self.budget.traces_row();
@@ -177,9 +187,6 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         if is_first {
             band.is_left_refined = refine_first_side(&mut self.cell, side, &mut tracer);
         }
-        let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
-        let is_next_thin = is_thin && band.thin.holds(band.left + side as u32);
-        let seen = Seen { is_thin, is_next_thin, has_rim };
         let plan = Plan::new(&corners, band.is_left_refined, seen, side, &tracer);
         plan.draw(&mut self.cell, &corners, above, &mut tracer);
         let all = tracer.rays;
@@ -190,6 +197,20 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
         self.hand_on(band, &plan, &corners, buffer.samples);
         Spent { all, row, refined: all - grid }
+    }
+
+    /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
+    fn seen(&self, band: &Band, detail: Detail) -> Seen {
+        let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
+        let next = band.left + self.quality.grid.pixels() as u32;
+        Seen {
+            is_thin,
+            is_next_thin: is_thin && band.thin.holds(next),
+            // The constant says whether any shape has rims. If none has, the compiler leaves out what follows.
+            has_rim: S::Prepared::<'m, R>::HAS_RIMS
+                && detail == Detail::Full
+                && self.small.has_rim(band.left, band.top),
+        }
     }
 
     /// Hands a cell that is drawn to the cell to the right and to the band below.

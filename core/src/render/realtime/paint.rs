@@ -1,10 +1,10 @@
-//! From the samples of a cell to the display's colors.
+//! Colors of a cell, from its samples.
 
 use super::Sample;
 use super::cell::{Cell, Corners};
 use crate::render::{DisplayColor, Dither, Quantizer, Settings, Tone};
 
-/// Where a cell is painted: into a band of lines.
+/// Writes the colors of a cell into a band of lines.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint<'s> {
     pub(super) settings: &'s Settings,
@@ -27,7 +27,7 @@ impl Paint<'_> {
         self.rows(colors, |_, row| row.fill(color));
     }
 
-    /// A cell that has nothing that its corners have not.
+    /// A cell whose pixels are interpolated between its corners.
     pub(super) fn smooth<C: DisplayColor>(&self, colors: &mut [C], corners: &Corners) {
         let shift = self.side.trailing_zeros();
         let (mut left, mut right) = (corners.top_left.tone(), corners.top_right.tone());
@@ -44,7 +44,7 @@ impl Paint<'_> {
         });
     }
 
-    /// A cell whose points are all known.
+    /// A cell whose samples are all known.
     pub(super) fn refined<C: DisplayColor>(&self, colors: &mut [C], cell: &Cell) {
         self.rows(colors, |y, row| self.paint(row, y, cell.row(y).iter().map(|sample| sample.tone())));
     }
@@ -64,20 +64,20 @@ impl Paint<'_> {
         }
     }
 
-    // Called from both: one copy is enough.
+    // Called from `smooth` and `refined`: one copy is enough.
     #[inline(never)]
     fn dithered<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
         let quantizer = Quantizer::new(self.settings, (self.left + x) as u16, (self.top + y as u32) as u16);
         C::from_tone(tone, &quantizer)
     }
 
-    /// Of colors that are not dithered.
+    /// For colors that are not dithered.
     #[inline]
     fn quantizer(&self) -> Quantizer {
         Quantizer::nearest(self.settings.transfer)
     }
 
-    /// The cell's part of each line.
+    /// Calls `paint` with each line of the cell and the pixels that it has in the band.
     #[inline]
     fn rows<C>(&self, colors: &mut [C], mut paint: impl FnMut(usize, &mut [C])) {
         let mut rest = colors;

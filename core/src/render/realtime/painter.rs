@@ -8,6 +8,7 @@ use super::sample::Sample;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::render::painter::{Painter, Traced};
+use crate::render::quality::Sealed;
 use crate::render::{DisplayColor, LineError, Quality, Renderer};
 use crate::shape::Geometry;
 
@@ -30,14 +31,13 @@ impl Realtime {
     }
 }
 
+impl<C: DisplayColor> Sealed for RealtimeBuffer<'_, C> {}
+
 impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
     type Color = C;
     type Painter<'m, R: Real, S: Geometry + 'm> = RealtimePainter<'m, 'b, R, S, C>;
 
-    fn painter<'m, R: Real, S: Geometry + 'm>(
-        self,
-        renderer: &Renderer<'_, 'm, R, S>,
-    ) -> Result<RealtimePainter<'m, 'b, R, S, C>, LineError> {
+    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
         let needed = self.quality.colors(renderer.width);
         if self.colors.len() != needed {
             return Err(LineError::BandLength { given: self.colors.len(), needed });
@@ -46,12 +46,20 @@ impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
         if self.samples.len() != needed {
             return Err(LineError::SampleCount { given: self.samples.len(), needed });
         }
-        let bands = BandPainter::new::<C>(renderer, self.quality);
-        Ok(RealtimePainter { bands, band: None, buffer: self })
+        Ok(())
+    }
+
+    #[inline]
+    fn painter<'m, R: Real, S: Geometry + 'm>(
+        self,
+        renderer: &Renderer<'_, 'm, R, S>,
+    ) -> RealtimePainter<'m, 'b, R, S, C> {
+        RealtimePainter { bands: BandPainter::new::<C>(renderer, self.quality), band: None, buffer: self }
     }
 }
 
-/// Draws bands of lines in realtime quality. A pixel is traced once for one band, and some pixels once more without lights.
+/// Draws bands of lines in realtime quality. A pixel is traced once for one band, and some pixels once more
+/// without lights.
 #[derive(Debug)]
 pub struct RealtimePainter<'m, 'b, R: Real, S: Geometry + 'm, C> {
     bands: BandPainter<'m, R, S>,

@@ -15,8 +15,9 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// The candidates for the pixel centers of the lines from `top` to `bottom`, both included; `None` where they
-    /// are not known. Where something may be thin, its hulls tell more closely than its outline, and `thin` learns it.
+    /// The candidates for the pixel centers of the lines from `top` to `bottom`, both included; `None`
+    /// where they are not known. Where something may be thin, its hulls tell more closely than its outline,
+    /// and `thin` learns it.
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),

@@ -2,7 +2,6 @@
 
 use core::marker::PhantomData;
 
-use super::cell::Corners;
 use super::marks::{FAINT, MarkProbe};
 use super::pixel_source::PixelSource;
 use super::sample::Sample;
@@ -86,26 +85,6 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
         if may_trace && self.rays < self.allowed { self.trace(x, y) } else { neighbor.untraced() }
     }
 
-    /// The corners of a cell in which no ray meets an object.
-    pub(super) fn empty_corners(&self, nothing: Sample, side: usize) -> Corners {
-        let corner = |x: usize, y: usize| self.marked_by_tips(nothing, x, y);
-        Corners {
-            top_left: corner(0, 0),
-            top_right: corner(side, 0),
-            bottom_left: corner(0, side),
-            bottom_right: corner(side, side),
-        }
-    }
-
-    /// The sample at a point, marked if it is near a tip or a low shadow.
-    #[inline]
-    fn marked_by_tips(&self, sample: Sample, x: usize, y: usize) -> Sample {
-        match self.tips {
-            Some(tips) if tips.are_near(self.left + x as u32, y) => sample.marked_near_glint(),
-            _ => sample,
-        }
-    }
-
     /// Allows at most this many rays more. Without rays, everything else is interpolated.
     pub(super) fn allow(&mut self, rays: u32) {
         self.allowed = self.allowed.min(self.rays.saturating_add(rays));
@@ -153,7 +132,10 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource for Tracer<'_, '_, R, S, C, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
         let sample = self.trace_for(Purpose::Marks, x, y);
-        self.marked_by_tips(sample, x, y)
+        match self.tips {
+            Some(tips) => tips.mark(sample, self.left + x as u32, y),
+            None => sample,
+        }
     }
 
     fn trace_tone(&mut self, x: usize, y: usize) -> Sample {

@@ -11,6 +11,7 @@
 //! [`thin_cells`](super::thin_cells).
 
 use super::super::grid::{Grid, LARGEST_SIDE, SQUARE};
+use super::super::sample::Sample;
 use super::column_set::ColumnSet;
 use super::shadow_on_plane::ShadowOnPlane;
 use super::taper::Taper;
@@ -122,11 +123,16 @@ impl TipPoints {
         (self.side / 2) as u16
     }
 
+    /// Marks the sample of the pixel in column `x`, `below` lines under the upper row, if something is near.
+    pub(in crate::render::realtime) fn mark(&self, sample: Sample, x: u32, below: usize) -> Sample {
+        if self.are_near(x, below) { sample.marked_near_glint() } else { sample }
+    }
+
     /// Whether something is near the pixel in column `x`, `below` lines under the upper row. Only pixels of
     /// the grid, and of a grid half as wide in cells of eight pixels, are ever near something.
     // Kept out of line: few scenes have such points.
     #[inline(never)]
-    pub(in crate::render::realtime) fn are_near(&self, x: u32, below: usize) -> bool {
+    fn are_near(&self, x: u32, below: usize) -> bool {
         // Sides are powers of two.
         let is_point = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;
         let is_upper = below & (self.side - 1) != 0 || below == 0;
