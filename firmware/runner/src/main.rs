@@ -57,10 +57,7 @@ fn run(arguments: &Arguments) -> Result<bool> {
         return bench(arguments);
     }
     if let Some(file) = &arguments.report {
-        ensure!(
-            arguments.boards.is_empty(),
-            "--report has all boards: leave out their names, or add --bench"
-        );
+        ensure!(arguments.boards.is_empty(), "--report writes the tables of all boards: leave out the names");
         bench::write_report(file)?;
         return Ok(true);
     }

@@ -11,6 +11,7 @@ use crate::request::Request;
 use crate::session::Session;
 
 pub(super) const M4F: &str = "mps2-an386";
+const M7: &str = "mps2-an500";
 pub(super) const M3: &str = "mps2-an385";
 /// A Cortex-M0. A Cortex-M0+ executes the same instructions.
 pub(super) const M0: &str = "microbit";
@@ -57,8 +58,10 @@ const fn own_size(board: &'static str, number: Number, mode: Mode) -> Entry {
 }
 
 /// The programs beside those of [`FIXED_SCENES`] and those of all boards.
-const ENTRIES: [Entry; 20] = [
+const ENTRIES: [Entry; 21] = [
     entry(M4F, "classic", Number::F32, Mode::Exact),
+    // The same program, which is not built again.
+    entry(M7, "classic", Number::F32, Mode::Exact),
     entry(M3, "classic", Number::Fixed, Mode::Exact),
     entry(M0, "classic", Number::Fixed, Mode::Exact),
     entry(M4F, "classic", Number::F32, Mode::Realtime),
