@@ -117,7 +117,7 @@ pub fn write_number() -> Result<Number, Box<dyn Error>> {
     let text = format!(
         "/// The number system that the program computes in.
 pub type Number = {name};
-/// Whether it is floating point.
+/// Whether the number system is floating point.
 pub const IS_FLOAT: bool = {is_float};
 "
     );
