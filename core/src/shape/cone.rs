@@ -8,7 +8,7 @@
 //! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
 //! rings_s1.
 
-use super::{Geometry, Hull, Intersect, Spans, Tip, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -326,37 +326,6 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Some(disc(R::ZERO).union(disc(self.length)).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        if part > 0 {
-            return None;
-        }
-        let top_radius = self.top_radius();
-        let (half, radius) =
-            (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
-        let center = self.base + half;
-        Some(if self.length < radius {
-            // It may be seen from the edge.
-            let (u, v) = self.axis.around();
-            Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
-        } else {
-            Hull { center, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
-        })
-    }
-
-    #[inline(never)]
-    fn tip(&self, number: usize) -> Option<Tip<R>> {
-        let top_radius = self.top_radius();
-        let top = self.base + self.axis * self.length;
-        let (apex, base, narrow, wide) = if top_radius < self.base_radius {
-            (top, self.base, top_radius, self.base_radius)
-        } else {
-            (self.base, top, self.base_radius, top_radius)
-        };
-        let is_tip = number == 0 && narrow * R::from_u16(BLUNT) < wide;
-        is_tip.then_some(Tip { apex, ends: [base; 2], radius: wide })
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         let (true, Some(passage)) = (self.capped, self.passage(ray)) else {
             return Spans::NONE;
@@ -402,14 +371,6 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        if self.is_on_lid(surface) {
-            surface.normal
-        } else {
-            beside(&Self { capped: false, ..*self }, surface, step)
-        }
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_base = surface.point - self.base;
         let height = from_base.dot(self.axis);
@@ -419,6 +380,47 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             return uv::disc(surface.normal, from_base - self.axis * height, radius);
         }
         [uv::angle_about(self.axis, from_base), height / self.length]
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedCone<R> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if part > 0 {
+            return None;
+        }
+        let top_radius = self.top_radius();
+        let (half, radius) =
+            (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
+        let center = self.base + half;
+        Some(if self.length < radius {
+            // It may be seen from the edge.
+            let (u, v) = self.axis.around();
+            Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
+        } else {
+            Hull { center, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
+        })
+    }
+
+    #[inline(never)]
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let top_radius = self.top_radius();
+        let top = self.base + self.axis * self.length;
+        let (apex, base, narrow, wide) = if top_radius < self.base_radius {
+            (top, self.base, top_radius, self.base_radius)
+        } else {
+            (self.base, top, self.base_radius, top_radius)
+        };
+        let is_tip = number == 0 && narrow * R::from_u16(BLUNT) < wide;
+        is_tip.then_some(Tip { apex, ends: [base; 2], radius: wide })
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        if self.is_on_lid(surface) {
+            surface.normal
+        } else {
+            beside(&Self { capped: false, ..*self }, surface, step)
+        }
     }
 }
 

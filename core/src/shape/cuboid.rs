@@ -1,7 +1,7 @@
 //! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
 
 use super::chord::Chord;
-use super::{Geometry, Hull, Intersect, Spans, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -171,12 +171,6 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
-        (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.chord(ray).spans()
     }
@@ -214,6 +208,14 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
             4 => [R::ONE - x, y],
             _ => [x, y],
         }
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedCuboid<'_, R> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
+        (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
     }
 }
 

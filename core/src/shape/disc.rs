@@ -1,8 +1,8 @@
 //! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::hull::Circle;
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, reach_across, uv};
+use super::circle::Circle;
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -94,6 +94,16 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
         Some(bounds.padded(R::offset(bounds.magnitude())))
     }
 
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::disc(self.plane.normal, surface.point - self.center, self.radius)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedDisc<R> {
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let axis = self.plane.normal;
@@ -108,14 +118,6 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
             return None;
         };
         circle.hull(part, distance)
-    }
-
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        self.plane.surface(ray, t)
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        uv::disc(self.plane.normal, surface.point - self.center, self.radius)
     }
 }
 

@@ -1,7 +1,7 @@
 //! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
 
-use super::{Geometry, Hull, Intersect, Spans, beside, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -178,11 +178,6 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
         Some(Aabb::around(self.0.center, self.0.reach).padded(R::offset(self.0.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        (part == 0).then_some(self.0.hull)
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.0.crossings(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
     }
@@ -203,12 +198,19 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(self.0.mapped(surface.point - self.0.center))
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then_some(self.0.hull)
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 

@@ -1,6 +1,6 @@
 //! An infinite plane; as a solid, the half of space behind it.
 
-use super::{Form, Geometry, Intersect, Spans, project_onto_plane, uv};
+use super::{Form, Geometry, Intersect, Silhouette, Spans, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3, times};
@@ -168,6 +168,8 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         uv::flat(self.normal, surface.point, scale)
     }
 }
+
+impl<R: Real> Silhouette<R> for PreparedPlane<R> {}
 
 #[cfg(test)]
 mod tests {

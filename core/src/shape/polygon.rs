@@ -1,7 +1,7 @@
 //! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
 //! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Tip, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -242,6 +242,16 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         bounds_of(self.vertices())
     }
 
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        self.plane.uv(surface, scale)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if part > 0 {
@@ -282,14 +292,6 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         };
         let ends = [vertex(number + count - 1)?, vertex(number + 1)?];
         Some(Tip { apex: vertex(number)?, ends, radius: R::ZERO })
-    }
-
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        self.plane.surface(ray, t)
-    }
-
-    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
-        self.plane.uv(surface, scale)
     }
 }
 

@@ -9,7 +9,7 @@
 //! which goes with the fourth power.
 
 use super::chord::Chord;
-use super::{Geometry, Intersect, Plane, PreparedPlane, Spans, uv};
+use super::{Geometry, Intersect, Plane, PreparedPlane, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
 use crate::limits::{MAX_COORDINATE, MAX_FACES};
@@ -236,6 +236,8 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
         uv::flat(surface.normal, surface.point, scale)
     }
 }
+
+impl<R: Real> Silhouette<R> for PreparedPolyhedron<'_, R> {}
 
 #[cfg(test)]
 mod tests {

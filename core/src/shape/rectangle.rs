@@ -1,7 +1,7 @@
 //! A rectangle or parallelogram: the two coordinates of a [`Patch`], both from 0 to 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Silhouette, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -70,17 +70,19 @@ impl<R: Real> Intersect<R> for PreparedRectangle<R> {
         bounds_of(Rectangle::corners(corner, right, up).into_iter().map(Vec3::from_setup))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        (part == 0).then(|| self.patch.hull())
-    }
-
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.patch.plane.surface(ray, t)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         self.patch.coordinates(surface.point).into()
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then(|| self.patch.hull())
     }
 }
 

@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect, Spans, uv};
+use super::{Form, Geometry, Intersect, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, each};
@@ -134,12 +134,14 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        (surface.normal * self.radius() + step).unit()
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.center)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedSphere<R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        (surface.normal * self.radius() + step).unit()
     }
 }
 

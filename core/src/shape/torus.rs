@@ -6,8 +6,8 @@
 //! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
 //! not lose a thin tube in its squares.
 
-use super::hull::Circle;
-use super::{Geometry, Hull, Intersect, Spans, beside, reach_across, uv};
+use super::circle::Circle;
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -176,12 +176,6 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
-        circle.hull(part, self.minor)
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         let everywhere = Interval { min: -R::FARTHEST, max: R::FARTHEST };
         let (mut spans, mut enters) = (Spans::NONE, None);
@@ -207,15 +201,23 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_center = surface.point - self.center;
         let height = from_center.dot(self.axis);
         let across = (from_center - self.axis * height).length();
         [uv::angle_about(self.axis, from_center), R::turn(height, across - self.major)]
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedTorus<R> {
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
+        circle.hull(part, self.minor)
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, Tip, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Silhouette, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
@@ -106,6 +106,17 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         bounds_of([a, a + ab, a + ac].into_iter().map(Vec3::from_setup))
     }
 
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let surface = self.patch.plane.surface(ray, t);
+        Surface { shading_normal: self.normal_at(surface.point).unwrap_or(surface.normal), ..surface }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.patch.coordinates(surface.point).into()
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
@@ -124,17 +135,8 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         Some(Tip { apex, ends, radius: R::ZERO })
     }
 
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let surface = self.patch.plane.surface(ray, t);
-        Surface { shading_normal: self.normal_at(surface.point).unwrap_or(surface.normal), ..surface }
-    }
-
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         self.normal_at(surface.point + step).unwrap_or(surface.normal)
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        self.patch.coordinates(surface.point).into()
     }
 }
 

@@ -25,7 +25,7 @@ use crate::prepared::PreparedScene;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::render::{DisplayColor, DrawError, LineError, Progress, Renderer};
-use crate::shape::{Geometry, Intersect};
+use crate::shape::{Geometry, Silhouette};
 
 /// Rays that would bring a smaller share than this are left out.
 const CUTOFF: f32 = 1.0 / 64.0;

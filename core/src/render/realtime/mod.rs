@@ -121,7 +121,7 @@ use crate::shape::Geometry;
 /// - *low shadows*, on what is seen aslant. On the largest flat object of a scene of up to 32 objects, with one sample a pixel, those that
 ///   are lower than a cell are looked for; the tails of others can be cut off;
 /// - *highlights of a pixel or two*, as those of shininess 1000 on a ball, rod or torus of 11 pixels' radius, on a grid of eight; those that
-///   are mirrored; and on shapes of one's own that do not tell [`normal_beside`](crate::shape::Intersect::normal_beside);
+///   are mirrored; and on shapes of one's own that do not tell [`normal_beside`](crate::shape::Silhouette::normal_beside);
 /// - *polygons seen edgewise*, unless they are four times as long as wide, and *the shadows of plates that stand edgewise to a light*;
 /// - what is smaller than a cell in *smooth textures*, as noise, marble, wood and blended images, in color and in maps; of images that
 ///   are not blended, spots of less than a third of a cell on even ground; and shadows that fall through maps of transmittance. Squares,

@@ -18,7 +18,7 @@ use super::stadium::place_of;
 use super::taper::Shade;
 use crate::light::Source;
 use crate::math::{Real, Vec3};
-use crate::shape::{Bend, Geometry, Intersect, Rim};
+use crate::shape::{Bend, Geometry, Rim, Silhouette};
 
 /// Squares of the picture in which rims are seen, as a set.
 #[derive(Clone, Copy, Debug)]

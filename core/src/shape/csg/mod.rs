@@ -20,7 +20,7 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Geometry, Hull, Intersect, Solid, Tip};
+use super::{Geometry, Hull, Intersect, Silhouette, Solid, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -273,19 +273,6 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         self.body.bounds
     }
 
-    /// That of the whole, then those of its solids: of two that are thick, a thin part may be left, and of several that are far apart
-    /// each may be thin.
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let Some(part) = part.checked_sub(1) else { return self.body.bounds.map(Hull::aligned) };
-        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
-    }
-
-    /// Those of its solids: what is left of them may taper off there.
-    fn tip(&self, number: usize) -> Option<Tip<R>> {
-        self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
-    }
-
     #[inline(never)]
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         // The same steps as before lead to the same boundary.
@@ -308,15 +295,30 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         self.turned(solid, Surface { part, ..surface })
     }
 
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        let (solid, surface) = self.on_solid(surface);
+        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
+    }
+}
+
+impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
+    /// That of the whole, then those of its solids: of two that are thick, a thin part may be left, and of several that are far apart
+    /// each may be thin.
+    #[inline(never)]
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let Some(part) = part.checked_sub(1) else { return self.body.bounds.map(Hull::aligned) };
+        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
+    }
+
+    /// Those of its solids: what is left of them may taper off there.
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         let (number, on_solid) = self.on_solid(surface);
         let solid = self.solids.get(usize::from(number));
         let normal = solid.map_or(on_solid.shading_normal, |solid| solid.normal_beside(&on_solid, step));
         if self.body.program.is_taken_away(number) { -normal } else { normal }
-    }
-
-    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
-        let (solid, surface) = self.on_solid(surface);
-        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
     }
 }

@@ -7,7 +7,7 @@ mod metaballs;
 mod tests;
 mod trace;
 
-use super::{Geometry, Intersect, beside, uv};
+use super::{Geometry, Intersect, Silhouette, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -147,11 +147,13 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.room.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.room.middle)
+    }
+}
+
+impl<D: Distance<R>, R: Real> Silhouette<R> for PreparedImplicit<D, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }

@@ -1,6 +1,6 @@
 //! How a ray meets instances: it is brought to where the model is, and its hit back.
 
-use super::super::{Hull, Intersect, Rim, Spans, Tip};
+use super::super::{Hull, Intersect, Rim, Silhouette, Spans, Tip};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
@@ -82,8 +82,6 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
 const MOST_TAPERING: usize = 32;
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
-    const HAS_RIMS: bool = P::HAS_RIMS;
-
     // Much code, and many rays never come here.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -105,6 +103,30 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
     fn bounds(&self) -> Option<Aabb<R>> {
         self.group.bounds
     }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        self.only().map_or(Spans::NONE, |pose| self.model.spans(&pose.inward(ray)))
+    }
+
+    #[inline(never)]
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let Some((index, pose)) = self.at(ray, t) else {
+            // Where `intersect` gave `t`, there is one.
+            let (point, normal) = (ray.at(t), -ray.direction);
+            return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
+        };
+        let surface = pose.outward(self.model.surface(&pose.inward(ray), t));
+        let part = (index as u32) << PART_BITS | surface.part & ((1 << PART_BITS) - 1);
+        Surface { part, ..surface }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.group.sized))
+    }
+}
+
+impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
+    const HAS_RIMS: bool = P::HAS_RIMS;
 
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
@@ -133,28 +155,8 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         }
     }
 
-    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        self.only().map_or(Spans::NONE, |pose| self.model.spans(&pose.inward(ray)))
-    }
-
-    #[inline(never)]
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let Some((index, pose)) = self.at(ray, t) else {
-            // Where `intersect` gave `t`, there is one.
-            let (point, normal) = (ray.at(t), -ray.direction);
-            return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
-        };
-        let surface = pose.outward(self.model.surface(&pose.inward(ray), t));
-        let part = (index as u32) << PART_BITS | surface.part & ((1 << PART_BITS) - 1);
-        Surface { part, ..surface }
-    }
-
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         let Some((pose, surface)) = self.on_model(surface) else { return surface.shading_normal };
         pose.turn(self.model.normal_beside(&surface, pose.turn_back(step)))
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.group.sized))
     }
 }

@@ -1,5 +1,5 @@
 use super::super::testing::*;
-use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Sphere, Torus};
+use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Silhouette, Sphere, Torus};
 use super::*;
 use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
 

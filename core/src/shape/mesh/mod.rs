@@ -43,7 +43,7 @@ mod tests;
 pub use baked::{BakedMesh, BakedParts};
 pub use smooth::SmallNormal;
 
-use super::{Bend, Geometry, Intersect, Rim, bounds_of};
+use super::{Bend, Geometry, Intersect, Rim, Silhouette, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_number, check_point, check_size};
 use crate::hierarchy::Hierarchy;
@@ -317,8 +317,6 @@ fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
 }
 
 impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
-    const HAS_RIMS: bool = true;
-
     // Much code, and many rays never come here.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -339,10 +337,6 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
 
     fn bounds(&self) -> Option<Aabb<R>> {
         Some(self.0.bounds)
-    }
-
-    fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
-        (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -376,6 +370,21 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         }
     }
 
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        let triangle = surface.part as u16;
+        let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };
+        let (b, c) = weights(corners, surface.point);
+        self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedMesh<'_, R> {
+    const HAS_RIMS: bool = true;
+
+    fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
+        (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         let triangle = surface.part as u16;
         let beside = self.0.corners(triangle).and_then(|corners| {
@@ -385,12 +394,5 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
             self.0.shading_normal(triangle, Meeting { t: R::ZERO, b, c })
         });
         beside.unwrap_or(surface.shading_normal)
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        let triangle = surface.part as u16;
-        let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };
-        let (b, c) = weights(corners, surface.point);
-        self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
     }
 }

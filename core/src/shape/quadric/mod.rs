@@ -5,7 +5,7 @@ mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::{Geometry, Intersect, Spans, beside, uv};
+use super::{Geometry, Intersect, Silhouette, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -254,12 +254,14 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
         Surface { point, normal, shading_normal: normal, magnitude: body.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.0.middle)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 

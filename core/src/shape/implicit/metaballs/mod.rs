@@ -6,7 +6,7 @@ mod sum;
 #[cfg(test)]
 mod tests;
 
-use super::super::{Geometry, Intersect, beside, uv};
+use super::super::{Geometry, Intersect, Silhouette, beside, uv};
 use super::Room;
 use super::trace::Line;
 use kernel::{LEVEL, STEEPEST, reach_of};
@@ -192,11 +192,13 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.0.room.middle)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedMetaballs<'_, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
