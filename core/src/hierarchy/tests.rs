@@ -1,4 +1,4 @@
-//! What a hierarchy promises, of boxes that are spread well and badly.
+//! Tests of the hierarchy, with boxes that are spread well and badly.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
@@ -21,7 +21,8 @@ fn memory<R: Real, const W: usize>(objects: usize, leaf: usize) -> Vec<MaybeUnin
     vec![MaybeUninit::uninit(); Hierarchy::<R, W>::bytes(objects, leaf)]
 }
 
-/// Builds hierarchies of these boxes and checks all that they promise; returns the depth with small nodes and leaves.
+/// Builds hierarchies of these boxes and checks all their invariants. Returns the depth for nodes of four
+/// boxes and leaves of two objects.
 fn check(boxes: &Boxes) -> usize {
     check_leaves::<8>(boxes, 3);
     check_leaves::<NARROW>(boxes, 4);
@@ -64,7 +65,7 @@ fn check_leaves<const W: usize>(boxes: &Boxes, leaf: usize) -> usize {
     deepest
 }
 
-/// Whether a box lies in one of a node's.
+/// Whether one of a node's boxes contains a box.
 fn holds<const W: usize>(node: &Node<f32, W>, slot: usize, bounds: Aabb<f32>) -> bool {
     let [min, max] = node.corners(slot);
     let around = Aabb { min, max };
@@ -85,7 +86,7 @@ fn every_object_is_in_one_leaf_within_all_boxes_around_it() {
 }
 
 #[test]
-fn nothing_has_bounds_or_little() {
+fn few_objects_or_none_have_bounds() {
     check(&vec![None; 40]);
     for bounded in 1..6 {
         check(&(0..40).map(|i| (i % 40 < bounded).then(|| cube(i as f32, 0.0, 0.0, 1.0).unwrap())).collect());
@@ -94,7 +95,8 @@ fn nothing_has_bounds_or_little() {
 
 #[test]
 fn no_tree_is_too_deep() {
-    // All at one place; each so much farther than the last that every cut parts as few as it may.
+    // Objects in one place, and objects each of which is so much farther than the last that cuts separate as
+    // few as possible.
     check(&vec![cube(1.0, 2.0, 3.0, 0.5); 5000]);
     let growing = |i: i32| cube(1.3f32.powi(i), 0.0, 1.2f32.powi(i), 0.1);
     check(&(0..50).map(growing).collect());
@@ -113,14 +115,14 @@ fn at_most_64_bytes_an_object() {
     }
 }
 
-/// A node of one box, in the third place.
+/// A node with one box, in the third place.
 fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
     let mut node = Node { planes: [[[-R::ONE; NARROW]; 2]; 3], ..Node::EMPTY };
     node.enclose(2, Aabb::around(center, reach));
     node
 }
 
-/// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
+/// Whether the test of this number system finds the box in the third place, and the ray reaches it.
 fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
     fn found<R: Real>(test: impl RayTest<R, NARROW>, node: &Node<R>) -> bool {
         let (mut key_there, mut met) = (None, false);
@@ -135,7 +137,7 @@ fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
     if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
 }
 
-/// All rays that meet a box, however flat and however they run, find it: along axes, along diagonals and from far away.
+/// Rays that meet a box find it, however flat the box is: rays along axes, along diagonals and from far away.
 fn boxes_are_met<R: Real>(far: f32) {
     let unit = |x: f32, y: f32, z: f32| {
         Vec3::<R>::from_setup(Vec3::new(x, y, z).to::<R::Setup>().normalized().unwrap())
@@ -157,7 +159,7 @@ fn boxes_are_met<R: Real>(far: f32) {
                 let point = Vec3::new(target, reach_y, -reach_z).to::<R>();
                 let ray = Ray { origin: point - direction * R::from_f32(far), direction };
                 assert!(meets(&ray, R::FARTHEST, &node), "{ray:?} {node:?}");
-                // It ends at the point, at its rounded distance.
+                // A ray that ends at the point, at its rounded distance.
                 assert!(meets(&ray, R::from_f32(far), &node), "{ray:?} {node:?}");
             }
         }
@@ -215,7 +217,7 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
             };
             let all = visits(100.0);
             assert!(all.len() == 40 && all[..2].contains(&first), "{all:?}");
-            // The first ends the ray: its neighbor in the leaf is all that is left.
+            // The first object ends the ray. After that, only its neighbor in the leaf is tested.
             let hidden = visits(10.0);
             assert!(hidden.len() <= 2, "{hidden:?}");
         }
@@ -227,7 +229,8 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
     check::<Fixed, 8>();
 }
 
-/// Where a processor computes one number at a time, boxes are tested one by one: the same are met, at the same distances.
+/// Processors that compute one number at a time test boxes one by one: they meet the same boxes at the same
+/// distances.
 #[test]
 fn boxes_are_met_alone_as_they_are_together() {
     fn check<R: Real, const W: usize>() {
@@ -261,7 +264,7 @@ fn boxes_are_met_alone_as_they_are_together() {
     check::<f64, NARROW>();
 }
 
-/// Objects that a ray tests, on average: the same number on every run, as times are not. It may rise by 5 %.
+/// The mean number of objects that a ray tests. Unlike a time, it is the same on every run.
 #[test]
 fn a_ray_tests_few_of_many_objects() {
     tests_few::<NARROW>(2, [(91, 0.9), (820, 3.07)]);
@@ -269,7 +272,7 @@ fn a_ray_tests_few_of_many_objects() {
 }
 
 fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
-    // Boxes of many sizes in a cube, and rays between points of it, from one generator.
+    // Random boxes of two sizes in a cube, and rays between random points of the cube.
     let mut state = 1u32;
     let mut number = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -302,8 +305,8 @@ fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
     }
 }
 
-/// Beams of rays that spread, that run along an axis, that leave a box toward a point or into one direction: what one of their rays
-/// meets, they meet. And they are no wider than they must.
+/// A beam meets every box that one of its rays meets, and few others: beams of rays that spread, that run
+/// along an axis, and that leave a box toward a point or in one direction.
 #[test]
 fn a_beam_meets_what_its_rays_meet() {
     beams_meet_what_rays_meet::<NARROW>(2);
@@ -364,7 +367,7 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
             gathered[object] = true;
             false
         }));
-        // Rays beside each other, as far as their origins are.
+        // Parallel rays: they are as far beside the first one as their origins are.
         let beside = (round % 4 == 0).then(|| {
             let (ray, max) = rays[0];
             let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);

@@ -1,12 +1,10 @@
-//! A cone or frustum, by the quadratic equation of its radius along the axis (Heckbert in Glassner (ed.), "An
-//! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
-//! §5.6).
+//! A cone or frustum: a ray meets its side at the roots of a quadratic equation (Heckbert in Glassner (ed.),
+//! "An Introduction to Ray Tracing", 1989, ch. 2), which is solved without cancellation (Press et al.,
+//! "Numerical Recipes", §5.6).
 //!
-//! Most rays that are tested pass the axis farther away than the cone reaches (63 % of them in rings_s1): floating point asks
-//! that first, by the line at right angles to both, for half the products. An M4F takes 0.90 of the instructions for
-//! `show-chess`, 0.98 for rings_s1, and x86-64 0.88 and 0.97 of the time. In fixed point, whose coefficients must not overflow, that
-//! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
-//! rings_s1.
+//! Most tested rays pass the axis at a distance that is larger than the cone's radius. Floating point tests
+//! that first, for half of the products. Fixed point, whose coefficients must not overflow, tests the
+//! distance from the base instead.
 
 use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
@@ -20,13 +18,13 @@ use crate::surface::Surface;
 pub struct Cone {
     /// The middle of one end.
     pub base: Vec3,
-    /// Radius there, 0 or more.
+    /// Radius at the base, 0 or more.
     pub base_radius: f32,
     /// The middle of the other end.
     pub top: Vec3,
-    /// Radius there, 0 or more; one of the two is more than 0.
+    /// Radius at the top, 0 or more. At least one of the two radii must be more than 0.
     pub top_radius: f32,
-    /// Whether discs close the ends; without, it is a cone without thickness.
+    /// Whether discs close the ends. If not, the cone is a surface without thickness.
     pub capped: bool,
 }
 
@@ -80,7 +78,7 @@ impl Geometry for Cone {
     }
 }
 
-/// An end tapers off whose radius is less than this part of the other's.
+/// An end is a tip if its radius, times this, is less than the radius of the other end.
 const BLUNT: u16 = 8;
 
 /// A [`Cone`] or [`Cylinder`](super::Cylinder), prepared: the radius at height h along the axis is
@@ -95,9 +93,9 @@ pub struct PreparedCone<R> {
     /// 1 + slope²
     steepness: R,
     magnitude: R,
-    /// No point is farther from the base.
+    /// No point of the cone is farther from the base.
     size: R,
-    /// No point is farther from the axis, squared, with room for rounding.
+    /// The square of a distance from the axis that no point of the cone exceeds, with room for rounding.
     reach_squared: R,
     capped: bool,
 }
@@ -119,19 +117,20 @@ struct Passage<R: Real> {
 }
 
 impl<R: Real> Passage<R> {
-    /// Where the line meets the cone, if the discriminant is positive. Along a line of the cone the second is the first.
+    /// The two places at which the line meets the cone, if the discriminant is positive. If the line is
+    /// parallel to a line of the cone, there is only one such place, and both results are it.
     #[inline(always)]
     fn roots(&self) -> (R, R) {
         let root = self.discriminant.sqrt();
         let q = if self.b > R::ZERO { -self.b - root } else { root - self.b };
-        // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
-        // far away; without floats it might not be representable.
+        // q is 0 only if both b and the discriminant are. If the line is parallel to a line of the cone, a is
+        // almost 0 and q / a is far away, or out of range in fixed point.
         let one = self.c.over(q);
         (one, if is_met_twice(self.a) { q / self.a } else { one })
     }
 
-    /// The part of `-reach..reach` that lies inside the cone, where the `slope` is how much it widens with height. Of
-    /// the line that runs through the mirror image as well, the part in the cone.
+    /// The part of the line, between `-reach` and `reach`, that lies inside the cone, whose radius grows by
+    /// `slope` for each unit of height. The part inside the cone's mirror image is left out.
     fn inside(&self, slope: R, reach: R) -> (R, R) {
         if !(self.discriminant > R::Product::ZERO) {
             return if self.c < R::Product::ZERO { (-reach, reach) } else { (reach, -reach) };
@@ -150,18 +149,19 @@ impl<R: Real> Passage<R> {
     }
 }
 
-/// Whether the line is no line of the cone, by the quadratic's first coefficient.
+/// Whether the line meets the cone twice: it is not parallel to a line of the cone. By the first coefficient
+/// of the quadratic equation.
 #[inline(always)]
 fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
 impl<R: Real> PreparedCone<R> {
-    /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared, and times the sine of the angle
-    /// between the two, squared.
+    /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared,
+    /// and times the sine of the angle between the two, squared.
     ///
-    /// Before it is squared the first is off by no more than 2⁻²¹ of the way to the base: that is less than the room that the reach has,
-    /// or less than the root of what is added.
+    /// Before it is squared the first is off by no more than 2⁻²¹ of the way to the base: that is less than
+    /// the room that the reach has, or less than the root of what is added.
     #[inline(always)]
     fn passing(&self, ray: &Ray<R>) -> (R, R) {
         let to_base = self.base - ray.origin;
@@ -197,7 +197,7 @@ impl<R: Real> PreparedCone<R> {
         Some(Passage { from_base, advance, direction, height, climb, a, b, c, discriminant })
     }
 
-    /// The nearest hit of the side.
+    /// The nearest hit of the side inside `range`.
     fn intersect_side(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
         if !(passage.discriminant > R::Product::ZERO) {
             return None;
@@ -205,7 +205,7 @@ impl<R: Real> PreparedCone<R> {
         let (one, other) = passage.roots();
         let on_side = |t: R| {
             let at = passage.height + passage.climb * t;
-            // Beyond its apex the quadratic describes a second cone: there the radius is negative.
+            // Beyond the apex the equation describes the mirror image: there the radius is negative.
             at >= R::ZERO && at <= self.length && self.base_radius + self.slope * at >= R::ZERO
         };
         let mut nearest = None;
@@ -220,12 +220,14 @@ impl<R: Real> PreparedCone<R> {
         nearest
     }
 
-    /// The nearest hit of the discs at the ends.
+    /// The nearest hit of the discs at the ends inside `range`.
     fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
-        // In fixed point, t is saturated for a ray almost along a disc, and a hit wraps where |t + advance| exceeds 128. No such hit is
-        // taken: `advance` is below 116, so that |t| is above 12; the point is |t| from the one nearest to the base, which with the
-        // disc lies within √3 + 1/2 of the base (solids lie within 1/2 of the origin), so that it is more than 7 from the middle
-        // of a disc whose radius is 1/2 at most. A coordinate of `across` wraps only where it is beyond 123, and 123 squared fits.
+        // In fixed point, t is saturated for a ray almost parallel to a disc, and t + advance wraps if it is
+        // beyond ±128. No such hit is returned, because its point is too far from the disc: `advance` is
+        // below 116, so |t| is above 12. The point lies at the distance |t| from the ray's point nearest to
+        // the base. That point and the disc lie within √3 + 1/2 of the base (solids lie within 1/2 of the
+        // origin). So the hit is more than 7 away from the middle of the disc, whose radius is at most 1/2. A
+        // coordinate of `across` wraps only if it is beyond 123, and then its square is still large.
         let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
             return None;
@@ -233,7 +235,6 @@ impl<R: Real> PreparedCone<R> {
         let mut nearest = None;
         let mut range = range;
         for end in [R::ZERO, self.length] {
-            // Compare before dividing: a disc that is many units away for a ray along it is not met.
             let t = (end - height) / climb;
             let hit = t + advance;
             if range.contains(hit) {
@@ -252,7 +253,8 @@ impl<R: Real> PreparedCone<R> {
         self.base_radius + self.slope * self.length
     }
 
-    /// Whether a surface is that of a lid: these, and nothing else, have the very axis as normal.
+    /// Whether a surface is on one of the discs at the ends: only their normals are exactly parallel to the
+    /// axis.
     fn is_on_lid(&self, surface: &Surface<R>) -> bool {
         self.capped && (surface.normal == self.axis || surface.normal == -self.axis)
     }
@@ -269,12 +271,12 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         self.intersect_caps(&passage, range).or(side)
     }
 
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         if self.capped {
             return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
         }
-        // As `passage`. The root of what is not positive is 0 or NaN.
+        // The steps of `passage`. If the discriminant is not positive, its root is 0 or NaN.
         let passing = each(|i| self.passing(&rays.ray(i)));
         let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
         if near_enough == 0 {
@@ -298,11 +300,11 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         if crossed == 0 {
             return (0, *max);
         }
-        // As `roots`.
+        // The steps of `roots`.
         let q = each(|i| if b[i] > R::ZERO { -b[i] - root[i] } else { root[i] - b[i] });
         let one = each(|i| c[i].over(q[i]));
         let other = each(|i| if is_met_twice(a[i]) { q[i] / a[i] } else { one[i] });
-        // As `intersect_side`.
+        // The steps of `intersect_side`.
         let met = |t: [R; 4]| {
             let at = each(|i| height[i] + climb[i] * t[i]);
             let radius = each(|i| self.base_radius + self.slope * at[i]);
@@ -330,7 +332,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let (true, Some(passage)) = (self.capped, self.passage(ray)) else {
             return Spans::NONE;
         };
-        // Between the planes of the ends the radius is positive, so that the mirror image has no part there.
+        // Between the planes of the ends the radius is positive, so the mirror image has no part there.
         let (mut from, mut to) = passage.inside(self.slope, self.size);
         let (to_base, to_top) = (-passage.height, self.length - passage.height);
         if passage.climb == R::ZERO {
@@ -343,7 +345,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             from = from.larger(enters);
             to = if leaves < to { leaves } else { to };
         }
-        // Where nothing is left, an end may be saturated, and a sum with it would wrap.
+        // If nothing is left, an end may be saturated, and its sum with `advance` would wrap.
         if !(from < to) {
             return Spans::NONE;
         }
@@ -356,7 +358,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let across = point - self.base - self.axis * height;
         let radius = self.base_radius + self.slope * height;
         let distance = across.length();
-        // Of the side and the two discs, the hit belongs to the one that it is nearest to.
+        // The hit belongs to the side or to a disc, whichever is nearest.
         let from_side = (distance - radius).abs();
         let (from_base, from_top) = (height.abs(), (height - self.length).abs());
         let (point, normal) = if self.capped && from_base < from_side && from_base <= from_top {
@@ -394,7 +396,7 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
             (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
         let center = self.base + half;
         Some(if self.length < radius {
-            // It may be seen from the edge.
+            // A flat disc, which is thin if it is seen edge-on.
             let (u, v) = self.axis.around();
             Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
         } else {
@@ -429,7 +431,7 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
-    // Half a right angle: as wide at the base as it is high.
+    // A slope of 45 degrees: the base radius is the height.
     const TENT: Cone = Cone {
         base: Vec3::new(0.0, 0.0, 0.0),
         base_radius: 2.0,
@@ -469,7 +471,7 @@ mod tests {
         let mut random = Random(7);
         let (mut near, mut passed) = (0, 0);
         for round in 0..100_000usize {
-            // Thick ones and very thin ones, from nearby and from far away, and almost along the axis.
+            // Thick cones and very thin ones; rays from nearby and from far away, and almost along the axis.
             let radius = [2.0, 0.5, 1e-2, 1e-4][round % 4];
             let away = [3.0, 30.0, 1e3, 1e6][round / 4 % 4];
             let shape = Cone { base_radius: radius, top_radius: random.next().abs() * radius, ..TENT };
@@ -498,7 +500,7 @@ mod tests {
     #[test]
     fn met_on_the_side() {
         assert_meets(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, 4.0, [HALF, HALF, 0.0]);
-        // From inside the same way: the far wall.
+        // From inside, in the same direction: the far wall.
         assert_meets(TENT, Vec3::new(0.5, 1.0, 0.0), LEFT, 1.5, [-HALF, HALF, 0.0]);
         assert_meets(TENT, Vec3::new(0.0, 5.0, 1.0), DOWN, 4.0, [0.0, HALF, HALF]);
     }
@@ -524,7 +526,8 @@ mod tests {
 
     #[test]
     fn a_ray_along_a_line_of_the_cone_is_met_once() {
-        // Parallel to the wall on the left, half a unit inside: leaves through the lid.
+        // Parallel to the wall on the left, half a unit inside of it: the ray leaves through the disc at the
+        // base.
         let along = Vec3::new(-1.0, -1.0, 0.0);
         let inside = Vec3::new(-0.5, 1.0, 0.0);
         assert_meets(TENT, inside, along, f64::sqrt(2.0), [0.0, -1.0, 0.0]);
@@ -540,7 +543,7 @@ mod tests {
         };
         assert_meets(pipe, Vec3::new(5.0, 0.0, 2.0), LEFT, 3.5, [1.0, 0.0, 0.0]);
         assert_meets(pipe, Vec3::new(1.0, 0.0, 2.0), LEFT, 0.5, [-1.0, 0.0, 0.0]);
-        // Over half the radius off the axis.
+        // Half the radius above the axis.
         let off = 0.5 * f64::sqrt(0.75);
         assert_meets(pipe, Vec3::new(5.0, 0.25, 2.0), LEFT, 4.0 - off, [2.0 * off, 0.5, 0.0]);
         assert_misses(pipe, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0));
@@ -565,7 +568,7 @@ mod tests {
     #[test]
     fn its_inside_is_one_part_of_a_line() {
         let up = -DOWN;
-        // Side to side, base to side, from inside, and by its mirror image above.
+        // Side to side, base to side, from inside, and through the mirror image above.
         assert_spans(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, &[(4.0, 6.0)]);
         assert_spans(TENT, Vec3::new(1.0, -3.0, 0.0), up, &[(3.0, 4.0)]);
         assert_spans(TENT, Vec3::new(1.0, 0.5, 0.0), up, &[(-0.5, 0.5)]);
@@ -617,7 +620,7 @@ mod tests {
     #[test]
     fn spawned_rays_do_not_meet_their_own_surface() {
         for extent in EXTENTS {
-            // Not down to a tip: there the opposite wall really is that near.
+            // Without a tip: there the opposite wall really is that near.
             for top_radius in [0.1, 0.4, 0.8] {
                 for capped in [false, true] {
                     let cone = Cone {
@@ -637,7 +640,7 @@ mod tests {
     fn coordinates_are_angle_and_height_and_on_lids_a_square() {
         assert_uv(TENT, Vec3::new(0.0, 1.0, -5.0), Vec3::new(0.0, 0.0, 1.0), [0.25, 0.5]);
         assert_uv(TENT, Vec3::new(-5.0, 1.5, 0.0), -LEFT, [0.5, 0.75]);
-        // The lid is seen from below: its axis points down, x still is u, and z is v.
+        // The base is seen from below: its normal points down, u is along x, and v along z.
         assert_uv(TENT, Vec3::new(1.0, -3.0, 0.5), -DOWN, [0.75, 0.625]);
         let frustum = Cone { top_radius: 1.0, ..TENT };
         assert_uv(frustum, Vec3::new(0.5, 5.0, 0.25), DOWN, [0.75, 0.375]);

@@ -1,4 +1,4 @@
-//! A rectangle or parallelogram: the two coordinates of a [`Patch`], both from 0 to 1.
+//! A rectangle or parallelogram: the part of a [`Patch`] whose two coordinates are both from 0 to 1.
 
 use super::patch::Patch;
 use super::{Form, Geometry, Hull, Intersect, Silhouette, bounds_of};
@@ -7,21 +7,21 @@ use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A rectangle, or a parallelogram where its edges are not at right angles; its front is the side from which `right`
-/// turns counterclockwise toward `up`.
+/// A rectangle, or a parallelogram if its edges are not at right angles. Its front is the side from which
+/// `right` turns counterclockwise toward `up`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Rectangle {
     /// One corner.
     pub corner: Vec3,
-    /// From there to the next.
+    /// The edge from that corner to the next one.
     pub right: Vec3,
-    /// And to the other next.
+    /// The other edge from that corner.
     pub up: Vec3,
 }
 
 impl Rectangle {
-    /// The rectangle that two edges from a corner span.
+    /// The rectangle that is spanned by two edges from a corner.
     pub const fn new(corner: Vec3, right: Vec3, up: Vec3) -> Self {
         Self { corner, right, up }
     }

@@ -1,4 +1,5 @@
-//! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
+//! A triangle: the part of a [`Patch`] whose two coordinates are at least 0 and have a sum of at most 1. They
+//! are the barycentric coordinates of the second and the third corner.
 
 use super::patch::Patch;
 use super::{Form, Geometry, Hull, Intersect, Silhouette, Tip, bounds_of};
@@ -7,13 +8,13 @@ use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
 use crate::surface::Surface;
 
-/// A triangle; its front is the side from which the vertices run counterclockwise.
+/// A triangle. Its front is the side from which the vertices run counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Triangle {
     /// The corners.
     pub vertices: [Vec3; 3],
-    /// Normals at the corners, interpolated for shading; any length but 0. `None`: flat.
+    /// Normals at the corners, of any length but 0, interpolated for shading; `None` for a flat triangle.
     pub normals: Option<[Vec3; 3]>,
 }
 
@@ -67,13 +68,13 @@ impl Geometry for Triangle {
 /// A [`Triangle`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedTriangle<'m, R: Real> {
-    /// Its coordinates are the weights of the second and the third corner.
+    /// The coordinates are the weights of the second and the third corner.
     patch: Patch<R>,
     normals: Option<&'m [Vec3<R>; 3]>,
 }
 
 impl<R: Real> PreparedTriangle<'_, R> {
-    /// The interpolated normal at a point of the plane.
+    /// The interpolated normal at a point of the plane; `None` if the triangle is flat or the normals cancel.
     #[inline(always)]
     fn normal_at(&self, point: Vec3<R>) -> Option<Vec3<R>> {
         let [at_a, at_b, at_c] = self.normals?;
@@ -89,7 +90,7 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     }
 
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         let (met, t, b, c) = self.patch.meet_four(rays, max);
         let (zeros, sum) = ([R::ZERO; 4], each(|i| b[i].add_saturating(c[i])));
@@ -145,7 +146,7 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
-    // In the plane z = 1, counterclockwise from above.
+    // In the plane z = 1, counterclockwise as seen from above.
     const FLAT: Triangle =
         Triangle::flat(Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 3.0, 1.0));
 
