@@ -16,6 +16,14 @@ fn list(objects: usize) -> Vec<u16> {
     (0..objects).map(|object| object as u16).collect()
 }
 
+/// Random numbers from -1 to 1, the same on every run.
+fn random(mut state: u32) -> impl FnMut() -> f32 {
+    move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
+    }
+}
+
 /// Memory for the hierarchy of so many objects.
 fn memory<R: Real, const W: usize>(objects: usize, leaf: usize) -> Vec<MaybeUninit<u8>> {
     vec![MaybeUninit::uninit(); Hierarchy::<R, W>::bytes(objects, leaf)]
@@ -234,11 +242,8 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
 #[test]
 fn boxes_are_met_alone_as_they_are_together() {
     fn check<R: Real, const W: usize>() {
-        let mut state = 3u32;
-        let mut number = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            R::from_f32((state >> 8) as f32 / (1 << 23) as f32 - 1.0)
-        };
+        let mut number = random(3);
+        let mut number = || R::from_f32(number());
         let mut point = || Vec3::new(number(), number(), number());
         let (mut met, mut missed) = (0, 0);
         for round in 0..500 {
@@ -273,11 +278,7 @@ fn a_ray_tests_few_of_many_objects() {
 
 fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
     // Random boxes of two sizes in a cube, and rays between random points of the cube.
-    let mut state = 1u32;
-    let mut number = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
-    };
+    let mut number = random(1);
     let mut point = || Vec3::new(number(), number(), number());
     for (count, most) in bounds {
         let boxes: Vec<_> = (0..count)
@@ -313,13 +314,56 @@ fn a_beam_meets_what_its_rays_meet() {
     beams_meet_what_rays_meet::<8>(3);
 }
 
+/// A beam, and its rays with their ends: rays from some origins in one direction, to a point, or spread; by
+/// turns.
+fn bundle(
+    round: usize,
+    origins: &[Vec3],
+    [place, target]: [Vec3; 2],
+    mut spread: impl FnMut() -> Vec3,
+) -> (Beam<f32>, Vec<(Ray<f32>, f32)>) {
+    let around = origins.iter().copied().map(Aabb::point).reduce(Aabb::union).unwrap();
+    let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
+    match round % 4 {
+        0 => {
+            let direction = if round % 8 == 0 { Vec3::new(1.0, 0.0, 0.0) } else { to_target };
+            let beam = Beam::toward(around, 0.0, direction);
+            (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
+        }
+        1 => {
+            let rays = origins.iter().map(|origin| {
+                let (direction, distance) = (target - *origin).polar();
+                (Ray { origin: *origin, direction }, distance)
+            });
+            (Beam::toward_point(around, 0.0, target), rays.collect())
+        }
+        _ => {
+            let from = if round % 4 == 2 { Some(place) } else { None };
+            let rays: Vec<_> = (origins.iter())
+                .map(|origin| {
+                    let direction = (to_target + spread()).normalized().unwrap();
+                    (Ray { origin: from.unwrap_or(*origin), direction }, far)
+                })
+                .collect();
+            (Beam::around(rays.iter().map(|(ray, _)| ray)).unwrap(), rays)
+        }
+    }
+}
+
+/// Marks each of `count` objects that a search finds, if its test never returns `true`.
+fn marked(count: usize, search: impl FnOnce(&mut dyn FnMut(usize) -> bool) -> bool) -> Vec<bool> {
+    let mut marked = vec![false; count];
+    assert!(!search(&mut |object| {
+        assert!(!marked[object], "found twice");
+        marked[object] = true;
+        false
+    }));
+    marked
+}
+
 fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
-    let mut state = 7u32;
-    let mut number = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
-    };
-    let (x, count) = (Vec3::new(1.0, 0.0, 0.0), 300);
+    let mut number = random(7);
+    let count = 300;
     let mut point = || Vec3::new(number(), number(), number());
     let mut boxes: Vec<_> = (0..count)
         .map(|_| {
@@ -335,84 +379,41 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
     for round in 0..400 {
         let (place, target, spread) = (point(), point() * 2.0, [0.0, 0.01, 0.3][round % 3]);
         let origins: Vec<Vec3> = (0..8).map(|_| place + point() * spread).collect();
-        let around = origins.iter().copied().map(Aabb::point).reduce(Aabb::union).unwrap();
-        let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
-        let (beam, rays): (Beam<f32>, Vec<(Ray<f32>, f32)>) = match round % 4 {
-            0 => {
-                let direction = if round % 8 == 0 { x } else { to_target };
-                let beam = Beam::toward(around, 0.0, direction);
-                (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
-            }
-            1 => {
-                let rays = origins.iter().map(|origin| {
-                    let (direction, distance) = (target - *origin).polar();
-                    (Ray { origin: *origin, direction }, distance)
-                });
-                (Beam::toward_point(around, 0.0, target), rays.collect())
-            }
-            _ => {
-                let from = if round % 4 == 2 { Some(place) } else { None };
-                let rays: Vec<_> = (origins.iter())
-                    .map(|origin| {
-                        let direction = (to_target + point() * spread).normalized().unwrap();
-                        (Ray { origin: from.unwrap_or(*origin), direction }, far)
-                    })
-                    .collect();
-                (Beam::around(rays.iter().map(|(ray, _)| ray)).unwrap(), rays)
-            }
-        };
-        let mut gathered = vec![false; count];
-        assert!(!hierarchy.any_in_beam(&beam, |object| {
-            assert!(!gathered[object], "told twice");
-            gathered[object] = true;
-            false
-        }));
-        // Parallel rays: they are as far beside the first one as their origins are.
-        let beside = (round % 4 == 0).then(|| {
-            let (ray, max) = rays[0];
-            let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
-            let mut beside = vec![false; count];
-            let end = max.min(hierarchy.farthest_from(ray.origin));
-            assert!(!hierarchy.any_beside(&ray, end, reach, |object| {
-                beside[object] = true;
-                false
-            }));
-            beside
-        });
+        let (beam, rays) = bundle(round, &origins, [place, target], || point() * spread);
+        let gathered = marked(count, |test| hierarchy.any_in_beam(&beam, test));
         let mut any = vec![false; count];
-        for (ray, max) in rays {
+        for (ray, max) in &rays {
             let mut walked = vec![false; count];
-            hierarchy.walk(&ray, max, |object| {
+            hierarchy.walk(ray, *max, |object| {
                 walked[object] = true;
-                max
+                *max
             });
-            let mut met = vec![false; count];
-            assert!(!hierarchy.any(&ray, max, |object| {
-                met[object] = true;
-                false
-            }));
-            assert_eq!(met, walked);
-            any.iter_mut().zip(met).for_each(|(any, met)| *any |= met);
+            assert_eq!(marked(count, |test| hierarchy.any(ray, *max, test)), walked);
+            any.iter_mut().zip(walked).for_each(|(any, met)| *any |= met);
         }
         assert!(gathered[17] && any[17]);
-        assert!(any.iter().zip(&gathered).all(|(any, gathered)| *gathered || !any), "{round}");
-        if let Some(beside) = beside {
-            assert!(any.iter().zip(&beside).all(|(any, beside)| *beside || !any), "{round}");
-            assert!(spread > 0.1 || beside.iter().filter(|beside| **beside).count() < count / 2, "{round}");
+        let count_of = |found: &[bool]| found.iter().filter(|found| **found).count();
+        let all_in = |found: &[bool]| any.iter().zip(found).all(|(any, found)| *found || !any);
+        assert!(all_in(&gathered), "{round}");
+        if round % 4 == 0 {
+            // Parallel rays: they are as far beside the first one as their origins are.
+            let (ray, max) = rays[0];
+            let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
+            let end = max.min(hierarchy.farthest_from(ray.origin));
+            let beside = marked(count, |test| hierarchy.any_beside(&ray, end, reach, test));
+            assert!(all_in(&beside), "{round}");
+            assert!(spread > 0.1 || count_of(&beside) < count / 2, "{round}");
         }
         if spread < 0.1 {
-            met += any.iter().filter(|met| **met).count();
-            met_by_beams += gathered.iter().filter(|met| **met).count();
+            met += count_of(&any);
+            met_by_beams += count_of(&gathered);
         }
         let mut told = 0;
         let stops = hierarchy.any_in_beam(&beam, |_| {
             told += 1;
             told == 2
         });
-        assert_eq!(
-            (stops, told),
-            if gathered.iter().filter(|met| **met).count() < 2 { (false, 1) } else { (true, 2) }
-        );
+        assert_eq!((stops, told), if count_of(&gathered) < 2 { (false, 1) } else { (true, 2) });
     }
     std::println!("{met} met by rays, {met_by_beams} by beams");
     assert!(met_by_beams < 2 * met);

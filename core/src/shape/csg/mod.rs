@@ -196,8 +196,8 @@ fn common<R: Real>(a: Aabb<R>, b: Aabb<R>) -> Aabb<R> {
     Aabb { min, max: Vec3::new(max.x.larger(min.x), max.y.larger(min.y), max.z.larger(min.z)) }
 }
 
-/// The number of a part of the surface has the number of the solid's part in so many lower bits, and the
-/// number of the solid above them.
+/// A part of the surface is numbered by the solid's part, in so many lower bits, and by the index of the
+/// solid, above them.
 const PART_BITS: u32 = 8;
 /// The largest number of a solid's part; larger ones are stored as this one.
 const MOST_PARTS: u32 = (1 << PART_BITS) - 1;

@@ -202,16 +202,15 @@ fn coordinates_are_those_of_the_solid() {
     assert_uv(Csg::new(&cavity), Vec3::new(0.5, 0.25, 0.0), -toward, expected);
 }
 
-/// Rays from everywhere, most of them grazing: none of them may meet dust where faces coincide.
-fn assert_no_dust<R: Real>(extent: f32) {
-    let axis = Vec3::new(0.48, 0.6, -0.64);
+/// A pipe: two pieces of a cylinder, one on the other, from which two pieces of a core are subtracted, end to
+/// end.
+fn pipe_in_pieces(base: Vec3, axis: Vec3, extent: f32) -> [CsgStep; 7] {
     let cylinder = |radius: f32, from: f32, to: f32| {
-        let at = |height: f32| Vec3::new(1.0, 2.0, -0.5) * extent + axis * (height * extent);
+        let at = |height: f32| base + axis * (height * extent);
         let cylinder = Cylinder { base: at(from), top: at(to), radius: radius * extent, capped: true };
         CsgStep::Solid(Solid::Cylinder(cylinder))
     };
-    // Two pieces of a cylinder, one on the other, from which two pieces of a core are subtracted, end to end.
-    let steps = [
+    [
         cylinder(1.0, 0.0, 1.0),
         cylinder(1.0, 1.0, 2.0),
         CsgStep::Union,
@@ -219,9 +218,14 @@ fn assert_no_dust<R: Real>(extent: f32) {
         CsgStep::Difference,
         cylinder(0.5, 1.0, 2.0),
         CsgStep::Difference,
-    ];
+    ]
+}
+
+/// Rays from everywhere, most of them grazing: none of them may meet dust where faces coincide.
+fn assert_no_dust<R: Real>(extent: f32) {
+    let (base, axis) = (Vec3::new(1.0, 2.0, -0.5) * extent, Vec3::new(0.48, 0.6, -0.64));
+    let steps = pipe_in_pieces(base, axis, extent);
     let pipe = Csg::new(&steps);
-    let base = Vec3::new(1.0, 2.0, -0.5) * extent;
     let mut random = Random(3);
     let mut memory = Memory::new();
     let scale = Scale::new::<R>(pipe.extent(), base + Vec3::new(12.0, 0.0, 0.0) * extent);
@@ -274,48 +278,56 @@ fn coinciding_faces_leave_no_dust() {
     }
 }
 
+/// A random tree over six random balls: each step adds a ball or an operator.
+fn random_tree(random: &mut Random) -> Vec<CsgStep> {
+    let (mut steps, mut balls, mut depth) = (vec![], 0, 0);
+    while balls < 6 || depth > 1 {
+        if balls < 6 && (depth < 2 || random.next() > 0.0) {
+            let sphere = Sphere::new(random.vector(), 0.7 + 0.4 * random.next());
+            steps.push(CsgStep::Solid(Solid::Sphere(sphere)));
+            balls += 1;
+            depth += 1;
+        } else {
+            let choice = random.next();
+            steps.push(if choice < -0.3 {
+                CsgStep::Union
+            } else if choice < 0.3 {
+                CsgStep::Intersection
+            } else {
+                CsgStep::Difference
+            });
+            depth -= 1;
+        }
+    }
+    steps
+}
+
+/// Whether a point is inside a tree of balls.
+fn is_inside(steps: &[CsgStep], point: Vec3<f64>) -> bool {
+    let mut stack = vec![];
+    for step in steps {
+        let value = if let CsgStep::Solid(Solid::Sphere(sphere)) = step {
+            (point - sphere.center.to()).length() < f64::from(sphere.radius)
+        } else {
+            let (right, left): (bool, bool) = (stack.pop().unwrap(), stack.pop().unwrap());
+            match step {
+                CsgStep::Union => left || right,
+                CsgStep::Intersection => left && right,
+                _ => left && !right,
+            }
+        };
+        stack.push(value);
+    }
+    stack.pop().unwrap()
+}
+
 #[test]
 fn surfaces_are_where_a_point_comes_in_or_goes_out() {
     let mut random = Random(11);
     let mut met = 0;
     for _ in 0..300 {
-        // A random tree over random balls: each step adds a ball or an operator.
-        let (mut steps, mut balls, mut depth) = (vec![], vec![], 0);
-        while balls.len() < 6 || depth > 1 {
-            if balls.len() < 6 && (depth < 2 || random.next() > 0.0) {
-                let sphere = Sphere::new(random.vector(), 0.7 + 0.4 * random.next());
-                balls.push(sphere);
-                steps.push(CsgStep::Solid(Solid::Sphere(sphere)));
-                depth += 1;
-            } else {
-                let choice = random.next();
-                steps.push(if choice < -0.3 {
-                    CsgStep::Union
-                } else if choice < 0.3 {
-                    CsgStep::Intersection
-                } else {
-                    CsgStep::Difference
-                });
-                depth -= 1;
-            }
-        }
-        let is_inside = |point: Vec3<f64>| {
-            let mut stack = vec![];
-            for step in &steps {
-                let value = if let CsgStep::Solid(Solid::Sphere(sphere)) = step {
-                    (point - sphere.center.to()).length() < f64::from(sphere.radius)
-                } else {
-                    let (right, left): (bool, bool) = (stack.pop().unwrap(), stack.pop().unwrap());
-                    match step {
-                        CsgStep::Union => left || right,
-                        CsgStep::Intersection => left && right,
-                        _ => left && !right,
-                    }
-                };
-                stack.push(value);
-            }
-            stack.pop().unwrap()
-        };
+        let steps = random_tree(&mut random);
+        let is_inside = |point| is_inside(&steps, point);
         let mut memory = Memory::new();
         let prepared = prepared::<_, f64>(Csg::new(&steps), &mut memory).unwrap();
         for _ in 0..10 {

@@ -5,8 +5,8 @@ use crate::math::Real;
 
 crate::shape_set! {
     /// The set of models of [`Instances`](super::Instances), unless you name a set of your own: all built-in
-    /// shapes that borrow their description, and quadrics, whose box cannot be turned in another way. Other shapes are simply described again in
-    /// another place.
+    /// shapes that borrow their description, and quadrics, whose box cannot be turned in another way. Other
+    /// shapes are simply described again in another place.
     pub enum Model<'a>;
     /// [`Model`], prepared.
     pub enum PreparedModel {

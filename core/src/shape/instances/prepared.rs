@@ -25,8 +25,8 @@ pub(super) struct Places<'m, R> {
     pub(super) sized: Scale,
 }
 
-/// The number of a part of the surface has the number of the model's part in so many lower bits, and the
-/// index of the place above them.
+/// A part of the surface is numbered by the model's part, in so many lower bits, and by the index of the
+/// place, above them.
 const PART_BITS: u32 = 16;
 
 impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
@@ -46,8 +46,8 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
         if let [pose] = self.places.poses { Some(pose) } else { None }
     }
 
-    /// An item, by its number, and its place. The model has a list of items (hulls or tips), which `of_model` returns by their
-    /// numbers; the instances have this list once for each place.
+    /// An item, by its number, and its place. The model has a list of items (hulls or tips), which `of_model`
+    /// returns by their numbers; the instances have this list once for each place.
     fn of_a_pose<T>(
         &self,
         number: usize,

@@ -50,8 +50,8 @@ impl<N: Real> BakedMesh<N> {
     /// one other node; or if nodes are nested deeper than
     /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH), the room that rays have.
     pub const fn new(baked: BakedParts<'static, N>) -> Self {
-        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
-            baked;
+        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent } = baked;
+        let [min, max] = bounds;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
         assert!(Node::are_shallow(nodes), "the nodes of a baked mesh lie in too many others");
         let hierarchy = Hierarchy::baked(nodes, order);

@@ -282,7 +282,7 @@ fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
     // Divide by the longest coordinate of the edges, so that squares keep their digits.
     let unit = ab.magnitude().larger(ac.magnitude());
     let [ab, ac, from_a] = [ab, ac, from_a].map(|v| Vec3::new(v.x / unit, v.y / unit, v.z / unit));
-    // By the part of an edge that is at a right angle to the other one.
+    // The weight of an edge is found along its part at a right angle to the other edge.
     let weight = |edge: Vec3<R>, other: Vec3<R>| {
         let (along, length) = other.polar();
         let across = edge - along * edge.dot(along);
