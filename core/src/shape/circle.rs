@@ -21,8 +21,6 @@ const SAGITTA: f32 = 0.0193;
 impl<R: Real> Circle<R> {
     /// Hulls of all points that are no farther than `distance` from the circle. Number 0 encloses the whole
     /// disc; numbers 1 to [`ARCS`] enclose one arc each.
-    // Not inlined: tori and discs share one copy (flash).
-    #[inline(never)]
     pub(super) fn hull(&self, part: usize, distance: R) -> Option<Hull<R>> {
         let (u, v) = self.axis.around();
         let Some(part) = part.checked_sub(1) else {

@@ -386,7 +386,6 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedCone<R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if part > 0 {
             return None;
@@ -404,7 +403,6 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
         })
     }
 
-    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let top_radius = self.top_radius();
         let top = self.base + self.axis * self.length;

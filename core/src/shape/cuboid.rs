@@ -213,7 +213,6 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedCuboid<'_, R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
         (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })

@@ -104,7 +104,6 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedDisc<R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let axis = self.plane.normal;
         let hole = self.hole_squared.sqrt();

@@ -208,7 +208,6 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then_some(self.0.hull)
     }

@@ -119,7 +119,7 @@ impl<R: Real> PreparedPlane<R> {
     }
 
     /// Whether the place of a hit is within the range of the number system, as the next ray begins there.
-    #[inline(always)]
+    #[inline]
     fn is_held(ray: &Ray<R>, t: R) -> bool {
         R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach))
     }

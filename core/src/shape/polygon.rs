@@ -162,7 +162,6 @@ impl Projection {
     }
 
     /// The point of the plane with the coordinates (u, v).
-    #[inline(never)]
     fn unflatten<R: Real>(self, u: R, v: R, plane: &PreparedPlane<R>) -> Vec3<R> {
         let PreparedPlane { normal: n, distance } = *plane;
         // The plane's equation yields the dropped coordinate. It divides by the largest coordinate of the
@@ -264,7 +263,6 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if part > 0 {
             return None;
@@ -293,7 +291,6 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
     }
 
     /// One tip at each vertex. A vertex that is turned inward is the tip of a notch, which may be as thin.
-    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let count = self.edges.len();
         if number >= count || count > MOST_TIPS {

@@ -80,7 +80,6 @@ impl<R: Real> Intersect<R> for PreparedRectangle<R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
     }

@@ -80,7 +80,6 @@ impl<R: Real> Hull<R> {
     }
 
     /// The parallelepiped spanned by three edges from a corner; an edge of length 0 makes it a parallelogram.
-    #[inline(never)]
     pub fn edges(corner: Vec3<R>, edges: [Vec3<R>; 3]) -> Self {
         let axes = edges.map(|edge| edge * R::from_f32(0.5));
         let [a, b, c] = axes;
@@ -88,7 +87,6 @@ impl<R: Real> Hull<R> {
     }
 
     /// The box `bounds`.
-    #[inline(never)]
     pub fn aligned(bounds: Aabb<R>) -> Self {
         let (Vec3 { x, y, z }, none) = (bounds.max - bounds.min, R::ZERO);
         Self::edges(
@@ -104,7 +102,6 @@ impl<R: Real> Hull<R> {
 
     /// A corner, by a number with a bit for each axis. An axis of length 0 has only its lower end: the corner
     /// of its upper end is `None`.
-    #[inline(never)]
     fn corner(&self, number: u32) -> Option<Vec3<R>> {
         let mut place = self.center;
         for (bit, axis) in (0..).zip(&self.axes) {
@@ -133,7 +130,6 @@ pub struct Tip<R> {
 
 impl<R: Real> Tip<R> {
     /// Whether the tip is longer than wide and narrower than 53°. Blunter tips have hardly any thin part.
-    #[inline(never)]
     pub(crate) fn is_sharp(&self) -> bool {
         let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).polar());
         // If an end coincides with the apex, its direction is arbitrary.

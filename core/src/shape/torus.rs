@@ -213,7 +213,6 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedTorus<R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
         circle.hull(part, self.minor)

@@ -75,7 +75,7 @@ pub struct PreparedTriangle<'m, R: Real> {
 
 impl<R: Real> PreparedTriangle<'_, R> {
     /// The interpolated normal at a point of the plane; `None` if the triangle is flat or the normals cancel.
-    #[inline(always)]
+    #[inline]
     fn normal_at(&self, point: Vec3<R>) -> Option<Vec3<R>> {
         let [at_a, at_b, at_c] = self.normals?;
         let (b, c) = self.patch.coordinates(point);
@@ -118,12 +118,10 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
     }
 
-    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let [a, ab, ac] = self.patch.edges();
         let [a, b, c] = [a, a + ab, a + ac].map(Vec3::from_setup);

@@ -6,7 +6,7 @@
 //! | sphere, ellipsoid, quadric, implicit | longitude, from x toward -z: 0 to 1 | latitude: 0 to 1 |
 //! | cylinder, cone: side | angle about the axis: 0 to 1 | height, from base to top: 0 to 1 |
 //! | disc, lids | across the square around it: 0 to 1 | up in that square: 0 to 1 |
-//! | torus | angle about the axis: 0 to 1 | angle about the tube, from outside upward: 0 to 1 |
+//! | torus | angle about the axis: 0 to 1 | angle about the tube, from outside along the axis: 0 to 1 |
 //! | rectangle | along `right`: 0 to 1 | along `up`: 0 to 1 |
 //! | box | across the face: 0 to 1 | up the face: 0 to 1 |
 //! | triangle, mesh without `uvs` | weight of the second corner | weight of the third corner |

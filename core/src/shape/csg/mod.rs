@@ -313,7 +313,6 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
 impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
     /// Part 0 is the box around the combined solid, which may be thin although its solids are thick. The
     /// further parts are the hulls of the solids, each of which may be thin.
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let Some(part) = part.checked_sub(1) else { return self.tree.bounds.map(Hull::aligned) };
         self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)

@@ -7,7 +7,7 @@
 //!
 //! The share is there because Hart's steps become ever shorter where a ray grazes a surface: their number
 //! would have no bound, or rays would have to be given up, which leaves holes. With the share every ray comes
-//! to its end, and a part of the surface is lost only if it is shorter than the share.
+//! to its end, and two changes of the sign are lost only if they are closer together than the share.
 //!
 //! A small value does not count as a hit, since a ray that was spawned on the surface begins where the value
 //! is small.

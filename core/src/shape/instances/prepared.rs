@@ -130,7 +130,6 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
 impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
     const HAS_RIMS: bool = P::HAS_RIMS;
 
-    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if let Some(pose) = self.only() {
             return Some(pose.hull(self.model.hull(part)?));
@@ -140,7 +139,6 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
         Some(pose.hull(hull))
     }
 
-    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         if self.places.poses.len() > MOST_TAPERING {
             return None;

@@ -276,7 +276,6 @@ impl<R: Real> MeshData<'_, R> {
 
 /// The weights of the second and the third corner at the point of a triangle's plane that is nearest to
 /// `point`, by the normal equations of least squares.
-#[inline(never)]
 fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
     let (ab, ac, from_a) = (b - a, c - a, point - a);
     // Divide by the longest coordinate of the edges, so that squares keep their digits.
@@ -292,7 +291,6 @@ fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
 }
 
 /// The unit normal of a triangle; `None` if it has no area: if it is thinner than a millionth of its length.
-#[inline(never)]
 fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
     let (ab, bc, ca) = (b - a, c - b, a - c);
     // Use the two shorter edges: their angle is the largest.
