@@ -39,8 +39,6 @@ pub(super) struct Boundaries<'b, R> {
 }
 
 impl<'b, R: Real> Boundaries<'b, R> {
-    // Not inlined: two callers share one copy (flash).
-    #[inline(never)]
     pub(super) fn new<P: Intersect<R>>(room: &'b mut [Boundary<R>], solids: &[P], ray: &Ray<R>) -> Self {
         const { assert!(Spans::<R>::MOST == 2) };
         let mut boundaries = Self { places: room, count: 0, before: 0 };

@@ -282,6 +282,7 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         self.tree.bounds
     }
 
+    // Not inlined: see `intersect`.
     #[inline(never)]
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         // The same steps as in `intersect` lead to the same boundary.

@@ -129,8 +129,6 @@ impl<D: Distance<R>, R: Real> PreparedImplicit<D, R> {
 }
 
 impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
-    // Not inlined: much code, which many rays never reach.
-    #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let FieldBox { middle, half, radius, .. } = self.room;
         let line = TracedLine::new(ray, middle, radius)?;
