@@ -155,10 +155,10 @@ impl<'m, R: Real> PreparedLight<'m, R> {
                 Some((Vec3::new(x, y, z), distance, cosine))
             }
             Source::Far(position, shrink) => {
-                // The direction is the same in every scale.
-                let direction = (position - point * shrink).unit();
+                // The direction is the same in every scale. The quotient is saturated.
+                let (direction, distance) = (position - point * shrink).polar();
                 let cosine = direction.dot(normal);
-                (cosine > R::ZERO).then_some((direction, R::FARTHEST, cosine))
+                (cosine > R::ZERO).then_some((direction, (distance / shrink).smaller(R::FARTHEST), cosine))
             }
             Source::Toward(direction) => {
                 let cosine = direction.dot(normal);

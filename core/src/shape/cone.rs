@@ -2,9 +2,23 @@
 //! "An Introduction to Ray Tracing", 1989, ch. 2), which is solved without cancellation (Press et al.,
 //! "Numerical Recipes", §5.6).
 //!
+//! # No hit outside of the bounds
+//! A cone may be a hundred thousand times as long as it is wide, and a ray may run almost along it. The
+//! equation as textbooks give it loses all digits there. Three steps keep the error of a hit to a few units
+//! in the last place of the cone's length and coordinates, which is far less than the padding of its bounds:
+//!
+//! - All numbers are measured from the point of the ray that is nearest to the axis, within the part of the
+//!   ray between the planes of the two ends ([`PreparedCone::passage`]). So the terms of the equation are no
+//!   larger than the radius at the place where the ray meets the cone.
+//! - The angle between ray and axis is represented by the part of the direction across the axis, not by 1
+//!   minus the square of the part along it.
+//! - The discriminant is (α r - β e)² - D² (α² - β²), where D is the distance between the whole line and the
+//!   axis. It does not cancel where the textbook's b² - a c does.
+//!
+//! # Rays that miss
 //! Most tested rays pass the axis at a distance that is larger than the cone's radius. Floating point tests
 //! that first, for half of the products. Fixed point, whose coefficients must not overflow, tests the
-//! distance from the base instead.
+//! distance from the base first.
 
 use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
@@ -62,6 +76,7 @@ impl Geometry for Cone {
         let widest = base_radius.larger(top_radius);
         let size = length + widest;
         check_size(scale.length::<R>(widest))?;
+        let magnitude: R = scale.length(base.magnitude() + size);
         let reach: R = scale.length(widest * R::Setup::from_f32(1.03));
         Ok(PreparedCone {
             base: scale.point(base),
@@ -69,9 +84,9 @@ impl Geometry for Cone {
             length: scale.length(length),
             base_radius: scale.length(base_radius),
             slope: R::from_setup(slope),
-            steepness: R::from_setup(steepness),
-            magnitude: scale.length(base.magnitude() + length + widest),
+            magnitude,
             size: scale.length(size),
+            reach: reach + R::offset(magnitude),
             reach_squared: reach * reach,
             capped: self.capped,
         })
@@ -90,28 +105,40 @@ pub struct PreparedCone<R> {
     length: R,
     base_radius: R,
     slope: R,
-    /// 1 + slope²
-    steepness: R,
     magnitude: R,
     /// No point of the cone is farther from the base.
     size: R,
-    /// The square of a distance from the axis that no point of the cone exceeds, with room for rounding.
+    /// A distance from the axis that no hit exceeds, with room for rounding.
+    reach: R,
+    /// The square of that distance, without the room for the rounding of coordinates.
     reach_squared: R,
     capped: bool,
 }
 
-/// A line's way through a cone of infinite length, and its mirror image, from its point nearest to the base.
+/// A line through a cone of infinite length and its mirror image. Distances t along it are measured from its
+/// point nearest to the axis, between the planes of the cone's ends.
+///
+/// As seen along the axis, the line passes the axis at the distance D. With τ = `unit` · t, its place along
+/// its own projection is e + α τ, and the radius of the cone at its height is r + β τ. So it meets the cone
+/// where a τ² + 2 b τ + c = 0.
 struct Passage<R: Real> {
-    /// That point, as seen from the base, and how far along the ray it is.
+    /// The point nearest to the axis, relative to the base.
     from_base: Vec3<R>,
+    /// The distance of that point from the ray's origin.
     advance: R,
     direction: Vec3<R>,
-    /// Its height, and by how much the line rises with each unit.
+    /// The height of that point along the axis.
     height: R,
+    /// The change of height for each unit along the line.
     climb: R,
-    /// Distance from the axis, squared, less the cone's radius there, squared: a t² + 2 b t + c.
+    /// The larger of two changes for each unit along the line: of the place in the projection, and of the
+    /// radius. So the larger of |α| and |β| is 1.
+    unit: R,
+    /// α² - β²
     a: R,
+    /// α e - β r
     b: R,
+    /// The squared distance from the axis less the squared radius: D² + e² - r².
     c: R::Product,
     discriminant: R::Product,
 }
@@ -126,7 +153,8 @@ impl<R: Real> Passage<R> {
         // q is 0 only if both b and the discriminant are. If the line is parallel to a line of the cone, a is
         // almost 0 and q / a is far away, or out of range in fixed point.
         let one = self.c.over(q);
-        (one, if is_met_twice(self.a) { q / self.a } else { one })
+        let other = if is_met_twice(self.a) { q / self.a } else { one };
+        (one / self.unit, other / self.unit)
     }
 
     /// The part of the line, between `-reach` and `reach`, that lies inside the cone, whose radius grows by
@@ -156,12 +184,25 @@ fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
+/// α and β: `sine` and `other`, both divided by `larger`, which is the larger of their absolute values; 0 if
+/// that is 0.
+#[inline(always)]
+fn shares<R: Real>(sine: R, other: R, larger: R) -> (R, R) {
+    if sine < larger {
+        (sine / larger, if other < R::ZERO { -R::ONE } else { R::ONE })
+    } else if larger > R::ZERO {
+        (R::ONE, other / larger)
+    } else {
+        (R::ZERO, R::ZERO)
+    }
+}
+
 impl<R: Real> PreparedCone<R> {
-    /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared,
-    /// and times the sine of the angle between the two, squared.
+    /// The squared distance at which a ray's line passes the axis, and the largest squared distance at which
+    /// it may meet the cone. Both are multiplied by the squared sine of the angle between line and axis.
     ///
-    /// Before it is squared the first is off by no more than 2⁻²¹ of the way to the base: that is less than
-    /// the room that the reach has, or less than the root of what is added.
+    /// Before it is squared, the first is off by at most 2⁻²¹ of the distance from the base. This is less
+    /// than the room for rounding in the reach, or less than the root of `doubt`.
     #[inline(always)]
     fn passing(&self, ray: &Ray<R>) -> (R, R) {
         let to_base = self.base - ray.origin;
@@ -171,7 +212,7 @@ impl<R: Real> PreparedCone<R> {
         (distance * distance, self.reach_squared * across.length_squared() + doubt)
     }
 
-    /// `None` where the ray passes by.
+    /// `None` if the ray misses the cone.
     #[inline(always)]
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         if R::REACH.is_none() {
@@ -181,20 +222,66 @@ impl<R: Real> PreparedCone<R> {
             }
         }
         let (from_base, advance) = ray.nearest_to(self.base);
-        // Else coefficients would be out of range.
+        // Otherwise coefficients would be out of range.
         if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
         let direction = ray.direction;
-        let height = from_base.dot(self.axis);
         let climb = direction.dot(self.axis);
+        let (across, sine) = (direction - self.axis * climb).polar();
+        let is_along = !(sine > R::ZERO);
+        let across = if is_along { Vec3::ZERO } else { across };
+
+        // Go to the point nearest to the axis.
+        let height = from_base.dot(self.axis);
+        let beside = from_base - self.axis * height;
+        let aside = beside.dot(across);
+        if R::REACH.is_some() {
+            let passing = beside.length_squared_wide() - aside.times(aside);
+            if passing > self.reach.times(self.reach) + R::ONE.times(R::RAY_OFFSET) {
+                return None;
+            }
+        }
+        let toward = if is_along { R::ZERO } else { -aside / sine };
+        let (rise, to_base, to_top) = (climb * toward, -height, self.length - height);
+        let shift = if rise < to_base {
+            to_base / climb
+        } else if rise > to_top {
+            to_top / climb
+        } else {
+            toward
+        };
+        // The part of the ray between the ends is no farther than this from the point nearest to the base, or
+        // the ray misses.
+        if !(shift.abs() <= self.farthest()) {
+            return None;
+        }
+        let (from_base, advance) = (from_base + direction * shift, advance + shift);
+
+        let height = from_base.dot(self.axis);
+        let beside = from_base - self.axis * height;
+        let distance_squared = beside.length_squared_wide();
+        if distance_squared > self.reach.times(self.reach) {
+            return None;
+        }
+        let aside = beside.dot(across);
         let radius = self.base_radius + self.slope * height;
-        let a = R::ONE - self.steepness * climb * climb;
-        let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
-        let across = from_base - self.axis * height;
-        let c = across.length_squared_wide() - radius.times(radius);
-        let discriminant = b.times(b) - c.times(a);
-        Some(Passage { from_base, advance, direction, height, climb, a, b, c, discriminant })
+        let widens = self.slope * climb;
+        let unit = sine.larger(widens.abs());
+        let (alpha, beta) = shares(sine, widens, unit);
+        let a = alpha * alpha - beta * beta;
+        let b = alpha * aside - beta * radius;
+        let c = distance_squared - radius.times(radius);
+        let even = alpha * radius - beta * aside;
+        let passing = distance_squared - aside.times(aside);
+        let discriminant = even.times(even) - passing.times(a);
+        Some(Passage { from_base, advance, direction, height, climb, unit, a, b, c, discriminant })
+    }
+
+    /// An upper bound of the distance between a hit and the point that a passage is measured from.
+    #[inline(always)]
+    fn farthest(&self) -> R {
+        self.size + self.size
     }
 
     /// The nearest hit of the side inside `range`.
@@ -205,8 +292,12 @@ impl<R: Real> PreparedCone<R> {
         let (one, other) = passage.roots();
         let on_side = |t: R| {
             let at = passage.height + passage.climb * t;
-            // Beyond the apex the equation describes the mirror image: there the radius is negative.
-            at >= R::ZERO && at <= self.length && self.base_radius + self.slope * at >= R::ZERO
+            // Beyond the apex the equation describes the mirror image: there the radius is negative. In fixed
+            // point, `t` may be saturated if it is too far away.
+            t.abs() <= self.farthest()
+                && at >= R::ZERO
+                && at <= self.length
+                && self.base_radius + self.slope * at >= R::ZERO
         };
         let mut nearest = None;
         let mut range = range;
@@ -222,12 +313,6 @@ impl<R: Real> PreparedCone<R> {
 
     /// The nearest hit of the discs at the ends inside `range`.
     fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
-        // In fixed point, t is saturated for a ray almost parallel to a disc, and t + advance wraps if it is
-        // beyond ±128. No such hit is returned, because its point is too far from the disc: `advance` is
-        // below 116, so |t| is above 12. The point lies at the distance |t| from the ray's point nearest to
-        // the base. That point and the disc lie within √3 + 1/2 of the base (solids lie within 1/2 of the
-        // origin). So the hit is more than 7 away from the middle of the disc, whose radius is at most 1/2. A
-        // coordinate of `across` wraps only if it is beyond 123, and then its square is still large.
         let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
             return None;
@@ -235,9 +320,10 @@ impl<R: Real> PreparedCone<R> {
         let mut nearest = None;
         let mut range = range;
         for end in [R::ZERO, self.length] {
+            // In fixed point, `t` is saturated for a ray almost parallel to a disc.
             let t = (end - height) / climb;
             let hit = t + advance;
-            if range.contains(hit) {
+            if t.abs() <= self.farthest() && range.contains(hit) {
                 let across = from_base + direction * t - self.axis * end;
                 let radius = self.base_radius + self.slope * end;
                 if across.length_squared_wide() < radius.times(radius) {
@@ -285,17 +371,49 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let directions = each(|i| rays.ray(i).direction);
         let near = each(|i| rays.ray(i).nearest_to(self.base));
         let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
-        let height = each(|i| from_base[i].dot(self.axis));
         let climb = each(|i| directions[i].dot(self.axis));
-        let radius = each(|i| self.base_radius + self.slope * height[i]);
-        let a = each(|i| R::ONE - self.steepness * climb[i] * climb[i]);
-        let b = each(|i| {
-            from_base[i].dot(directions[i]) - height[i] * climb[i] - self.slope * climb[i] * radius[i]
+        let (zeros, lengths) = ([R::ZERO; 4], [self.length; 4]);
+        let across = each(|i| (directions[i] - self.axis * climb[i]).polar());
+        let sine = each(|i| across[i].1);
+        let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
+        let height = each(|i| from_base[i].dot(self.axis));
+        let beside = each(|i| from_base[i] - self.axis * height[i]);
+        let aside = each(|i| beside[i].dot(across[i]));
+        let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
+        let shift = each(|i| {
+            let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
+            let (base, top) = (to_base / climb[i], to_top / climb[i]);
+            if rise < to_base {
+                base
+            } else if rise > to_top {
+                top
+            } else {
+                toward[i]
+            }
         });
-        let across = each(|i| from_base[i] - self.axis * height[i]);
-        let c = each(|i| across[i].length_squared_wide() - radius[i].times(radius[i]));
-        let root = each(|i| (b[i].times(b[i]) - c[i].times(a[i])).sqrt());
-        let zeros = [R::ZERO; 4];
+        let farthest = [self.farthest(); 4];
+        let near_enough = near_enough & R::no_larger(&each(|i| shift[i].abs()), &farthest);
+        let from_base = each(|i| from_base[i] + directions[i] * shift[i]);
+        let advance = each(|i| advance[i] + shift[i]);
+        let height = each(|i| from_base[i].dot(self.axis));
+        let beside = each(|i| from_base[i] - self.axis * height[i]);
+        let squared = each(|i| beside[i].length_squared());
+        let near_enough = near_enough & R::no_larger(&squared, &[self.reach * self.reach; 4]);
+        if near_enough == 0 {
+            return (0, *max);
+        }
+        let aside = each(|i| beside[i].dot(across[i]));
+        let radius = each(|i| self.base_radius + self.slope * height[i]);
+        let widens = each(|i| self.slope * climb[i]);
+        let unit = each(|i| sine[i].larger(widens[i].abs()));
+        let parts = each(|i| shares(sine[i], widens[i], unit[i]));
+        let (alpha, beta) = (each(|i| parts[i].0), each(|i| parts[i].1));
+        let a = each(|i| alpha[i] * alpha[i] - beta[i] * beta[i]);
+        let b = each(|i| alpha[i] * aside[i] - beta[i] * radius[i]);
+        let c = each(|i| beside[i].length_squared_wide() - radius[i].times(radius[i]));
+        let even = each(|i| alpha[i] * radius[i] - beta[i] * aside[i]);
+        let passing = each(|i| beside[i].length_squared_wide() - aside[i].times(aside[i]));
+        let root = each(|i| (even[i].times(even[i]) - passing[i].times(a[i])).sqrt());
         let crossed = near_enough & R::less(&zeros, &root);
         if crossed == 0 {
             return (0, *max);
@@ -304,13 +422,15 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let q = each(|i| if b[i] > R::ZERO { -b[i] - root[i] } else { root[i] - b[i] });
         let one = each(|i| c[i].over(q[i]));
         let other = each(|i| if is_met_twice(a[i]) { q[i] / a[i] } else { one[i] });
+        let (one, other) = (each(|i| one[i] / unit[i]), each(|i| other[i] / unit[i]));
         // The steps of `intersect_side`.
         let met = |t: [R; 4]| {
             let at = each(|i| height[i] + climb[i] * t[i]);
             let radius = each(|i| self.base_radius + self.slope * at[i]);
             let hit = each(|i| t[i] + advance[i]);
-            let on_side = R::no_larger(&zeros, &at)
-                & R::no_larger(&at, &[self.length; 4])
+            let on_side = R::no_larger(&each(|i| t[i].abs()), &farthest)
+                & R::no_larger(&zeros, &at)
+                & R::no_larger(&at, &lengths)
                 & R::no_larger(&zeros, &radius);
             (crossed & on_side & R::less(&zeros, &hit) & R::less(&hit, max), hit)
         };
@@ -333,7 +453,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             return Spans::NONE;
         };
         // Between the planes of the ends the radius is positive, so the mirror image has no part there.
-        let (mut from, mut to) = passage.inside(self.slope, self.size);
+        let (mut from, mut to) = passage.inside(self.slope, self.farthest());
         let (to_base, to_top) = (-passage.height, self.length - passage.height);
         if passage.climb == R::ZERO {
             if !(to_base < R::ZERO && to_top > R::ZERO) {
@@ -482,7 +602,8 @@ mod tests {
             let direction = if round / 16 % 2 == 0 { almost_along } else { random.direction() };
             let direction = direction.normalized().unwrap_or(LEFT);
             let ray = Ray { origin: aim - direction * away, direction };
-            let is_passed = cone.passage(&ray).is_none();
+            let (passing, reach) = cone.passing(&ray);
+            let is_passed = passing > reach;
             // The distance from line to line in f64.
             let (axis, direction): (Vec3<f64>, Vec3<f64>) = (cone.axis.to(), ray.direction.to());
             let across = direction.cross(axis);

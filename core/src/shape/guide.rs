@@ -103,7 +103,8 @@
 //! - [`intersect`](super::Intersect::intersect) takes a bounded number of steps, and returns the same
 //!   distance whatever the range is. To keep digits, it computes from the point of the ray that is nearest to
 //!   the shape ([`Ray::nearest_to`]).
-//! - [`bounds`](super::Intersect::bounds) contains every hit. Hits outside of the bounds may be lost.
+//! - [`bounds`](super::Intersect::bounds) contains every hit: a distance whose point lies outside must not be
+//!   returned.
 //! - [`surface`](super::Intersect::surface) moves the point of the ray back onto the shape, and reports the
 //!   largest number that the point was computed from: rays that leave the surface start at a distance that is
 //!   derived from this number, so that they do not meet the same surface at once.

@@ -42,6 +42,8 @@ mod spans;
 mod sphere;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 mod torus;
 mod triangle;
 mod uv;
@@ -122,8 +124,12 @@ pub trait Intersect<R: Real> {
     /// shape.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
 
-    /// A box that contains every point at which a ray can meet the shape, rounding included; `None` if the
-    /// shape has no end.
+    /// A box that contains every hit of the shape; `None` if the shape has no end.
+    ///
+    /// If [`intersect`](Self::intersect) returns `t`, then [`ray.at(t)`](Ray::at) must lie in the box, or no
+    /// farther outside than its rounding: [`Real::offset`] of the largest coordinate of that point and of the
+    /// ray's origin. This holds for thin and for long shapes, too: if rounding puts a hit elsewhere, it must
+    /// not be returned. Acceleration relies on the box, and without this rule pictures would change with it.
     fn bounds(&self) -> Option<Aabb<R>>;
 
     /// The surface at distance `t` along a ray, where [`intersect`](Self::intersect) returned `t`.

@@ -158,18 +158,20 @@ impl<'a, S: Geometry + 'a> Geometry for Csg<'a, S> {
             let solid = unprepared.next().ok_or(Fault::NotOneSolid)?;
             solid.prepare(scale, memory).inspect_err(|_| memory.blame(Inner::Solid(index)))
         })?;
-        let bounds = bounds(self.steps, solids)?;
-        let ball = bounds.map(|bounds| {
-            let center = bounds.center();
-            let radius = (bounds.max - center).length();
-            (center, radius + R::offset(bounds.magnitude()))
-        });
         // The largest coordinate of all solids, whose rounding is that of the result. At least that of `f32`,
         // since descriptions are rounded to `f32`.
         let Extent { solid, flat, plane } = self.extent();
         let magnitude = solid.larger(flat).larger(plane.unwrap_or(0.0));
         let rounding: R = scale.length(R::Setup::from_f32(f32::offset(magnitude)));
         let tolerance = rounding.larger(R::offset(scale.length(R::Setup::from_f32(magnitude))));
+        // Pad the bounds: rays begin at the middle of the combined solid, so that a small solid is met with
+        // the rounding of all; and the surface may be at any of the boundaries that count as one place.
+        let bounds = bounds(self.steps, solids)?.map(|bounds| bounds.padded(tolerance + tolerance));
+        let ball = bounds.map(|bounds| {
+            let center = bounds.center();
+            let radius = (bounds.max - center).length();
+            (center, radius + R::offset(bounds.magnitude()))
+        });
         let tree = memory.store(Tree { program, bounds, ball, tolerance })?;
         Ok(PreparedCsg { solids, tree })
     }

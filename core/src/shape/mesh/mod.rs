@@ -1,5 +1,5 @@
 //! A mesh of triangles that share their vertices, with a hierarchy of boxes around them (see `hierarchy`).
-//! The test of one triangle is in [`sight`].
+//! The test of one triangle is in [`ray`].
 //!
 //! # Memory
 //! In `f32` and fixed point:
@@ -23,7 +23,7 @@
 //! at exactly that distance. So the result does not depend on the order in which boxes are visited.
 
 mod baked;
-mod sight;
+mod ray;
 mod smooth;
 #[cfg(test)]
 mod tests;
@@ -38,7 +38,7 @@ use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_COUNT;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
-use sight::{Meeting, Sight};
+use ray::{Meeting, MeshRay};
 
 /// A mesh of up to 65535 triangles, which share up to 65535 vertices.
 ///
@@ -252,8 +252,8 @@ impl<R: Real> MeshData<'_, R> {
     }
 
     #[inline]
-    fn meet(&self, triangle: usize, sight: &Sight<R>) -> Option<Meeting<R>> {
-        sight.meet(self.corners(triangle as u16)?)
+    fn meet(&self, triangle: usize, mesh_ray: &MeshRay<R>) -> Option<Meeting<R>> {
+        mesh_ray.meet(self.corners(triangle as u16)?)
     }
 
     /// The interpolated coordinates u and v of a triangle, if the mesh has any.
@@ -310,11 +310,11 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
     // Not inlined: the list of waiting boxes takes 488 bytes of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let sight = Sight::new(ray);
+        let mesh_ray = MeshRay::new(ray);
         let mut range = range;
         let mut nearest = None;
         self.0.hierarchy.walk(ray, range.max, |triangle| {
-            if let Some(Meeting { t, .. }) = self.0.meet(triangle, &sight)
+            if let Some(Meeting { t, .. }) = self.0.meet(triangle, &mesh_ray)
                 && range.contains(t)
             {
                 range.max = t;
@@ -330,14 +330,14 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let sight = Sight::new(ray);
+        let mesh_ray = MeshRay::new(ray);
         let point = ray.at(t);
         let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
         let mut met: Option<(u16, Meeting<R>)> = None;
         self.0.hierarchy.visit(point, margin, |triangle| {
             let is_first = met.is_none_or(|(first, _)| triangle < usize::from(first));
             if is_first
-                && let Some(meeting) = self.0.meet(triangle, &sight)
+                && let Some(meeting) = self.0.meet(triangle, &mesh_ray)
                 && meeting.t == t
             {
                 met = Some((triangle as u16, meeting));
