@@ -396,8 +396,8 @@ impl<R: Real> Ball<R> {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());
             let height = normal.dot(self.center) - distance;
-            // The light's height above the plane, and by how much it must be beside the plane: heights in the light's own
-            // scale; for a direction its sine, which two computations round to different numbers.
+            // The light's height above the plane, and by how much it must be beside the plane: heights in the
+            // light's own scale; for a direction its sine, which two computations round to different numbers.
             let (toward_light, room) = match light {
                 Source::At(position) => (normal.dot(position.to_setup()) - distance, astray),
                 Source::Far(position, shrink) => {

@@ -2,23 +2,23 @@
 //! "An Introduction to Ray Tracing", 1989, ch. 2), which is solved without cancellation (Press et al.,
 //! "Numerical Recipes", §5.6).
 //!
-//! # No hit outside of the bounds
+//! # No hit outside
 //! A cone may be a hundred thousand times as long as it is wide, and a ray may run almost along it. The
 //! equation as textbooks give it loses all digits there. Three steps keep the error of a hit to a few units
-//! in the last place of the cone's length and coordinates, which is far less than the padding of its bounds:
+//! in the last place of the cone's length and place, far less than the room that its bounds have:
 //!
-//! - All numbers are measured from the point of the ray that is nearest to the axis, within the part of the
-//!   ray between the planes of the two ends ([`PreparedCone::passage`]). So the terms of the equation are no
-//!   larger than the radius at the place where the ray meets the cone.
-//! - The angle between ray and axis is represented by the part of the direction across the axis, not by 1
-//!   minus the square of the part along it.
-//! - The discriminant is (α r - β e)² - D² (α² - β²), where D is the distance between the whole line and the
-//!   axis. It does not cancel where the textbook's b² - a c does.
+//! - Every number is measured from the point of the ray that is nearest to the axis, of the part between the
+//!   planes of the two ends ([`Approach`]). No point of the cone on the ray is nearer to the axis, so what
+//!   the equation is made of is no larger than the radius where the ray meets the cone.
+//! - The angle between ray and axis enters as the part of the direction across the axis, not as 1 less the
+//!   square of the part along it.
+//! - The discriminant is (α r - β e)² - D² (α² - β²), where D is how far the whole line passes the axis by.
+//!   It does not cancel where the textbook's b² - a c does.
 //!
-//! # Rays that miss
-//! Most tested rays pass the axis at a distance that is larger than the cone's radius. Floating point tests
-//! that first, for half of the products. Fixed point, whose coefficients must not overflow, tests the
-//! distance from the base first.
+//! # Rays that pass by
+//! Most rays that are tested pass the axis farther away than the cone reaches. Floating point looks at that
+//! first, by the line at right angles to both, for half the products. Fixed point, whose coefficients must
+//! not overflow, first looks whether the ray comes near the base at all.
 
 use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
@@ -115,14 +115,37 @@ pub struct PreparedCone<R> {
     capped: bool,
 }
 
-/// A line through a cone of infinite length and its mirror image. Distances t along it are measured from its
-/// point nearest to the axis, between the planes of the cone's ends.
+/// The point of a ray that is nearest to the axis between the planes of the cone's ends.
+struct Approach<R> {
+    /// The point as seen from the base, and how far along the ray it is.
+    from_base: Vec3<R>,
+    advance: R,
+    /// By how much the ray rises along the axis with each unit.
+    climb: R,
+    /// The direction of the ray across the axis, of unit length, and how much it moves that way with each
+    /// unit; both 0 for a ray along the axis.
+    across: Vec3<R>,
+    sine: R,
+}
+
+/// [`Approach`] of four rays.
+struct FourApproaches<R> {
+    /// A bit for each ray that comes near enough.
+    near_enough: u32,
+    from_base: [Vec3<R>; 4],
+    advance: [R; 4],
+    climb: [R; 4],
+    across: [Vec3<R>; 4],
+    sine: [R; 4],
+}
+
+/// A line's way through a cone of infinite length and its mirror image, from its [`Approach`] on.
 ///
-/// As seen along the axis, the line passes the axis at the distance D. With τ = `unit` · t, its place along
-/// its own projection is e + α τ, and the radius of the cone at its height is r + β τ. So it meets the cone
-/// where a τ² + 2 b τ + c = 0.
+/// With `unit` times a distance t from there as τ, the line is e + α τ along its own way across the axis,
+/// always D beside the axis, and the radius there is r + β τ. So it meets the cone where a τ² + 2 b τ + c =
+/// 0.
 struct Passage<R: Real> {
-    /// The point nearest to the axis, relative to the base.
+    /// Where that is, as seen from the base, and how far along the ray.
     from_base: Vec3<R>,
     /// The distance of that point from the ray's origin.
     advance: R,
@@ -131,8 +154,8 @@ struct Passage<R: Real> {
     height: R,
     /// The change of height for each unit along the line.
     climb: R,
-    /// The larger of two changes for each unit along the line: of the place in the projection, and of the
-    /// radius. So the larger of |α| and |β| is 1.
+    /// The larger of two changes for each unit along the line: of the way across the axis, and of the radius.
+    /// In units of this, the larger of α and β is 1.
     unit: R,
     /// α² - β²
     a: R,
@@ -212,9 +235,9 @@ impl<R: Real> PreparedCone<R> {
         (distance * distance, self.reach_squared * across.length_squared() + doubt)
     }
 
-    /// `None` if the ray misses the cone.
+    /// The point of the ray where a passage begins. `None` where the ray passes by.
     #[inline(always)]
-    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+    fn approach(&self, ray: &Ray<R>) -> Option<Approach<R>> {
         if R::REACH.is_none() {
             let (distance, reach) = self.passing(ray);
             if distance > reach {
@@ -232,7 +255,6 @@ impl<R: Real> PreparedCone<R> {
         let is_along = !(sine > R::ZERO);
         let across = if is_along { Vec3::ZERO } else { across };
 
-        // Go to the point nearest to the axis.
         let height = from_base.dot(self.axis);
         let beside = from_base - self.axis * height;
         let aside = beside.dot(across);
@@ -251,13 +273,21 @@ impl<R: Real> PreparedCone<R> {
         } else {
             toward
         };
-        // The part of the ray between the ends is no farther than this from the point nearest to the base, or
-        // the ray misses.
-        if !(shift.abs() <= self.farthest()) {
-            return None;
-        }
-        let (from_base, advance) = (from_base + direction * shift, advance + shift);
+        // Where the way is longer, the ray is between the planes of the ends only far away from the cone.
+        let is_near = shift.abs() <= self.farthest();
+        is_near.then(|| Approach {
+            from_base: from_base + direction * shift,
+            advance: advance + shift,
+            climb,
+            across,
+            sine,
+        })
+    }
 
+    /// `None` where the ray passes by.
+    #[inline(always)]
+    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+        let Approach { from_base, advance, climb, across, sine } = self.approach(ray)?;
         let height = from_base.dot(self.axis);
         let beside = from_base - self.axis * height;
         let distance_squared = beside.length_squared_wide();
@@ -275,10 +305,48 @@ impl<R: Real> PreparedCone<R> {
         let even = alpha * radius - beta * aside;
         let passing = distance_squared - aside.times(aside);
         let discriminant = even.times(even) - passing.times(a);
+        let direction = ray.direction;
         Some(Passage { from_base, advance, direction, height, climb, unit, a, b, c, discriminant })
     }
 
-    /// An upper bound of the distance between a hit and the point that a passage is measured from.
+    /// As [`approach`](Self::approach), in floating point; `None` where all four pass by.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    fn approach_four(&self, rays: &FourRays<R>) -> Option<FourApproaches<R>> {
+        let passing = each(|i| self.passing(&rays.ray(i)));
+        let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
+        if near_enough == 0 {
+            return None;
+        }
+        let directions = each(|i| rays.ray(i).direction);
+        let near = each(|i| rays.ray(i).nearest_to(self.base));
+        let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
+        let climb = each(|i| directions[i].dot(self.axis));
+        let across = each(|i| (directions[i] - self.axis * climb[i]).polar());
+        let sine = each(|i| across[i].1);
+        let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
+        let height = each(|i| from_base[i].dot(self.axis));
+        let beside = each(|i| from_base[i] - self.axis * height[i]);
+        let aside = each(|i| beside[i].dot(across[i]));
+        let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
+        let shift = each(|i| {
+            let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
+            let (base, top) = (to_base / climb[i], to_top / climb[i]);
+            if rise < to_base {
+                base
+            } else if rise > to_top {
+                top
+            } else {
+                toward[i]
+            }
+        });
+        let near_enough = near_enough & R::no_larger(&each(|i| shift[i].abs()), &[self.farthest(); 4]);
+        let from_base = each(|i| from_base[i] + directions[i] * shift[i]);
+        let advance = each(|i| advance[i] + shift[i]);
+        Some(FourApproaches { near_enough, from_base, advance, climb, across, sine })
+    }
+
+    /// No hit is farther from where a passage begins.
     #[inline(always)]
     fn farthest(&self) -> R {
         self.size + self.size
@@ -292,8 +360,8 @@ impl<R: Real> PreparedCone<R> {
         let (one, other) = passage.roots();
         let on_side = |t: R| {
             let at = passage.height + passage.climb * t;
-            // Beyond the apex the equation describes the mirror image: there the radius is negative. In fixed
-            // point, `t` may be saturated if it is too far away.
+            // Beyond its apex the quadratic describes a second cone: there the radius is negative. In fixed
+            // point what is too far away may be saturated.
             t.abs() <= self.farthest()
                 && at >= R::ZERO
                 && at <= self.length
@@ -362,43 +430,13 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         if self.capped {
             return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
         }
-        // The steps of `passage`. If the discriminant is not positive, its root is 0 or NaN.
-        let passing = each(|i| self.passing(&rays.ray(i)));
-        let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
-        if near_enough == 0 {
-            return (0, *max);
-        }
-        let directions = each(|i| rays.ray(i).direction);
-        let near = each(|i| rays.ray(i).nearest_to(self.base));
-        let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
-        let climb = each(|i| directions[i].dot(self.axis));
-        let (zeros, lengths) = ([R::ZERO; 4], [self.length; 4]);
-        let across = each(|i| (directions[i] - self.axis * climb[i]).polar());
-        let sine = each(|i| across[i].1);
-        let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
+        let Some(approaches) = self.approach_four(rays) else { return (0, *max) };
+        let FourApproaches { near_enough, from_base, advance, climb, across, sine } = approaches;
+        // As `passage`. The root of what is not positive is 0 or NaN.
         let height = each(|i| from_base[i].dot(self.axis));
         let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let aside = each(|i| beside[i].dot(across[i]));
-        let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
-        let shift = each(|i| {
-            let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
-            let (base, top) = (to_base / climb[i], to_top / climb[i]);
-            if rise < to_base {
-                base
-            } else if rise > to_top {
-                top
-            } else {
-                toward[i]
-            }
-        });
-        let farthest = [self.farthest(); 4];
-        let near_enough = near_enough & R::no_larger(&each(|i| shift[i].abs()), &farthest);
-        let from_base = each(|i| from_base[i] + directions[i] * shift[i]);
-        let advance = each(|i| advance[i] + shift[i]);
-        let height = each(|i| from_base[i].dot(self.axis));
-        let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let squared = each(|i| beside[i].length_squared());
-        let near_enough = near_enough & R::no_larger(&squared, &[self.reach * self.reach; 4]);
+        let distances_squared = each(|i| beside[i].length_squared());
+        let near_enough = near_enough & R::no_larger(&distances_squared, &[self.reach * self.reach; 4]);
         if near_enough == 0 {
             return (0, *max);
         }
@@ -414,6 +452,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let even = each(|i| alpha[i] * radius[i] - beta[i] * aside[i]);
         let passing = each(|i| beside[i].length_squared_wide() - aside[i].times(aside[i]));
         let root = each(|i| (even[i].times(even[i]) - passing[i].times(a[i])).sqrt());
+        let zeros = [R::ZERO; 4];
         let crossed = near_enough & R::less(&zeros, &root);
         if crossed == 0 {
             return (0, *max);
@@ -428,9 +467,9 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             let at = each(|i| height[i] + climb[i] * t[i]);
             let radius = each(|i| self.base_radius + self.slope * at[i]);
             let hit = each(|i| t[i] + advance[i]);
-            let on_side = R::no_larger(&each(|i| t[i].abs()), &farthest)
+            let on_side = R::no_larger(&each(|i| t[i].abs()), &[self.farthest(); 4])
                 & R::no_larger(&zeros, &at)
-                & R::no_larger(&at, &lengths)
+                & R::no_larger(&at, &[self.length; 4])
                 & R::no_larger(&zeros, &radius);
             (crossed & on_side & R::less(&zeros, &hit) & R::less(&hit, max), hit)
         };

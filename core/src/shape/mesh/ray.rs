@@ -30,7 +30,8 @@
 //! difference of two of their products below 2 · 116² units. 64 bits hold these exactly, so signs are always
 //! right.
 
-use crate::math::{Aabb, Product, Ray, Real, Vec3};
+use crate::math::{Product, Ray, Real, Vec3};
+use crate::shape::bounds_of;
 
 /// A ray, prepared for tests of triangles.
 pub(super) struct MeshRay<R> {
@@ -69,10 +70,10 @@ impl<R: Real> MeshRay<R> {
     }
 
     /// Whether the place at this distance lies in the box around a triangle, padded by its rounding.
-    fn is_beside(&self, [a, b, c]: [Vec3<R>; 3], t: R) -> bool {
+    fn is_beside(&self, corners: [Vec3<R>; 3], t: R) -> bool {
         let place = self.origin + self.direction * t;
         let room = R::offset(self.origin.magnitude().larger(place.magnitude()));
-        Aabb::point(a).joined(Aabb::point(b)).joined(Aabb::point(c)).padded(room).contains(place)
+        bounds_of(corners.into_iter()).is_some_and(|bounds| bounds.padded(room).contains(place))
     }
 
     /// The hit of the ray's whole line, if it meets a triangle. A triangle that is seen edge-on is not met.
