@@ -162,6 +162,8 @@ impl Projection {
     }
 
     /// The point of the plane with the coordinates (u, v).
+    // Not inlined: see `Hull::edges`.
+    #[inline(never)]
     fn unflatten<R: Real>(self, u: R, v: R, plane: &PreparedPlane<R>) -> Vec3<R> {
         let PreparedPlane { normal: n, distance } = *plane;
         // The plane's equation yields the dropped coordinate. It divides by the largest coordinate of the
@@ -263,6 +265,8 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
+    // Not inlined: see `Hull::edges`.
+    #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if part > 0 {
             return None;
@@ -291,6 +295,8 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
     }
 
     /// One tip at each vertex. A vertex that is turned inward is the tip of a notch, which may be as thin.
+    // Not inlined: see `Hull::edges`.
+    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let count = self.edges.len();
         if number >= count || count > MOST_TIPS {
