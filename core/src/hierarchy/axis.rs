@@ -1,8 +1,8 @@
-//! The axes of space.
+//! The coordinate axes.
 
 use crate::math::Vec3;
 
-/// An axis of space.
+/// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     X,
@@ -11,10 +11,11 @@ pub(super) enum Axis {
 }
 
 impl Axis {
+    /// All axes.
     pub(super) const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
     /// The coordinate along this axis.
-    #[inline(always)]
+    #[inline]
     pub(super) fn of<R>(self, vector: Vec3<R>) -> R {
         match self {
             Self::X => vector.x,

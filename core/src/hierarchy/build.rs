@@ -1,16 +1,18 @@
-//! How the hierarchy is built: from the top down, each box split in two where rays that come through it are expected to
-//! test the fewest objects (the surface area heuristic: MacDonald and Booth, "Heuristics for Ray Tracing Using Space
-//! Subdivision", The Visual Computer 1990), with cuts at eight places along each axis (Wald, "On fast Construction of
-//! SAH-based Bounding Volume Hierarchies", RT 2007).
+//! Building the hierarchy, from the top down. Each box is split in two where rays that come through it are
+//! expected to test the fewest objects (the surface area heuristic: MacDonald and Booth, "Heuristics for Ray
+//! Tracing Using Space Subdivision", The Visual Computer 1990), by cuts at eight places along each axis
+//! (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
-//! # How deep and how large
-//! Cuts that cost least may part one object from thousands. So in nodes that lie in [`CUT_DEPTH`] others the objects are
-//! halved and halved again: eight such nodes part 65535, and a leaf lies in at most [`MAX_HIERARCHY_DEPTH`] nodes.
+//! # Bounds of depth and size
+//! The best cut may separate one object from thousands. So in nodes that lie in [`CUT_DEPTH`] others, the
+//! objects are halved, whatever the cost. Eight such nodes separate 65535 objects, and a leaf lies in at most
+//! [`MAX_HIERARCHY_DEPTH`] nodes.
 //!
-//! A node without nodes in it holds one object more than a leaf may, or more; one with some nodes in it has as many parts as it can, each
-//! of at least one object. So where a node has four boxes and a leaf holds two objects there are at most 4/9 as many nodes as objects,
-//! which take 48 bytes an object in `f32`; where it holds three or four, at most 1/3, which take 36. Where a node has eight boxes and
-//! a leaf holds three objects, there are at most 2/7, which take 62.
+//! A node without nodes in it has more objects than fit in one leaf. A node with nodes in it has as many
+//! boxes as possible, with at least one object each. So for nodes of four boxes and leaves of two objects,
+//! there are at most 4/9 as many nodes as objects, which takes 48 bytes for each object in `f32`. For leaves
+//! of three or four objects, there are at most 1/3, which takes 36 bytes; for nodes of eight boxes and leaves
+//! of three objects, at most 2/7, which takes 62 bytes.
 
 use heapless::Vec;
 
@@ -21,14 +23,15 @@ use crate::fault::Fault;
 use crate::limits::{MAX_COUNT, MAX_HIERARCHY_DEPTH};
 use crate::math::{Aabb, Real, Vec3};
 
-/// The fewest that may be the most objects in a leaf: with more, all is less.
+/// The smallest value of the argument `leaf`. For larger leaves there are fewer nodes, and they are nested
+/// less deep.
 const SMALLEST_LEAF: usize = 2;
-/// In so many nodes, objects are halved.
+/// From this depth on, objects are halved.
 const CUT_DEPTH: usize = 12;
-/// Places along an axis.
+/// The number of places for cuts along an axis.
 const BINS: usize = 8;
 
-/// How many nodes lie in one another where objects are halved.
+/// The number of nested nodes that it takes to halve so many objects until they fit in leaves.
 const fn halving_nodes(mut objects: usize) -> usize {
     let mut nodes = 0;
     while objects > SMALLEST_LEAF {
@@ -40,39 +43,38 @@ const fn halving_nodes(mut objects: usize) -> usize {
 
 const _: () = assert!(CUT_DEPTH + halving_nodes(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
 
-/// How many nodes of so many boxes there may be, of more objects than there are in a leaf.
+/// The most nodes of `width` boxes for so many objects, which must be more than `leaf`.
 pub(super) const fn most_nodes(objects: usize, leaf: usize, width: usize) -> usize {
     let around_leaves = objects.saturating_mul(width) / ((leaf + 1) * (width - 1));
     let around_nodes = objects / (width - 1);
     if around_leaves > around_nodes { around_leaves } else { around_nodes }
 }
 
-/// Objects that lie together.
+/// A group of objects, for one box of a node.
 #[derive(Clone, Copy)]
-struct Part<R> {
-    /// Where they are in the order.
+struct Cluster<R> {
+    /// The index of the first object in the order.
     first: usize,
     count: usize,
     around: Aabb<R>,
 }
 
-impl<R: Real> Part<R> {
-    // Not inlined, as much below: in preparation size counts more than time.
-    #[inline(never)]
+impl<R: Real> Cluster<R> {
+    /// The cluster of some objects; `None` if none of them has bounds.
     fn new(objects: &[u16], first: usize, bounds: &impl Fn(u16) -> Option<Aabb<R>>) -> Option<Self> {
         let around = objects.iter().filter_map(|object| bounds(*object)).reduce(Aabb::union)?;
         Some(Self { first, count: objects.len(), around })
     }
 }
 
-/// A part that is to become a node: small, because many wait.
+/// A cluster that is to become a node. It is small, because many of them wait.
 #[derive(Clone, Copy)]
 struct Pending {
     first: u16,
     count: u16,
-    /// How many nodes contain it.
+    /// The number of nodes that contain it.
     depth: u8,
-    /// The node that it lies in, and which part of it.
+    /// The node that it lies in, and the place in that node.
     of: (u16, u8),
 }
 
@@ -89,9 +91,9 @@ pub(super) fn build<'m, R: Real, const W: usize>(
         arena.try_store_with(most_nodes(objects, leaf, W), |_, _| Ok::<_, Fault>(Node::EMPTY))?;
 
     let mut used: u16 = 0;
-    // The root lies in no node; what it says there is overwritten with its parts.
+    // The root lies in no node: it is entered in its own first place, which is then overwritten.
     let all = Pending { first: unbounded as u16, count: (objects - unbounded) as u16, depth: 0, of: (0, 0) };
-    // All parts of a node wait at first, then all but one for each node around the one at hand.
+    // At most all clusters of one node wait, and all but one of each node around it.
     let mut waiting: Vec<Pending, MOST_WAITING> = Vec::new();
     let mut next = Some(all);
     while let Some(pending) = next.take().or_else(|| waiting.pop()) {
@@ -101,17 +103,18 @@ pub(super) fn build<'m, R: Real, const W: usize>(
         }
         let (first, count) = (usize::from(first), usize::from(count));
         let in_all = order.get_mut(first..first.saturating_add(count)).unwrap_or_default();
-        let parts = parts::<R, W>(in_all, &bounds, usize::from(depth) >= CUT_DEPTH);
+        let clusters = clusters::<R, W>(in_all, &bounds, usize::from(depth) >= CUT_DEPTH);
         let mut node = Node::EMPTY;
-        for (place, part) in parts.into_iter().enumerate() {
-            let Some(Part { first: begin, count, around }) = part else { continue };
-            // What is rounded is of the size of this box, not of the shapes in it.
+        for (place, cluster) in clusters.into_iter().enumerate() {
+            let Some(Cluster { first: begin, count, around }) = cluster else { continue };
+            // The rounding of the box test depends on the coordinates of this box, not on those of the shapes
+            // in it.
             node.enclose(place, around.padded(R::offset(around.magnitude())));
             let first = first + begin;
             if count > leaf {
                 let of = (used, place as u8);
-                let part = Pending { first: first as u16, count: count as u16, depth: depth + 1, of };
-                let pushed = waiting.push(part);
+                let pending = Pending { first: first as u16, count: count as u16, depth: depth + 1, of };
+                let pushed = waiting.push(pending);
                 debug_assert!(pushed.is_ok(), "deeper than CUT_DEPTH allows");
             } else {
                 node.fill(place, Content { count: count as u8, first: first as u16 });
@@ -137,39 +140,40 @@ impl<R: Real, const W: usize> Node<R, W> {
     }
 }
 
-/// Parts objects in so many or fewer, each time the part that the most tests are expected in.
-fn parts<R: Real, const W: usize>(
+/// Divides objects into up to `W` clusters: as long as there is a free place, the cluster for which the most
+/// tests are expected is divided in two.
+fn clusters<R: Real, const W: usize>(
     objects: &mut [u16],
     bounds: &impl Fn(u16) -> Option<Aabb<R>>,
     halve: bool,
-) -> [Option<Part<R>>; W] {
-    let cost = |part: &Part<R>| {
-        let weight = R::Setup::from_u16(part.count as u16);
-        if halve { weight } else { area(part.around.to_setup()) * weight }
+) -> [Option<Cluster<R>>; W] {
+    let cost = |cluster: &Cluster<R>| {
+        let weight = R::Setup::from_u16(cluster.count as u16);
+        if halve { weight } else { area(cluster.around.to_setup()) * weight }
     };
-    let mut parts = [None; W];
-    if let Some(first) = parts.first_mut() {
-        *first = Part::new(objects, 0, bounds);
+    let mut clusters = [None; W];
+    if let Some(first) = clusters.first_mut() {
+        *first = Cluster::new(objects, 0, bounds);
     }
     for free in 1..W {
-        let several = parts.iter_mut().flatten().filter(|part| part.count > 1);
+        let several = clusters.iter_mut().flatten().filter(|cluster| cluster.count > 1);
         let Some(largest) = several.reduce(|a, b| if cost(b) > cost(a) { b } else { a }) else { break };
         let first = largest.first;
-        let in_part = objects.get_mut(first..first.saturating_add(largest.count)).unwrap_or_default();
+        let in_cluster = objects.get_mut(first..first.saturating_add(largest.count)).unwrap_or_default();
         let to_setup = |object| bounds(object).map_or(Aabb::point(Vec3::ZERO), Aabb::to_setup);
-        let cut = split::<R::Setup>(in_part, to_setup, halve);
-        let Some((front, behind)) = in_part.split_at_checked(cut) else { break };
-        let behind = Part::new(behind, first + cut, bounds);
-        let Some(front) = Part::new(front, first, bounds) else { break };
+        let cut = split::<R::Setup>(in_cluster, to_setup, halve);
+        let Some((front, behind)) = in_cluster.split_at_checked(cut) else { break };
+        let behind = Cluster::new(behind, first + cut, bounds);
+        let Some(front) = Cluster::new(front, first, bounds) else { break };
         *largest = front;
-        if let Some(part) = parts.get_mut(free) {
-            *part = behind;
+        if let Some(cluster) = clusters.get_mut(free) {
+            *cluster = behind;
         }
     }
-    parts
+    clusters
 }
 
-/// Brings the objects of one side to the front, and says how many they are.
+/// Brings the objects in front of the best cut to the front of the list, and returns their number.
 fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F>, halve: bool) -> usize {
     let half = objects.len() / 2;
     let centers = objects.iter().map(|object| Aabb::point(bounds(*object).center())).reduce(Aabb::union);
@@ -184,7 +188,7 @@ fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F
                 bin.add(&Bin { bounds, count: 1 });
             }
         }
-        // What lies behind each cut, from the last to the first; then what lies before.
+        // Sum up what lies behind each cut, from the last to the first; then what lies in front of each.
         let mut behind = [(F::ZERO, 0); BINS];
         let (mut union, mut last) = (Bin::empty(), (F::ZERO, 0));
         for (bin, behind) in bins.iter().zip(&mut behind).rev() {
@@ -197,7 +201,7 @@ fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F
         let mut before = Bin::empty();
         for (cut, (bin, (cost_behind, count_behind))) in (1..BINS).zip(bins.iter().zip(behind.iter().skip(1)))
         {
-            // Behind a place without objects, the cut is the same as before it.
+            // A cut behind a place without objects is the same as the cut in front of that place.
             if bin.count == 0 || *count_behind == 0 {
                 continue;
             }
@@ -210,12 +214,12 @@ fn split<F: Real<Setup = F>>(objects: &mut [u16], bounds: impl Fn(u16) -> Aabb<F
     }
     match best {
         Some((_, row, cut)) => partition(objects, |object| row.place(bounds(object).center()) < cut),
-        // All in one place.
+        // All objects are in one place.
         None => half,
     }
 }
 
-/// Places along an axis, of the same width.
+/// Places of the same width along an axis.
 #[derive(Clone, Copy)]
 struct Row<F> {
     axis: Axis,
@@ -239,10 +243,10 @@ impl<F: Real> Row<F> {
     }
 }
 
-/// The objects at one place.
+/// The objects whose centers are at one place.
 #[derive(Clone, Copy)]
 struct Bin<F> {
-    /// Around all of them; around none, from the largest numbers to the smallest.
+    /// The box around all of them. If there are none, its lower corner is above its upper corner.
     bounds: Aabb<F>,
     count: usize,
 }
@@ -253,27 +257,25 @@ impl<F: Real> Bin<F> {
         Self { bounds: Aabb { min: far, max: -far }, count: 0 }
     }
 
-    // Not inlined, as `cost`.
-    #[inline(never)]
+    /// Adds the objects of another bin.
     fn add(&mut self, other: &Self) {
         self.bounds = self.bounds.joined(other.bounds);
         self.count += other.count;
     }
 
-    /// The share of rays that come through, times the number of objects that they test.
-    #[inline(never)]
+    /// The expected number of tests: in proportion to the rays through the box, times the number of objects.
     fn cost(&self) -> F {
         if self.count == 0 { F::ZERO } else { area(self.bounds) * F::from_u16(self.count as u16) }
     }
 }
 
-/// Half the area of a box's surface: in proportion to the rays that come through.
+/// Half the area of a box's surface, which is in proportion to the rays through the box.
 fn area<F: Real>(bounds: Aabb<F>) -> F {
     let Vec3 { x, y, z } = bounds.max - bounds.min;
     x * y + y * z + z * x
 }
 
-/// Brings the objects to the front that belong there, and says how many they are.
+/// Brings the objects that belong in front to the front of the list, and returns their number.
 fn partition(objects: &mut [u16], belongs_in_front: impl Fn(u16) -> bool) -> usize {
     let mut front = 0;
     for index in 0..objects.len() {

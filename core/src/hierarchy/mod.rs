@@ -1,20 +1,23 @@
-//! Boxes around objects, and boxes around those boxes: a ray that misses a box meets nothing in it. Nine times the
-//! objects, 820 balls for 91, then cost 1.58 times the instructions for each ray.
+//! A hierarchy of boxes: boxes around objects, and boxes around those boxes. A ray that misses a box meets
+//! nothing in it.
 //!
-//! Scenes of many objects have a hierarchy, and so has a mesh of its triangles. A node holds four boxes, coordinate by
-//! coordinate, so that a processor that computes four numbers at once tests them at once (Dammertz, Hanika and Keller,
-//! "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008): on x86-64, in 0.44 times
-//! the instructions that it took with nodes of one box. There, the hierarchy of a scene has nodes of eight boxes: it waits for the outcome
-//! of fewer nodes, in 0.91 (balls_s3), 0.98 (teapot_s2) and 0.93 (rings_s1) times the time. Sixteen take 1.16 to 1.27 times as long, and
-//! an M4F takes 1.06 to 1.11 times the instructions with eight. A mesh has four everywhere, as it may be built for another processor.
+//! Scenes of many objects have a hierarchy of their objects, and meshes of their triangles. A node has four
+//! boxes, stored coordinate by coordinate, so that a processor that computes four numbers at once tests them
+//! together (Dammertz, Hanika and Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of
+//! Incoherent Rays", EGSR 2008). On such processors, the hierarchy of a scene has nodes of eight boxes.
+//! Meshes always have four, as they may be baked for another processor.
 //!
-//! To sort all boxes of a node by distance visits fewer, but takes 5 % longer than to go on with the nearest and to let the others wait
-//! as they come. Two nodes of four boxes at a time take as long as one. How it is built: see [`build`]. How boxes are tested: see
-//! [`slabs`] for floating point, [`segment`] for fixed point, [`place`] for points, [`beam`] for many rays at once, and [`wedge`]
-//! for some lines of a picture.
+//! The hierarchy never changes a byte of the picture: no box that might contain a hit is skipped, and of
+//! several objects at the same distance the one with the lowest index counts, whichever box is visited first.
 //!
-//! A picture has the same bytes with and without: no box is left out that a hit might lie in, and of several objects at
-//! the same distance the lowest position counts, whichever box is visited first.
+//! | file | contents |
+//! |---|---|
+//! | [`build`] | building the hierarchy |
+//! | [`slabs`] | the test of boxes against a ray, in floating point |
+//! | [`segment`] | the test of boxes against a ray, in fixed point |
+//! | [`beam`] | the test against a bundle of rays |
+//! | [`wedge`] | the test against some lines of a picture |
+//! | [`place`] | the test against a point |
 
 mod axis;
 mod beam;
@@ -39,42 +42,42 @@ use segment::Segment;
 use slabs::Slabs;
 pub(crate) use wedge::Wedge;
 
-/// Objects, by where they are, in nodes of so many boxes.
+/// A hierarchy of objects, in nodes of `W` boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Hierarchy<'m, R, const W: usize = NARROW> {
     /// All nodes; the first is the root.
     nodes: &'m [Node<R, W>],
-    /// The objects: first those without bounds, then leaf by leaf.
+    /// The indices of the objects: first those without bounds, then leaf by leaf.
     order: &'m [u16],
-    /// How many have no bounds.
+    /// The number of objects without bounds.
     unbounded: usize,
 }
 
-/// The boxes of a node that may be used on any processor.
+/// The number of boxes in a node that may be used on any processor.
 pub(crate) const NARROW: usize = 4;
 
-/// The boxes of a node that stays on one processor: more, where that computes four numbers at once.
+/// The number of boxes in a node that stays on one processor: more if that computes four numbers at once.
 pub(crate) const WIDE: usize = if FOUR_AT_ONCE { 8 } else { NARROW };
 
-/// Some boxes, and what lies in each.
+/// A node: some boxes, and the contents of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node<R, const W: usize = NARROW> {
-    /// For x, y, z: the smallest coordinates of the boxes, and the largest.
+    /// For each of x, y, z: the smallest coordinates of all boxes, and the largest.
     planes: [[[R; W]; 2]; 3],
-    /// What lies in each: so many objects of the order, or another [`NODE`].
+    /// For each box the number of its objects, or [`NODE`] if it contains another node.
     count: [u8; W],
-    /// The first of the objects, or that node.
+    /// For each box the place of its first object in the order, or the index of the node.
     first: [u16; W],
 }
 
-/// In place of a number of objects.
+/// In place of the number of objects: the box contains a node.
 const NODE: u8 = u8::MAX;
 
 const _: () = assert!(size_of::<Node<f32>>() == 108 && size_of::<Node<f32, 8>>() == 216);
 
 impl<R> Node<R> {
-    /// A node: the smallest and the largest coordinates of four boxes, and what lies in each: so many objects from the
-    /// first on, or where there is no number of them, another node.
+    /// A node of four boxes with these smallest and largest coordinates (x, y, z). The contents of a box are
+    /// a number of objects and the place of the first; or `None` and the index of a node.
     pub const fn new(lower: [[R; 4]; 3], upper: [[R; 4]; 3], [a, b, c, d]: [(Option<u8>, u16); 4]) -> Self
     where
         R: Copy,
@@ -93,8 +96,8 @@ impl<R> Node<R> {
         }
     }
 
-    /// Whether each leads only to nodes after it, so that a walk ends.
-    #[allow(clippy::indexing_slicing)] // Below the lengths.
+    /// Whether each node refers only to nodes after it, so that every walk ends.
+    #[allow(clippy::indexing_slicing)] // All indices are below the lengths.
     pub(crate) const fn lead_on(nodes: &[Self]) -> bool {
         let mut i = 0;
         while i < nodes.len() {
@@ -110,14 +113,14 @@ impl<R> Node<R> {
         true
     }
 
-    /// Whether each lies in one other at most, and in no more than the builder allows, so that a walk visits it once and there is room
-    /// for what waits.
-    #[allow(clippy::indexing_slicing)] // Below the lengths.
+    /// Whether each node lies in at most one other, so that a walk visits it once, and whether they are
+    /// nested no deeper than the builder allows, so that a walk has room for all nodes that wait.
+    #[allow(clippy::indexing_slicing)] // All indices are below the lengths.
     pub(crate) const fn are_shallow(nodes: &[Self]) -> bool {
         if nodes.is_empty() {
             return true;
         }
-        // The nodes around the one that is looked at, and how many places of each were looked at.
+        // The current node and the nodes around it, and for each the number of boxes that were visited.
         let mut path = [(0, 0); MAX_HIERARCHY_DEPTH];
         let (mut last, mut visited) = (0, 1);
         loop {
@@ -132,7 +135,7 @@ impl<R> Node<R> {
             path[last].1 += 1;
             let node: &Self = &nodes[index];
             let next = node.first[place] as usize;
-            // What is not there is not visited.
+            // A node that does not exist is not visited.
             if node.count[place] == NODE && next < nodes.len() {
                 last += 1;
                 visited += 1;
@@ -147,7 +150,7 @@ impl<R> Node<R> {
 
 #[cfg(feature = "bake")]
 impl<R: Real> Node<R> {
-    /// What lies in each of its boxes, as [`new`](Self::new) takes it.
+    /// The contents of the boxes, as [`new`](Self::new) takes them.
     pub(crate) fn contents(&self) -> [(Option<u8>, u16); 4] {
         core::array::from_fn(|place| {
             let content = self.content(place);
@@ -155,7 +158,7 @@ impl<R: Real> Node<R> {
         })
     }
 
-    /// The smallest and the largest coordinates of its boxes: x, y, z.
+    /// The smallest and the largest coordinates of the boxes, each for x, y, z.
     pub(crate) fn planes(&self) -> [[[R; NARROW]; 3]; 2] {
         let [x, y, z] = self.planes;
         [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
@@ -163,33 +166,34 @@ impl<R: Real> Node<R> {
 }
 
 impl<R: Real, const W: usize> Node<R, W> {
-    /// No boxes yet.
+    /// A node whose boxes are empty.
     const EMPTY: Self = Self { planes: [[[R::ZERO; W]; 2]; 3], count: [0; W], first: [0; W] };
 
-    /// What lies in a box.
-    #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By a remainder.
+    /// The contents of a box.
+    #[inline]
+    #[allow(clippy::indexing_slicing)] // A remainder is below the length.
     fn content(&self, place: usize) -> Content {
         Content { count: self.count[place % W], first: self.first[place % W] }
     }
 
-    /// Sets what lies in a box.
+    /// Sets the contents of a box.
     fn fill(&mut self, place: usize, content: Content) {
         if let (Some(count), Some(first)) = (self.count.get_mut(place), self.first.get_mut(place)) {
             (*count, *first) = (content.count, content.first);
         }
     }
 
-    /// The smallest and the largest coordinates of a box.
-    #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By a remainder.
+    /// The corners of a box with the smallest and the largest coordinates.
+    #[inline]
+    #[allow(clippy::indexing_slicing)] // A remainder is below the length.
     fn corners(&self, place: usize) -> [Vec3<R>; 2] {
         let [x, y, z] = &self.planes;
         [0, 1].map(|side: usize| Vec3::new(x[side][place % W], y[side][place % W], z[side][place % W]))
     }
 }
 
-/// What lies in a box: so many objects of the order, from `first` on, or where the number is [`NODE`], another node.
+/// The contents of a box: `count` objects, from place `first` of the order on; or, if `count` is [`NODE`],
+/// the node with the index `first`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Content {
     count: u8,
@@ -206,55 +210,57 @@ impl Content {
     }
 }
 
-/// A test of what may be met in boxes.
+/// A test of the boxes of a node.
 trait BoxTest<R, const W: usize> {
-    /// Calls `visit` with the places of a node's boxes that are met, until it says `true`. Returns whether it did.
+    /// Calls `visit` with the places of the boxes that pass the test, until it returns `true`. Returns
+    /// whether it did.
     fn any_met(&self, node: &Node<R, W>, visit: impl FnMut(usize) -> bool) -> bool;
 }
 
-/// A test that tells where as well.
+/// A test against a ray, which also tells where boxes are met.
 trait RayTest<R, const W: usize>: BoxTest<R, W> {
-    /// Calls `visit` with the places of the boxes that the ray meets, and with a number for each that grows with the distance from the
-    /// ray's origin.
+    /// Calls `visit` with the places of the boxes that the ray meets, and with a key for each box that grows
+    /// with the distance from the ray's origin.
     fn each_met(&self, node: &Node<R, W>, visit: impl FnMut(usize, R));
 
-    /// Ends the ray at a distance.
+    /// Ends the ray at the distance `max`.
     fn end_at(&mut self, max: R);
 
-    /// Whether a box that was met before still matters, by its number.
+    /// Whether the ray still reaches a box that was met before, by its key.
     fn reaches(&self, key: R) -> bool;
 }
 
-/// A box that waits while nearer ones are visited, and the number that says how near it is.
-type Waiting<R> = (R, Content);
+/// The contents of a box that waits while nearer boxes are visited, and the key of that box.
+type WaitingBox<R> = (R, Content);
 
-/// All boxes of a node wait at first, then all but one for each node around the one that is visited.
+/// At most all boxes of one node wait, and all but one of each node around it.
 const MOST_WAITING: usize = (WIDE - 1) * MAX_HIERARCHY_DEPTH + 1;
 
 impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
-    /// No boxes: all objects of a list, one by one.
+    /// A hierarchy without boxes: all objects of a list are tested one by one.
     pub(crate) fn list(objects: &'m [u16]) -> Self {
         Self { nodes: &[], order: objects, unbounded: objects.len() }
     }
 
-    /// One that was built before; no nodes: all objects of the list, one by one.
+    /// A hierarchy that was built before. If it has no nodes, all objects are tested one by one.
     pub(crate) const fn baked(nodes: &'m [Node<R, W>], order: &'m [u16]) -> Self {
         Self { nodes, order, unbounded: if nodes.is_empty() { order.len() } else { 0 } }
     }
 
-    /// All nodes, and the objects leaf by leaf: for [`baked`](Self::baked), where all have bounds.
+    /// The nodes and the order, as [`baked`](Self::baked) takes them. All objects must have bounds.
     #[cfg(feature = "bake")]
     pub(crate) const fn parts(&self) -> (&'m [Node<R, W>], &'m [u16]) {
         (self.nodes, self.order)
     }
 
-    /// How many bytes the hierarchy of so many objects takes, with up to `leaf` of them in a leaf, besides the list of them.
+    /// The bytes of the hierarchy of so many objects, with up to `leaf` objects in a leaf, without the list
+    /// of objects.
     pub(crate) const fn bytes(objects: usize, leaf: usize) -> usize {
         Arena::bytes::<Node<R, W>>(build::most_nodes(objects, leaf, W))
     }
 
-    /// Builds the hierarchy of the objects in a list, and brings that in its own order. There are to be more than `leaf`, the
-    /// most in a leaf: 2 or more.
+    /// Builds the hierarchy of the objects in a list, and sorts the list leaf by leaf. `leaf` is the most
+    /// objects in a leaf: 2 or more, and less than the number of objects.
     pub(crate) fn new(
         objects: &'m mut [u16],
         leaf: usize,
@@ -264,8 +270,8 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         build::build(objects, leaf, bounds, arena)
     }
 
-    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more: near ones
-    /// first, roughly. It says what the largest distance is from then on.
+    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more,
+    /// roughly in order of their distance. `test` returns the new largest distance.
     #[inline]
     pub(crate) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> R) {
         if R::REACH.is_none() {
@@ -275,8 +281,8 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         }
     }
 
-    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more, in no order, until it says
-    /// `true`. Returns whether it did.
+    /// Calls `test` for all objects that a ray can meet at a distance of at most `max`, and for some more, in
+    /// any order, until it returns `true`. Returns whether it did.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> bool) -> bool {
         if R::REACH.is_none() {
@@ -286,7 +292,8 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         }
     }
 
-    /// The same for all objects that may come as near to a ray as `beside`, before it ends at `max`.
+    /// [`any`](Self::any) for all objects that may be no farther than `beside` from a ray, before it ends at
+    /// `max`.
     #[inline]
     pub(crate) fn any_beside(
         &self,
@@ -315,19 +322,20 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         farthest
     }
 
-    /// The same for all objects that any ray of a beam can meet.
+    /// [`any`](Self::any) for all objects that any ray of a beam can meet.
     #[inline]
     pub(crate) fn any_in_beam(&self, beam: &Beam<R>, test: impl FnMut(usize) -> bool) -> bool {
         self.any_in_boxes(beam, test)
     }
 
-    /// The same for all objects that reach between two planes.
+    /// [`any`](Self::any) for all objects that reach between the two planes of a wedge.
     #[inline]
     pub(crate) fn any_between(&self, wedge: &Wedge<R>, test: impl FnMut(usize) -> bool) -> bool {
         self.any_in_boxes(wedge, test)
     }
 
-    /// Calls `visit` for all objects that a point may lie on: a point that was computed, off by less than `margin`.
+    /// Calls `visit` for all objects that a point may lie on. The point was computed with an error of less
+    /// than `margin`.
     #[inline]
     pub(crate) fn visit(&self, point: Vec3<R>, margin: R, mut visit: impl FnMut(usize)) {
         self.any_in_boxes(&Place::new(point, margin), |object| {
@@ -336,6 +344,8 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         });
     }
 
+    /// Calls `test` for all objects in boxes that pass a test, in any order, until it returns `true`. Returns
+    /// whether it did.
     #[inline(always)]
     fn any_in_boxes(&self, boxes: &impl BoxTest<R, W>, mut test: impl FnMut(usize) -> bool) -> bool {
         let unbounded = self.order.get(..self.unbounded).unwrap_or_default();
@@ -364,16 +374,17 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         false
     }
 
-    /// So many objects from the first on.
-    #[inline(always)]
+    /// The objects of a leaf.
+    #[inline]
     fn leaf(&self, Content { count, first }: Content) -> &'m [u16] {
         let first = usize::from(first);
         self.order.get(first..first + usize::from(count)).unwrap_or_default()
     }
 
+    /// [`walk`](Self::walk) with the test of boxes for the number system.
     #[inline(always)]
     fn walk_boxes(&self, mut ray: impl RayTest<R, W>, mut test: impl FnMut(usize) -> R) {
-        let mut waiting: Vec<Waiting<R>, MOST_WAITING> = Vec::new();
+        let mut waiting: Vec<WaitingBox<R>, MOST_WAITING> = Vec::new();
         let mut objects = self.order.get(..self.unbounded).unwrap_or_default();
         let mut next = Some((R::ZERO, Content::node(0)));
         loop {
@@ -383,7 +394,7 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
             if self.nodes.is_empty() {
                 return;
             }
-            // To the next leaf that matters.
+            // Find the next leaf that the ray reaches.
             objects = loop {
                 let Some((key, content)) = next.take().or_else(|| waiting.pop()) else { return };
                 if !ray.reaches(key) {
@@ -400,14 +411,14 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     }
 }
 
-/// The nearest of the boxes that a ray meets; the others wait.
+/// The nearest box of a node that a ray meets. The others are added to `waiting`.
 #[inline(always)]
 fn nearest<R: Real, const W: usize>(
     ray: &impl RayTest<R, W>,
     node: &Node<R, W>,
-    waiting: &mut Vec<Waiting<R>, MOST_WAITING>,
-) -> Option<Waiting<R>> {
-    let mut nearest: Option<Waiting<R>> = None;
+    waiting: &mut Vec<WaitingBox<R>, MOST_WAITING>,
+) -> Option<WaitingBox<R>> {
+    let mut nearest: Option<WaitingBox<R>> = None;
     ray.each_met(node, |slot, key| {
         let mut nearer = (key, node.content(slot));
         if let Some(mut farther) = nearest {
@@ -422,8 +433,8 @@ fn nearest<R: Real, const W: usize>(
     nearest
 }
 
-/// The places of the bits that are set.
-#[inline(always)]
+/// The indices of the set bits.
+#[inline]
 fn slots<const W: usize>(mut met: u32) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
         let slot = (met != 0).then(|| met.trailing_zeros() as usize % W);

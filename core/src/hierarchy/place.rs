@@ -1,18 +1,18 @@
-//! The test which boxes hold a point, in every number system.
+//! The test of boxes against a point, in every number system.
 
 use super::{BoxTest, Node};
 use crate::math::{Real, Vec3};
 
 /// A point, with room for its rounding.
 pub(super) struct Place<R> {
-    /// What lower planes must not exceed.
+    /// The lower planes of a box must not be above this.
     upper: Vec3<R>,
-    /// What upper planes must not be below.
+    /// The upper planes of a box must not be below this.
     lower: Vec3<R>,
 }
 
 impl<R: Real> Place<R> {
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(point: Vec3<R>, margin: R) -> Self {
         let margin = Vec3::new(margin, margin, margin);
         Self { upper: point + margin, lower: point - margin }

@@ -1,35 +1,36 @@
-//! The test of boxes in fixed point: whether the piece of a ray that still matters comes through them.
+//! The test of boxes against a ray in fixed point: whether the ray meets a box before its end.
 //!
-//! The ray lies between the two planes of an axis from `near / d` to `far / d`, and the box is met if all three of these
-//! ranges overlap (see [`slabs`](super::slabs)). Here both sides of each comparison are multiplied by the divisors: no
-//! reciprocal, which fixed point could not hold, and what lies behind the ray or beyond its end costs no multiplication.
-//! The products are exact, and boxes are inflated as in floating point.
+//! The ray lies between the two planes of an axis from the distance `near / d` to `far / d`, and it meets the
+//! box if all three of these ranges overlap (see [`slabs`](super::slabs)). Here both sides of each comparison
+//! are multiplied by the divisors. So there is no reciprocal, which might be out of range, and boxes behind
+//! the ray or beyond its end take no multiplication. The products are exact, and boxes are inflated as in
+//! floating point.
 
 use super::{Axis, BoxTest, Node, RayTest};
 use crate::math::{Ray, Real, Vec3};
 
-/// The piece of a ray from its origin to the farthest hit that matters, mirrored so that it runs upward along all axes.
+/// The part of a ray from its origin to its end, mirrored so that it runs upward along all axes.
 pub(super) struct Segment<R> {
     origin: Vec3<R>,
     direction: Vec3<R>,
-    /// The absolute values of the direction's coordinates.
+    /// The absolute coordinates of the direction.
     slope: Vec3<R>,
-    /// The axis along which it runs farthest.
+    /// The axis with the largest absolute coordinate of the direction.
     steepest: Axis,
-    /// By how much boxes are inflated.
+    /// The distance by which boxes are inflated.
     margin: R,
-    /// Where it ends, seen from the origin.
+    /// The end of the ray, relative to the origin.
     end: Vec3<R>,
 }
 
 impl<R: Real> Segment<R> {
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(ray: &Ray<R>, max: R) -> Self {
         Self::inflated(ray, max, R::offset(ray.origin.magnitude()))
     }
 
-    /// For boxes that are inflated by a margin.
-    #[inline(always)]
+    /// [`new`](Self::new), with this margin for boxes.
+    #[inline]
     pub(super) fn inflated(ray: &Ray<R>, max: R, margin: R) -> Self {
         let Ray { origin, direction } = *ray;
         let slope = Vec3::new(direction.x.abs(), direction.y.abs(), direction.z.abs());
@@ -43,8 +44,9 @@ impl<R: Real> Segment<R> {
         Self { origin, direction, slope, steepest, margin, end: slope * max }
     }
 
-    /// Where a box begins and ends along an axis, seen from the origin in the direction of the ray.
-    #[inline(always)]
+    /// The coordinates at which a box begins and ends along an axis, relative to the origin, in the direction
+    /// of the ray.
+    #[inline]
     fn along(&self, axis: Axis, lower: R, upper: R) -> (R, R) {
         let (origin, margin) = (axis.of(self.origin), self.margin);
         if axis.of(self.direction) < R::ZERO {
@@ -54,7 +56,7 @@ impl<R: Real> Segment<R> {
         }
     }
 
-    /// Whether the ray meets a box, and where that begins along the steepest axis.
+    /// The coordinate along the steepest axis at which a box begins, if the ray meets the box.
     fn enters(&self, [lower, upper]: [Vec3<R>; 2]) -> Option<R> {
         let Self { slope, steepest, end, .. } = self;
         let (near_x, far_x) = self.along(Axis::X, lower.x, upper.x);
@@ -64,7 +66,7 @@ impl<R: Real> Segment<R> {
         if behind || near_x > end.x || near_y > end.y || near_z > end.z {
             return None;
         }
-        // It leaves one pair of planes before it comes between another.
+        // Whether the ray leaves one pair of planes before it enters another.
         let apart = |far: R, slope: R, other_near: R, other_slope: R| {
             far.times(other_slope) < other_near.times(slope)
         };
@@ -79,14 +81,14 @@ impl<R: Real> Segment<R> {
 }
 
 impl<R: Real, const W: usize> BoxTest<R, W> for Segment<R> {
-    #[inline(always)]
+    #[inline]
     fn any_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize) -> bool) -> bool {
         (0..W).any(|slot| self.enters(node.corners(slot)).is_some() && visit(slot))
     }
 }
 
 impl<R: Real, const W: usize> RayTest<R, W> for Segment<R> {
-    #[inline(always)]
+    #[inline]
     fn each_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize, R)) {
         for slot in 0..W {
             if let Some(key) = self.enters(node.corners(slot)) {
@@ -95,12 +97,12 @@ impl<R: Real, const W: usize> RayTest<R, W> for Segment<R> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn end_at(&mut self, max: R) {
         self.end = self.slope * max;
     }
 
-    #[inline(always)]
+    #[inline]
     fn reaches(&self, key: R) -> bool {
         key <= self.steepest.of(self.end)
     }

@@ -1,4 +1,4 @@
-//! What a hierarchy promises, of boxes that are spread well and badly.
+//! Tests of the hierarchy, with boxes that are spread well and badly.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
@@ -16,12 +16,21 @@ fn list(objects: usize) -> Vec<u16> {
     (0..objects).map(|object| object as u16).collect()
 }
 
+/// Random numbers from -1 to 1, the same on every run.
+fn random(mut state: u32) -> impl FnMut() -> f32 {
+    move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
+    }
+}
+
 /// Memory for the hierarchy of so many objects.
 fn memory<R: Real, const W: usize>(objects: usize, leaf: usize) -> Vec<MaybeUninit<u8>> {
     vec![MaybeUninit::uninit(); Hierarchy::<R, W>::bytes(objects, leaf)]
 }
 
-/// Builds hierarchies of these boxes and checks all that they promise; returns the depth with small nodes and leaves.
+/// Builds hierarchies of these boxes and checks all their invariants. Returns the depth for nodes of four
+/// boxes and leaves of two objects.
 fn check(boxes: &Boxes) -> usize {
     check_leaves::<8>(boxes, 3);
     check_leaves::<NARROW>(boxes, 4);
@@ -64,7 +73,7 @@ fn check_leaves<const W: usize>(boxes: &Boxes, leaf: usize) -> usize {
     deepest
 }
 
-/// Whether a box lies in one of a node's.
+/// Whether one of a node's boxes contains a box.
 fn holds<const W: usize>(node: &Node<f32, W>, slot: usize, bounds: Aabb<f32>) -> bool {
     let [min, max] = node.corners(slot);
     let around = Aabb { min, max };
@@ -85,7 +94,7 @@ fn every_object_is_in_one_leaf_within_all_boxes_around_it() {
 }
 
 #[test]
-fn nothing_has_bounds_or_little() {
+fn few_objects_or_none_have_bounds() {
     check(&vec![None; 40]);
     for bounded in 1..6 {
         check(&(0..40).map(|i| (i % 40 < bounded).then(|| cube(i as f32, 0.0, 0.0, 1.0).unwrap())).collect());
@@ -94,7 +103,8 @@ fn nothing_has_bounds_or_little() {
 
 #[test]
 fn no_tree_is_too_deep() {
-    // All at one place; each so much farther than the last that every cut parts as few as it may.
+    // Objects in one place, and objects each of which is so much farther than the last that cuts separate as
+    // few as possible.
     check(&vec![cube(1.0, 2.0, 3.0, 0.5); 5000]);
     let growing = |i: i32| cube(1.3f32.powi(i), 0.0, 1.2f32.powi(i), 0.1);
     check(&(0..50).map(growing).collect());
@@ -113,14 +123,14 @@ fn at_most_64_bytes_an_object() {
     }
 }
 
-/// A node of one box, in the third place.
+/// A node with one box, in the third place.
 fn node<R: Real>(center: Vec3<R>, reach: Vec3<R>) -> Node<R> {
     let mut node = Node { planes: [[[-R::ONE; NARROW]; 2]; 3], ..Node::EMPTY };
     node.enclose(2, Aabb::around(center, reach));
     node
 }
 
-/// Whether the test of this number system finds the box, and no more than [`Hierarchy::walk`] would visit.
+/// Whether the test of this number system finds the box in the third place, and the ray reaches it.
 fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
     fn found<R: Real>(test: impl RayTest<R, NARROW>, node: &Node<R>) -> bool {
         let (mut key_there, mut met) = (None, false);
@@ -135,7 +145,7 @@ fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
     if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
 }
 
-/// All rays that meet a box, however flat and however they run, find it: along axes, along diagonals and from far away.
+/// Rays that meet a box find it, however flat the box is: rays along axes, along diagonals and from far away.
 fn boxes_are_met<R: Real>(far: f32) {
     let unit = |x: f32, y: f32, z: f32| {
         Vec3::<R>::from_setup(Vec3::new(x, y, z).to::<R::Setup>().normalized().unwrap())
@@ -157,7 +167,7 @@ fn boxes_are_met<R: Real>(far: f32) {
                 let point = Vec3::new(target, reach_y, -reach_z).to::<R>();
                 let ray = Ray { origin: point - direction * R::from_f32(far), direction };
                 assert!(meets(&ray, R::FARTHEST, &node), "{ray:?} {node:?}");
-                // It ends at the point, at its rounded distance.
+                // A ray that ends at the point, at its rounded distance.
                 assert!(meets(&ray, R::from_f32(far), &node), "{ray:?} {node:?}");
             }
         }
@@ -215,7 +225,7 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
             };
             let all = visits(100.0);
             assert!(all.len() == 40 && all[..2].contains(&first), "{all:?}");
-            // The first ends the ray: its neighbor in the leaf is all that is left.
+            // The first object ends the ray. After that, only its neighbor in the leaf is tested.
             let hidden = visits(10.0);
             assert!(hidden.len() <= 2, "{hidden:?}");
         }
@@ -227,15 +237,13 @@ fn the_nearest_box_comes_first_and_hides_the_others() {
     check::<Fixed, 8>();
 }
 
-/// Where a processor computes one number at a time, boxes are tested one by one: the same are met, at the same distances.
+/// Processors that compute one number at a time test boxes one by one: they meet the same boxes at the same
+/// distances.
 #[test]
 fn boxes_are_met_alone_as_they_are_together() {
     fn check<R: Real, const W: usize>() {
-        let mut state = 3u32;
-        let mut number = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            R::from_f32((state >> 8) as f32 / (1 << 23) as f32 - 1.0)
-        };
+        let mut number = random(3);
+        let mut number = || R::from_f32(number());
         let mut point = || Vec3::new(number(), number(), number());
         let (mut met, mut missed) = (0, 0);
         for round in 0..500 {
@@ -261,7 +269,7 @@ fn boxes_are_met_alone_as_they_are_together() {
     check::<f64, NARROW>();
 }
 
-/// Objects that a ray tests, on average: the same number on every run, as times are not. It may rise by 5 %.
+/// The mean number of objects that a ray tests. Unlike a time, it is the same on every run.
 #[test]
 fn a_ray_tests_few_of_many_objects() {
     tests_few::<NARROW>(2, [(91, 0.9), (820, 3.07)]);
@@ -269,12 +277,8 @@ fn a_ray_tests_few_of_many_objects() {
 }
 
 fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
-    // Boxes of many sizes in a cube, and rays between points of it, from one generator.
-    let mut state = 1u32;
-    let mut number = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
-    };
+    // Random boxes of two sizes in a cube, and rays between random points of the cube.
+    let mut number = random(1);
     let mut point = || Vec3::new(number(), number(), number());
     for (count, most) in bounds {
         let boxes: Vec<_> = (0..count)
@@ -302,21 +306,64 @@ fn tests_few<const W: usize>(leaf: usize, bounds: [(usize, f32); 2]) {
     }
 }
 
-/// Beams of rays that spread, that run along an axis, that leave a box toward a point or into one direction: what one of their rays
-/// meets, they meet. And they are no wider than they must.
+/// A beam meets every box that one of its rays meets, and few others: beams of rays that spread, that run
+/// along an axis, and that leave a box toward a point or in one direction.
 #[test]
 fn a_beam_meets_what_its_rays_meet() {
     beams_meet_what_rays_meet::<NARROW>(2);
     beams_meet_what_rays_meet::<8>(3);
 }
 
+/// A beam, and its rays with their ends: rays from some origins in one direction, to a point, or spread; by
+/// turns.
+fn bundle(
+    round: usize,
+    origins: &[Vec3],
+    [place, target]: [Vec3; 2],
+    mut spread: impl FnMut() -> Vec3,
+) -> (Beam<f32>, Vec<(Ray<f32>, f32)>) {
+    let around = origins.iter().copied().map(Aabb::point).reduce(Aabb::union).unwrap();
+    let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
+    match round % 4 {
+        0 => {
+            let direction = if round % 8 == 0 { Vec3::new(1.0, 0.0, 0.0) } else { to_target };
+            let beam = Beam::toward(around, 0.0, direction);
+            (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
+        }
+        1 => {
+            let rays = origins.iter().map(|origin| {
+                let (direction, distance) = (target - *origin).polar();
+                (Ray { origin: *origin, direction }, distance)
+            });
+            (Beam::toward_point(around, 0.0, target), rays.collect())
+        }
+        _ => {
+            let from = if round % 4 == 2 { Some(place) } else { None };
+            let rays: Vec<_> = (origins.iter())
+                .map(|origin| {
+                    let direction = (to_target + spread()).normalized().unwrap();
+                    (Ray { origin: from.unwrap_or(*origin), direction }, far)
+                })
+                .collect();
+            (Beam::around(rays.iter().map(|(ray, _)| ray)).unwrap(), rays)
+        }
+    }
+}
+
+/// Marks each of `count` objects that a search finds, if its test never returns `true`.
+fn marked(count: usize, search: impl FnOnce(&mut dyn FnMut(usize) -> bool) -> bool) -> Vec<bool> {
+    let mut marked = vec![false; count];
+    assert!(!search(&mut |object| {
+        assert!(!marked[object], "found twice");
+        marked[object] = true;
+        false
+    }));
+    marked
+}
+
 fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
-    let mut state = 7u32;
-    let mut number = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as f32 / (1 << 23) as f32 - 1.0
-    };
-    let (x, count) = (Vec3::new(1.0, 0.0, 0.0), 300);
+    let mut number = random(7);
+    let count = 300;
     let mut point = || Vec3::new(number(), number(), number());
     let mut boxes: Vec<_> = (0..count)
         .map(|_| {
@@ -332,84 +379,41 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
     for round in 0..400 {
         let (place, target, spread) = (point(), point() * 2.0, [0.0, 0.01, 0.3][round % 3]);
         let origins: Vec<Vec3> = (0..8).map(|_| place + point() * spread).collect();
-        let around = origins.iter().copied().map(Aabb::point).reduce(Aabb::union).unwrap();
-        let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
-        let (beam, rays): (Beam<f32>, Vec<(Ray<f32>, f32)>) = match round % 4 {
-            0 => {
-                let direction = if round % 8 == 0 { x } else { to_target };
-                let beam = Beam::toward(around, 0.0, direction);
-                (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
-            }
-            1 => {
-                let rays = origins.iter().map(|origin| {
-                    let (direction, distance) = (target - *origin).polar();
-                    (Ray { origin: *origin, direction }, distance)
-                });
-                (Beam::toward_point(around, 0.0, target), rays.collect())
-            }
-            _ => {
-                let from = if round % 4 == 2 { Some(place) } else { None };
-                let rays: Vec<_> = (origins.iter())
-                    .map(|origin| {
-                        let direction = (to_target + point() * spread).normalized().unwrap();
-                        (Ray { origin: from.unwrap_or(*origin), direction }, far)
-                    })
-                    .collect();
-                (Beam::around(rays.iter().map(|(ray, _)| ray)).unwrap(), rays)
-            }
-        };
-        let mut gathered = vec![false; count];
-        assert!(!hierarchy.any_in_beam(&beam, |object| {
-            assert!(!gathered[object], "told twice");
-            gathered[object] = true;
-            false
-        }));
-        // Rays beside each other, as far as their origins are.
-        let beside = (round % 4 == 0).then(|| {
-            let (ray, max) = rays[0];
-            let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
-            let mut beside = vec![false; count];
-            let end = max.min(hierarchy.farthest_from(ray.origin));
-            assert!(!hierarchy.any_beside(&ray, end, reach, |object| {
-                beside[object] = true;
-                false
-            }));
-            beside
-        });
+        let (beam, rays) = bundle(round, &origins, [place, target], || point() * spread);
+        let gathered = marked(count, |test| hierarchy.any_in_beam(&beam, test));
         let mut any = vec![false; count];
-        for (ray, max) in rays {
+        for (ray, max) in &rays {
             let mut walked = vec![false; count];
-            hierarchy.walk(&ray, max, |object| {
+            hierarchy.walk(ray, *max, |object| {
                 walked[object] = true;
-                max
+                *max
             });
-            let mut met = vec![false; count];
-            assert!(!hierarchy.any(&ray, max, |object| {
-                met[object] = true;
-                false
-            }));
-            assert_eq!(met, walked);
-            any.iter_mut().zip(met).for_each(|(any, met)| *any |= met);
+            assert_eq!(marked(count, |test| hierarchy.any(ray, *max, test)), walked);
+            any.iter_mut().zip(walked).for_each(|(any, met)| *any |= met);
         }
         assert!(gathered[17] && any[17]);
-        assert!(any.iter().zip(&gathered).all(|(any, gathered)| *gathered || !any), "{round}");
-        if let Some(beside) = beside {
-            assert!(any.iter().zip(&beside).all(|(any, beside)| *beside || !any), "{round}");
-            assert!(spread > 0.1 || beside.iter().filter(|beside| **beside).count() < count / 2, "{round}");
+        let count_of = |found: &[bool]| found.iter().filter(|found| **found).count();
+        let all_in = |found: &[bool]| any.iter().zip(found).all(|(any, found)| *found || !any);
+        assert!(all_in(&gathered), "{round}");
+        if round % 4 == 0 {
+            // Parallel rays: they are as far beside the first one as their origins are.
+            let (ray, max) = rays[0];
+            let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
+            let end = max.min(hierarchy.farthest_from(ray.origin));
+            let beside = marked(count, |test| hierarchy.any_beside(&ray, end, reach, test));
+            assert!(all_in(&beside), "{round}");
+            assert!(spread > 0.1 || count_of(&beside) < count / 2, "{round}");
         }
         if spread < 0.1 {
-            met += any.iter().filter(|met| **met).count();
-            met_by_beams += gathered.iter().filter(|met| **met).count();
+            met += count_of(&any);
+            met_by_beams += count_of(&gathered);
         }
         let mut told = 0;
         let stops = hierarchy.any_in_beam(&beam, |_| {
             told += 1;
             told == 2
         });
-        assert_eq!(
-            (stops, told),
-            if gathered.iter().filter(|met| **met).count() < 2 { (false, 1) } else { (true, 2) }
-        );
+        assert_eq!((stops, told), if count_of(&gathered) < 2 { (false, 1) } else { (true, 2) });
     }
     std::println!("{met} met by rays, {met_by_beams} by beams");
     assert!(met_by_beams < 2 * met);

@@ -1,13 +1,15 @@
-//! The test which boxes reach between two planes through a point: those through the eye and two lines of a picture.
+//! The test of boxes against the space between two planes through a point, such as those through the eye and
+//! two lines of a picture.
 
 use super::{BoxTest, Node};
 use crate::math::{Real, Vec3};
 
-/// All that is on the positive sides of two planes.
+/// All points on the positive sides of two planes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wedge<R> {
-    /// A point of both.
+    /// A point of both planes.
     pub(crate) edge: Vec3<R>,
+    /// The normals of the planes, which point to their positive sides.
     pub(crate) normals: [Vec3<R>; 2],
 }
 
@@ -17,7 +19,7 @@ impl<R: Real, const W: usize> BoxTest<R, W> for Wedge<R> {
         let reaches = |slot| {
             let [min, max] = node.corners(slot).map(|corner| corner - edge);
             normals.iter().all(|normal| {
-                // The corner that is farthest along the normal.
+                // Test the corner that is farthest along the normal.
                 let farther = |along: R, min: R, max: R| if along > R::ZERO { max } else { min };
                 let corner = Vec3::new(
                     farther(normal.x, min.x, max.x),

@@ -9,7 +9,7 @@ use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::{PreparedMaterial, PreparedOptics};
 use crate::math::{Aabb, FourRays, Interval, Ray, Real, Vec3, choose};
-use crate::shape::{Form, Geometry, Hull, Intersect, Rim, Tip};
+use crate::shape::{Form, Geometry, Hull, Intersect, Rim, Silhouette, Tip};
 use crate::share::Share;
 use crate::surface::Surface;
 

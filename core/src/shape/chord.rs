@@ -1,19 +1,19 @@
-//! The part of a line that lies behind several planes.
+//! The part of a line that lies behind several planes: how rays meet boxes and polyhedra.
 
 use super::Spans;
 use crate::math::{Interval, Real};
 
-/// The part of a line that lies behind all planes so far.
+/// The part of a line that lies behind all planes that were cut with so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord<R> {
     from: End<R>,
     to: End<R>,
 }
 
-/// A distance along the line, as a fraction whose denominator is 0 or more.
+/// A distance along the line, as the fraction `height / slope` with a denominator of 0 or more.
 ///
-/// Where a division is many instructions, two fractions are compared by products, so that the whole takes at most two
-/// divisions, however many planes there are. Floating point divides at once.
+/// In fixed point a division takes many instructions. So two ends are compared by products, and a chord takes
+/// at most two divisions, however many planes there are. Floating point divides at once.
 #[derive(Clone, Copy, Debug)]
 struct End<R> {
     height: R,
@@ -21,23 +21,23 @@ struct End<R> {
 }
 
 impl<R: Real> End<R> {
-    #[inline(always)]
+    #[inline]
     fn new(height: R, slope: R) -> Self {
-        // The sum makes a negative zero a positive one, and the quotient infinite to the right side.
+        // Adding 0 turns -0 into 0, so that the quotient is infinite with the right sign.
         if R::REACH.is_some() { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn at(t: R) -> Self {
         Self { height: t, slope: R::ONE }
     }
 
-    #[inline(always)]
+    #[inline]
     fn is_before(self, other: Self) -> bool {
         self.height.times(other.slope) < other.height.times(self.slope)
     }
 
-    #[inline(always)]
+    #[inline]
     fn distance(self) -> R {
         if R::REACH.is_some() { self.height / self.slope } else { self.height }
     }
@@ -45,13 +45,13 @@ impl<R: Real> End<R> {
 
 impl<R: Real> Chord<R> {
     /// The whole line.
-    #[inline(always)]
+    #[inline]
     pub(super) fn whole() -> Self {
         Self { from: End::at(-R::FARTHEST), to: End::at(R::FARTHEST) }
     }
 
-    /// Keeps what lies behind a plane: where `slope · t` is at most `height`.
-    #[inline(always)]
+    /// Cuts off the part in front of a plane: keeps all `t` with `slope · t` at most `height`.
+    #[inline]
     pub(super) fn below(&mut self, height: R, slope: R) {
         if slope < R::ZERO {
             self.begin(End::new(-height, -slope));
@@ -60,8 +60,9 @@ impl<R: Real> Chord<R> {
         }
     }
 
-    /// Keeps what lies between two parallel planes: where `slope · t` is from `least` to `most`.
-    #[inline(always)]
+    /// Cuts off the parts outside of two parallel planes: keeps all `t` with `slope · t` from `least` to
+    /// `most`.
+    #[inline]
     pub(super) fn between(&mut self, least: R, most: R, slope: R) {
         let (least, most, slope) =
             if slope < R::ZERO { (-most, -least, -slope) } else { (least, most, slope) };
@@ -69,28 +70,28 @@ impl<R: Real> Chord<R> {
         self.end(End::new(most, slope));
     }
 
-    #[inline(always)]
+    #[inline]
     fn begin(&mut self, end: End<R>) {
         if self.from.is_before(end) {
             self.from = end;
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn end(&mut self, end: End<R>) {
         if end.is_before(self.to) {
             self.to = end;
         }
     }
 
-    /// Whether something is left.
-    #[inline(always)]
+    /// Whether any part of the line is left.
+    #[inline]
     pub(super) fn is_left(&self) -> bool {
         self.from.is_before(self.to)
     }
 
-    /// The nearer of its two ends that lies inside the range.
-    #[inline(always)]
+    /// The first end behind the beginning of the range, if it lies inside the range.
+    #[inline]
     pub(super) fn first(&self, range: Interval<R>) -> Option<R> {
         if !self.is_left() {
             return None;
@@ -100,7 +101,7 @@ impl<R: Real> Chord<R> {
         range.contains(first).then_some(first)
     }
 
-    /// Both its ends, if something is left.
+    /// The part that is left, if any.
     pub(super) fn spans(&self) -> Spans<R> {
         if self.is_left() { Spans::one(self.from.distance(), self.to.distance()) } else { Spans::NONE }
     }
@@ -111,9 +112,10 @@ mod tests {
     use super::*;
     use crate::math::Fixed;
 
-    /// What `check` makes of slabs, each by least, most and slope, in the three number systems.
+    /// Calls `check` with slabs, each as (least, most, slope); it returns the chord in each of three number
+    /// systems.
     fn in_each_number_system(check: impl Fn(&[(f32, f32, f32)]) -> [Option<(f32, f32)>; 3]) {
-        // A plane along the line keeps all of it or nothing, whatever the sign of its zero.
+        // A slab that is parallel to the line keeps all of it or nothing, whatever the sign of the zero.
         for zero in [0.0, -0.0] {
             assert_eq!(check(&[(-1.0, 1.0, zero), (2.0, 6.0, 2.0)]), [Some((1.0, 3.0)); 3]);
             assert_eq!(check(&[(1.0, 2.0, zero), (2.0, 6.0, 2.0)]), [None; 3]);
@@ -124,13 +126,13 @@ mod tests {
     }
 
     fn ends<R: Real>(chord: Chord<R>) -> Option<(f32, f32)> {
-        // Quotients in fixed point are off by a unit.
+        // Quotients in fixed point are off by one unit in the last place.
         let rounded = |t: R| (t.to_f32() * 1e6).round() / 1e6;
         chord.spans().as_slice().first().map(|part| (rounded(part.min), rounded(part.max)))
     }
 
     #[test]
-    fn slabs_are_cut_one_with_the_other() {
+    fn several_slabs_are_intersected() {
         fn cut<R: Real>(slabs: &[(f32, f32, f32)]) -> Option<(f32, f32)> {
             let mut chord = Chord::whole();
             for (least, most, slope) in slabs {

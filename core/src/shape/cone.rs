@@ -1,6 +1,6 @@
-//! A cone or frustum, by the quadratic equation of its radius along the axis (Heckbert in Glassner (ed.), "An
-//! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
-//! §5.6).
+//! A cone or frustum: a ray meets its side at the roots of a quadratic equation (Heckbert in Glassner (ed.),
+//! "An Introduction to Ray Tracing", 1989, ch. 2), which is solved without cancellation (Press et al.,
+//! "Numerical Recipes", §5.6).
 //!
 //! # No hit outside
 //! A cone may be a hundred thousand times as long as it is wide, and a ray may run almost along it. The
@@ -20,7 +20,7 @@
 //! first, by the line at right angles to both, for half the products. Fixed point, whose coefficients must
 //! not overflow, first looks whether the ray comes near the base at all.
 
-use super::{Geometry, Hull, Intersect, Spans, Tip, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -32,13 +32,13 @@ use crate::surface::Surface;
 pub struct Cone {
     /// The middle of one end.
     pub base: Vec3,
-    /// Radius there, 0 or more.
+    /// Radius at the base, 0 or more.
     pub base_radius: f32,
     /// The middle of the other end.
     pub top: Vec3,
-    /// Radius there, 0 or more; one of the two is more than 0.
+    /// Radius at the top, 0 or more. At least one of the two radii must be more than 0.
     pub top_radius: f32,
-    /// Whether discs close the ends; without, it is a cone without thickness.
+    /// Whether discs close the ends. If not, the cone is a surface without thickness.
     pub capped: bool,
 }
 
@@ -93,7 +93,7 @@ impl Geometry for Cone {
     }
 }
 
-/// An end tapers off whose radius is less than this part of the other's.
+/// An end is a tip if its radius, times this, is less than the radius of the other end.
 const BLUNT: u16 = 8;
 
 /// A [`Cone`] or [`Cylinder`](super::Cylinder), prepared: the radius at height h along the axis is
@@ -106,11 +106,11 @@ pub struct PreparedCone<R> {
     base_radius: R,
     slope: R,
     magnitude: R,
-    /// No point is farther from the base.
+    /// No point of the cone is farther from the base.
     size: R,
-    /// No hit is farther from the axis, with room for rounding.
+    /// A distance from the axis that no hit exceeds, with room for rounding.
     reach: R,
-    /// The square of that but for the rounding of places.
+    /// The square of that distance, without the room for the rounding of coordinates.
     reach_squared: R,
     capped: bool,
 }
@@ -147,36 +147,41 @@ struct FourApproaches<R> {
 struct Passage<R: Real> {
     /// Where that is, as seen from the base, and how far along the ray.
     from_base: Vec3<R>,
+    /// The distance of that point from the ray's origin.
     advance: R,
     direction: Vec3<R>,
-    /// Its height, and by how much the line rises with each unit.
+    /// The height of that point along the axis.
     height: R,
+    /// The change of height for each unit along the line.
     climb: R,
     /// The larger of two changes for each unit along the line: of the way across the axis, and of the radius.
     /// In units of this, the larger of α and β is 1.
     unit: R,
-    /// α² - β², α e - β r, and the squared distance from the axis less the squared radius.
+    /// α² - β²
     a: R,
+    /// α e - β r
     b: R,
+    /// The squared distance from the axis less the squared radius: D² + e² - r².
     c: R::Product,
     discriminant: R::Product,
 }
 
 impl<R: Real> Passage<R> {
-    /// Where the line meets the cone, if the discriminant is positive. Along a line of the cone the second is the first.
+    /// The two places at which the line meets the cone, if the discriminant is positive. If the line is
+    /// parallel to a line of the cone, there is only one such place, and both results are it.
     #[inline(always)]
     fn roots(&self) -> (R, R) {
         let root = self.discriminant.sqrt();
         let q = if self.b > R::ZERO { -self.b - root } else { root - self.b };
-        // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
-        // far away; without floats it might not be representable.
+        // q is 0 only if both b and the discriminant are. If the line is parallel to a line of the cone, a is
+        // almost 0 and q / a is far away, or out of range in fixed point.
         let one = self.c.over(q);
         let other = if is_met_twice(self.a) { q / self.a } else { one };
         (one / self.unit, other / self.unit)
     }
 
-    /// The part of `-reach..reach` that lies inside the cone, where the `slope` is how much it widens with height. Of
-    /// the line that runs through the mirror image as well, the part in the cone.
+    /// The part of the line, between `-reach` and `reach`, that lies inside the cone, whose radius grows by
+    /// `slope` for each unit of height. The part inside the cone's mirror image is left out.
     fn inside(&self, slope: R, reach: R) -> (R, R) {
         if !(self.discriminant > R::Product::ZERO) {
             return if self.c < R::Product::ZERO { (-reach, reach) } else { (reach, -reach) };
@@ -195,13 +200,15 @@ impl<R: Real> Passage<R> {
     }
 }
 
-/// Whether the line is no line of the cone, by the quadratic's first coefficient.
+/// Whether the line meets the cone twice: it is not parallel to a line of the cone. By the first coefficient
+/// of the quadratic equation.
 #[inline(always)]
 fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
-/// The shares of a sine and of another number in the larger of the two; none of nothing.
+/// α and β: `sine` and `other`, both divided by `larger`, which is the larger of their absolute values; 0 if
+/// that is 0.
 #[inline(always)]
 fn shares<R: Real>(sine: R, other: R, larger: R) -> (R, R) {
     if sine < larger {
@@ -214,11 +221,11 @@ fn shares<R: Real>(sine: R, other: R, larger: R) -> (R, R) {
 }
 
 impl<R: Real> PreparedCone<R> {
-    /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared, and times the sine of the angle
-    /// between the two, squared.
+    /// The squared distance at which a ray's line passes the axis, and the largest squared distance at which
+    /// it may meet the cone. Both are multiplied by the squared sine of the angle between line and axis.
     ///
-    /// Before it is squared the first is off by no more than 2⁻²¹ of the way to the base: that is less than the room that the reach has,
-    /// or less than the root of what is added.
+    /// Before it is squared, the first is off by at most 2⁻²¹ of the distance from the base. This is less
+    /// than the room for rounding in the reach, or less than the root of `doubt`.
     #[inline(always)]
     fn passing(&self, ray: &Ray<R>) -> (R, R) {
         let to_base = self.base - ray.origin;
@@ -238,7 +245,7 @@ impl<R: Real> PreparedCone<R> {
             }
         }
         let (from_base, advance) = ray.nearest_to(self.base);
-        // Else coefficients would be out of range.
+        // Otherwise coefficients would be out of range.
         if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
@@ -345,7 +352,7 @@ impl<R: Real> PreparedCone<R> {
         self.size + self.size
     }
 
-    /// The nearest hit of the side.
+    /// The nearest hit of the side inside `range`.
     fn intersect_side(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
         if !(passage.discriminant > R::Product::ZERO) {
             return None;
@@ -372,7 +379,7 @@ impl<R: Real> PreparedCone<R> {
         nearest
     }
 
-    /// The nearest hit of the discs at the ends.
+    /// The nearest hit of the discs at the ends inside `range`.
     fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
         let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
@@ -381,7 +388,7 @@ impl<R: Real> PreparedCone<R> {
         let mut nearest = None;
         let mut range = range;
         for end in [R::ZERO, self.length] {
-            // In fixed point t is saturated for a ray almost along a disc.
+            // In fixed point, `t` is saturated for a ray almost parallel to a disc.
             let t = (end - height) / climb;
             let hit = t + advance;
             if t.abs() <= self.farthest() && range.contains(hit) {
@@ -400,7 +407,8 @@ impl<R: Real> PreparedCone<R> {
         self.base_radius + self.slope * self.length
     }
 
-    /// Whether a surface is that of a lid: these, and nothing else, have the very axis as normal.
+    /// Whether a surface is on one of the discs at the ends: only their normals are exactly parallel to the
+    /// axis.
     fn is_on_lid(&self, surface: &Surface<R>) -> bool {
         self.capped && (surface.normal == self.axis || surface.normal == -self.axis)
     }
@@ -417,7 +425,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         self.intersect_caps(&passage, range).or(side)
     }
 
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         if self.capped {
             return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
@@ -449,12 +457,12 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         if crossed == 0 {
             return (0, *max);
         }
-        // As `roots`.
+        // The steps of `roots`.
         let q = each(|i| if b[i] > R::ZERO { -b[i] - root[i] } else { root[i] - b[i] });
         let one = each(|i| c[i].over(q[i]));
         let other = each(|i| if is_met_twice(a[i]) { q[i] / a[i] } else { one[i] });
         let (one, other) = (each(|i| one[i] / unit[i]), each(|i| other[i] / unit[i]));
-        // As `intersect_side`.
+        // The steps of `intersect_side`.
         let met = |t: [R; 4]| {
             let at = each(|i| height[i] + climb[i] * t[i]);
             let radius = each(|i| self.base_radius + self.slope * at[i]);
@@ -479,42 +487,11 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Some(disc(R::ZERO).union(disc(self.length)).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        if part > 0 {
-            return None;
-        }
-        let top_radius = self.top_radius();
-        let (half, radius) =
-            (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
-        let center = self.base + half;
-        Some(if self.length < radius {
-            // It may be seen from the edge.
-            let (u, v) = self.axis.around();
-            Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
-        } else {
-            Hull { center, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
-        })
-    }
-
-    #[inline(never)]
-    fn tip(&self, number: usize) -> Option<Tip<R>> {
-        let top_radius = self.top_radius();
-        let top = self.base + self.axis * self.length;
-        let (apex, base, narrow, wide) = if top_radius < self.base_radius {
-            (top, self.base, top_radius, self.base_radius)
-        } else {
-            (self.base, top, self.base_radius, top_radius)
-        };
-        let is_tip = number == 0 && narrow * R::from_u16(BLUNT) < wide;
-        is_tip.then_some(Tip { apex, ends: [base; 2], radius: wide })
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         let (true, Some(passage)) = (self.capped, self.passage(ray)) else {
             return Spans::NONE;
         };
-        // Between the planes of the ends the radius is positive, so that the mirror image has no part there.
+        // Between the planes of the ends the radius is positive, so the mirror image has no part there.
         let (mut from, mut to) = passage.inside(self.slope, self.farthest());
         let (to_base, to_top) = (-passage.height, self.length - passage.height);
         if passage.climb == R::ZERO {
@@ -527,7 +504,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             from = from.larger(enters);
             to = if leaves < to { leaves } else { to };
         }
-        // Where nothing is left, an end may be saturated, and a sum with it would wrap.
+        // If nothing is left, an end may be saturated, and its sum with `advance` would wrap.
         if !(from < to) {
             return Spans::NONE;
         }
@@ -540,7 +517,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let across = point - self.base - self.axis * height;
         let radius = self.base_radius + self.slope * height;
         let distance = across.length();
-        // Of the side and the two discs, the hit belongs to the one that it is nearest to.
+        // The hit belongs to the side or to a disc, whichever is nearest.
         let from_side = (distance - radius).abs();
         let (from_base, from_top) = (height.abs(), (height - self.length).abs());
         let (point, normal) = if self.capped && from_base < from_side && from_base <= from_top {
@@ -555,14 +532,6 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        if self.is_on_lid(surface) {
-            surface.normal
-        } else {
-            beside(&Self { capped: false, ..*self }, surface, step)
-        }
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_base = surface.point - self.base;
         let height = from_base.dot(self.axis);
@@ -575,12 +544,51 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
     }
 }
 
+impl<R: Real> Silhouette<R> for PreparedCone<R> {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if part > 0 {
+            return None;
+        }
+        let top_radius = self.top_radius();
+        let (half, radius) =
+            (self.axis * (self.length * R::from_f32(0.5)), self.base_radius.larger(top_radius));
+        let center = self.base + half;
+        Some(if self.length < radius {
+            // A flat disc, which is thin if it is seen edge-on.
+            let (u, v) = self.axis.around();
+            Hull { center, axes: [half, u * radius, v * radius], radius: R::ZERO }
+        } else {
+            Hull { center, axes: [half, Vec3::ZERO, Vec3::ZERO], radius }
+        })
+    }
+
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        let top_radius = self.top_radius();
+        let top = self.base + self.axis * self.length;
+        let (apex, base, narrow, wide) = if top_radius < self.base_radius {
+            (top, self.base, top_radius, self.base_radius)
+        } else {
+            (self.base, top, self.base_radius, top_radius)
+        };
+        let is_tip = number == 0 && narrow * R::from_u16(BLUNT) < wide;
+        is_tip.then_some(Tip { apex, ends: [base; 2], radius: wide })
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        if self.is_on_lid(surface) {
+            surface.normal
+        } else {
+            beside(&Self { capped: false, ..*self }, surface, step)
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::testing::*;
     use super::*;
 
-    // Half a right angle: as wide at the base as it is high.
+    // A slope of 45 degrees: the base radius is the height.
     const TENT: Cone = Cone {
         base: Vec3::new(0.0, 0.0, 0.0),
         base_radius: 2.0,
@@ -620,7 +628,7 @@ mod tests {
         let mut random = Random(7);
         let (mut near, mut passed) = (0, 0);
         for round in 0..100_000usize {
-            // Thick ones and very thin ones, from nearby and from far away, and almost along the axis.
+            // Thick cones and very thin ones; rays from nearby and from far away, and almost along the axis.
             let radius = [2.0, 0.5, 1e-2, 1e-4][round % 4];
             let away = [3.0, 30.0, 1e3, 1e6][round / 4 % 4];
             let shape = Cone { base_radius: radius, top_radius: random.next().abs() * radius, ..TENT };
@@ -650,7 +658,7 @@ mod tests {
     #[test]
     fn met_on_the_side() {
         assert_meets(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, 4.0, [HALF, HALF, 0.0]);
-        // From inside the same way: the far wall.
+        // From inside, in the same direction: the far wall.
         assert_meets(TENT, Vec3::new(0.5, 1.0, 0.0), LEFT, 1.5, [-HALF, HALF, 0.0]);
         assert_meets(TENT, Vec3::new(0.0, 5.0, 1.0), DOWN, 4.0, [0.0, HALF, HALF]);
     }
@@ -676,7 +684,8 @@ mod tests {
 
     #[test]
     fn a_ray_along_a_line_of_the_cone_is_met_once() {
-        // Parallel to the wall on the left, half a unit inside: leaves through the lid.
+        // Parallel to the wall on the left, half a unit inside of it: the ray leaves through the disc at the
+        // base.
         let along = Vec3::new(-1.0, -1.0, 0.0);
         let inside = Vec3::new(-0.5, 1.0, 0.0);
         assert_meets(TENT, inside, along, f64::sqrt(2.0), [0.0, -1.0, 0.0]);
@@ -692,7 +701,7 @@ mod tests {
         };
         assert_meets(pipe, Vec3::new(5.0, 0.0, 2.0), LEFT, 3.5, [1.0, 0.0, 0.0]);
         assert_meets(pipe, Vec3::new(1.0, 0.0, 2.0), LEFT, 0.5, [-1.0, 0.0, 0.0]);
-        // Over half the radius off the axis.
+        // Half the radius above the axis.
         let off = 0.5 * f64::sqrt(0.75);
         assert_meets(pipe, Vec3::new(5.0, 0.25, 2.0), LEFT, 4.0 - off, [2.0 * off, 0.5, 0.0]);
         assert_misses(pipe, Vec3::new(1.0, 0.1, 9.0), Vec3::new(0.0, 0.0, -1.0));
@@ -717,7 +726,7 @@ mod tests {
     #[test]
     fn its_inside_is_one_part_of_a_line() {
         let up = -DOWN;
-        // Side to side, base to side, from inside, and by its mirror image above.
+        // Side to side, base to side, from inside, and through the mirror image above.
         assert_spans(TENT, Vec3::new(5.0, 1.0, 0.0), LEFT, &[(4.0, 6.0)]);
         assert_spans(TENT, Vec3::new(1.0, -3.0, 0.0), up, &[(3.0, 4.0)]);
         assert_spans(TENT, Vec3::new(1.0, 0.5, 0.0), up, &[(-0.5, 0.5)]);
@@ -769,7 +778,7 @@ mod tests {
     #[test]
     fn spawned_rays_do_not_meet_their_own_surface() {
         for extent in EXTENTS {
-            // Not down to a tip: there the opposite wall really is that near.
+            // Without a tip: there the opposite wall really is that near.
             for top_radius in [0.1, 0.4, 0.8] {
                 for capped in [false, true] {
                     let cone = Cone {
@@ -789,7 +798,7 @@ mod tests {
     fn coordinates_are_angle_and_height_and_on_lids_a_square() {
         assert_uv(TENT, Vec3::new(0.0, 1.0, -5.0), Vec3::new(0.0, 0.0, 1.0), [0.25, 0.5]);
         assert_uv(TENT, Vec3::new(-5.0, 1.5, 0.0), -LEFT, [0.5, 0.75]);
-        // The lid is seen from below: its axis points down, x still is u, and z is v.
+        // The base is seen from below: its normal points down, u is along x, and v along z.
         assert_uv(TENT, Vec3::new(1.0, -3.0, 0.5), -DOWN, [0.75, 0.625]);
         let frustum = Cone { top_radius: 1.0, ..TENT };
         assert_uv(frustum, Vec3::new(0.5, 5.0, 0.25), DOWN, [0.75, 0.375]);

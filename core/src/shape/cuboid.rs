@@ -1,22 +1,22 @@
-//! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
+//! A box: the space between three pairs of planes (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH
+//! 1986).
 
 use super::chord::Chord;
-use super::{Geometry, Hull, Intersect, Spans, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A box, in any position.
-///
-/// Its faces are the [parts](Surface::part) 0 to 5: the one against the first axis, the one along it, and so on. A box
-/// along the coordinate axes saves each ray six scalar products.
+/// A box, in any position. Its faces are the [parts](Surface::part) 0 to 5: first the face on the negative
+/// side of the first axis, then the face on its positive side, and so on. A box along the coordinate axes
+/// saves each ray six scalar products.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cuboid {
     /// The middle.
     pub center: Vec3,
-    /// From there to the middles of three faces, at right angles to each other.
+    /// From the center to the middles of three faces, at right angles to each other.
     pub axes: [Vec3; 3],
 }
 
@@ -30,12 +30,12 @@ impl Cuboid {
         }
     }
 
-    /// The box around `center` that reaches as far as each of these `axes`, and as far the other way.
+    /// The box around `center` with these `axes`: from the center to the middles of three faces.
     pub const fn oriented(center: Vec3, axes: [Vec3; 3]) -> Self {
         Self { center, axes }
     }
 
-    /// Whether the axes are those of the coordinates, in their order.
+    /// Whether the first axis is along x, the second along y and the third along z.
     const fn is_aligned(&self) -> bool {
         let [a, b, c] = self.axes;
         a.y == 0.0 && a.z == 0.0 && b.z == 0.0 && b.x == 0.0 && c.x == 0.0 && c.y == 0.0
@@ -58,7 +58,7 @@ impl Cuboid {
     }
 }
 
-/// The cosine of an angle that is a right one but for rounding.
+/// The largest cosine of an angle that counts as a right one.
 const RIGHT: f32 = 1e-3;
 
 impl Geometry for Cuboid {
@@ -99,7 +99,7 @@ impl Geometry for Cuboid {
         let axes = if self.is_aligned() {
             None
         } else {
-            // Make the angles exact (Gram and Schmidt); the third axis keeps its side.
+            // Make the angles exact (Gram and Schmidt). The third axis keeps its side.
             let second = (second - first * first.dot(second)).normalized().ok_or(Fault::NotAtRightAngles)?;
             let across = first.cross(second);
             let third = if across.dot(third) < R::Setup::ZERO { -across } else { across };
@@ -119,16 +119,16 @@ impl Geometry for Cuboid {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedCuboid<'m, R> {
     center: Vec3<R>,
-    /// From there to the faces.
+    /// The distances from the center to the faces.
     half: Vec3<R>,
-    /// Unit vectors at right angles; `None`: those of the coordinates.
+    /// Unit vectors at right angles; `None` for the coordinate axes.
     axes: Option<&'m [Vec3<R>; 3]>,
     magnitude: R,
 }
 
 impl<R: Real> PreparedCuboid<'_, R> {
-    /// The same vector along the box's axes.
-    #[inline(always)]
+    /// The coordinates of a vector along the box's axes.
+    #[inline]
     fn turned(&self, vector: Vec3<R>) -> Vec3<R> {
         match self.axes {
             None => vector,
@@ -136,15 +136,16 @@ impl<R: Real> PreparedCuboid<'_, R> {
         }
     }
 
-    /// Unit vectors along its edges.
-    #[inline(always)]
+    /// Unit vectors along the edges.
+    #[inline]
     fn unit_axes(&self) -> [Vec3<R>; 3] {
         let (one, none) = (R::ONE, R::ZERO);
         let units = [Vec3::new(one, none, none), Vec3::new(none, one, none), Vec3::new(none, none, one)];
         self.axes.copied().unwrap_or(units)
     }
 
-    #[inline(always)]
+    /// The part of a ray's line inside the box.
+    #[inline]
     fn chord(&self, ray: &Ray<R>) -> Chord<R> {
         let (o, d) = (self.turned(ray.origin - self.center), self.turned(ray.direction));
         let mut chord = Chord::whole();
@@ -171,12 +172,6 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
-        (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.chord(ray).spans()
     }
@@ -185,7 +180,7 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
         let point = ray.at(t);
         let [a, b, c] = self.unit_axes();
         let place = self.turned(point - self.center);
-        // The hit belongs to the face that it is nearest to.
+        // The hit belongs to the nearest face.
         let behind = |half: R, place: R| (half - place.abs()).abs();
         let (x, y, z) =
             (behind(self.half.x, place.x), behind(self.half.y, place.y), behind(self.half.z, place.z));
@@ -205,7 +200,7 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let Vec3 { x, y, z } = self.turned(surface.point - self.center);
         let (x, y, z) = (uv::share(x, self.half.x), uv::share(y, self.half.y), uv::share(z, self.half.z));
-        // Upright on the sides; above and below, the second axis points away from the third.
+        // Upright on the sides: v is the second axis. On top and bottom, v runs along the third axis.
         match surface.part {
             0 => [z, y],
             1 => [R::ONE - z, y],
@@ -214,6 +209,13 @@ impl<R: Real> Intersect<R> for PreparedCuboid<'_, R> {
             4 => [R::ONE - x, y],
             _ => [x, y],
         }
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedCuboid<'_, R> {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
+        (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
     }
 }
 
@@ -227,13 +229,13 @@ mod tests {
     const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
     const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
-    /// Two wide across its diagonal: a cube on its edge.
+    /// A box that stands on an edge. Its square sides have a diagonal of 2.
     const ON_EDGE: Cuboid = Cuboid::oriented(
         Vec3::new(0.0, 1.0, 0.0),
         [Vec3::new(0.5, 0.5, 0.0), Vec3::new(-0.5, 0.5, 0.0), Vec3::new(0.0, 0.0, 0.75)],
     );
 
-    /// Along other axes than those of the coordinates, but the same box.
+    /// The same box with its axes in another order, so that it is not prepared as an aligned one.
     fn renamed(cuboid: Cuboid) -> Cuboid {
         let [a, b, c] = cuboid.axes;
         Cuboid { axes: [b, -c, a], ..cuboid }
@@ -267,7 +269,7 @@ mod tests {
             assert_misses(cuboid, Vec3::new(5.0, 0.5, 3.1), LEFT);
             assert_misses(cuboid, Vec3::new(5.0, 0.5, 2.0), -LEFT);
             assert_misses(cuboid, Vec3::new(-1.1, 5.0, 2.0), DOWN);
-            // Past an edge.
+            // Close to an edge.
             assert_misses(cuboid, Vec3::new(2.0, 2.1, 2.0), Vec3::new(1.0, -1.0, 0.0));
         }
     }
@@ -302,7 +304,7 @@ mod tests {
             for (x, near) in [(5.0, 2.0), (1.0, -2.0), (-5.0, -8.0)] {
                 assert_spans(cuboid, Vec3::new(x, 0.5, 2.0), LEFT, &[(near, near + 4.0)]);
             }
-            // Through a corner's neighborhood: from the top to the side.
+            // From the top to a side, near an edge.
             let slant = Vec3::new(1.0, -1.0, 0.0);
             assert_spans(cuboid, Vec3::new(2.5, 1.25, 2.0), slant, &[(0.5 * HALF, HALF)]);
             assert_spans(cuboid, Vec3::new(5.0, 1.5, 2.0), LEFT, &[]);
@@ -324,7 +326,7 @@ mod tests {
         assert!((bounds.max - Vec3::new(1.0, 2.0, 0.75)).magnitude() < 1e-4, "{bounds:?}");
     }
 
-    /// A box whose axes lie along none of the coordinates.
+    /// A box none of whose axes is along a coordinate axis.
     fn leaning(center: Vec3, extent: f32) -> Cuboid {
         let (a, b) = (Vec3::new(0.6, 0.3, -0.2) * extent, Vec3::new(-0.1, 0.6, 0.6) * extent);
         Cuboid::oriented(center, [a, b, a.cross(b) * (0.7 / extent)])

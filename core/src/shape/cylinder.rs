@@ -11,11 +11,11 @@ use crate::math::{Extent, Real, Scale, Vec3};
 pub struct Cylinder {
     /// The middle of one end.
     pub base: Vec3,
-    /// The middle of the other.
+    /// The middle of the other end.
     pub top: Vec3,
-    /// More than 0.
+    /// Radius, more than 0.
     pub radius: f32,
-    /// Whether discs close the ends; without, it is a pipe without thickness.
+    /// Whether discs close the ends. If not, the cylinder is a pipe without thickness.
     pub capped: bool,
 }
 

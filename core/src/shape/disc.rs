@@ -1,8 +1,8 @@
-//! A disc or ring: its plane is met first, then the distance from the center decides (Haines in Glassner (ed.), "An
-//! Introduction to Ray Tracing", 1989, ch. 2).
+//! A disc or ring: a hit of its plane counts if its distance from the center is right (Haines in Glassner
+//! (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::hull::Circle;
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, reach_across, uv};
+use super::circle::Circle;
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -14,9 +14,9 @@ use crate::surface::Surface;
 pub struct Disc {
     /// The middle.
     pub center: Vec3,
-    /// Toward its front; any length but 0.
+    /// Points to the front; any length but 0.
     pub normal: Vec3,
-    /// More than 0.
+    /// Radius, more than 0.
     pub radius: f32,
     /// Radius of the hole, 0 or more and less than `radius`.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -24,12 +24,12 @@ pub struct Disc {
 }
 
 impl Disc {
-    /// The disc around `center`, across `normal`.
+    /// The disc around `center` with this `normal` and radius.
     pub const fn new(center: Vec3, normal: Vec3, radius: f32) -> Self {
         Self { center, normal, radius, hole: 0.0 }
     }
 
-    /// The same with a round hole in the middle.
+    /// The ring around `center` with this `normal`, from the radius `hole` to `radius`.
     pub const fn ring(center: Vec3, normal: Vec3, hole: f32, radius: f32) -> Self {
         Self { center, normal, radius, hole }
     }
@@ -94,12 +94,21 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
         Some(bounds.padded(R::offset(bounds.magnitude())))
     }
 
-    #[inline(never)]
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        uv::disc(self.plane.normal, surface.point - self.center, self.radius)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedDisc<R> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let axis = self.plane.normal;
         let hole = self.hole_squared.sqrt();
         let half = (self.radius - hole) * R::from_f32(0.5);
-        // Without a hole, there is no need of parts.
+        // One hull encloses a disc without a hole tightly; a ring needs one for each arc.
         let (circle, distance) = if hole > R::ZERO {
             (Circle { center: self.center, axis, radius: hole + half }, half)
         } else if part == 0 {
@@ -108,14 +117,6 @@ impl<R: Real> Intersect<R> for PreparedDisc<R> {
             return None;
         };
         circle.hull(part, distance)
-    }
-
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        self.plane.surface(ray, t)
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        uv::disc(self.plane.normal, surface.point - self.center, self.radius)
     }
 }
 
@@ -144,7 +145,7 @@ mod tests {
 
     #[test]
     fn met_at_a_slant() {
-        // A normal of 45 degrees: half as far along it as to the side.
+        // A disc that leans by 45 degrees reaches 1/√2 upward.
         let half = core::f64::consts::FRAC_1_SQRT_2;
         let leaning = Disc::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 1.0), 1.0);
         assert_meets(leaning, Vec3::new(0.0, 0.7, 5.0), Vec3::new(0.0, 0.0, -1.0), 5.7, [0.0, half, half]);

@@ -1,7 +1,7 @@
-//! An ellipsoid: what a linear map makes of the unit ball, so that rays are mapped back and meet a ball (Glassner (ed.), "An
-//! Introduction to Ray Tracing", 1989, ch. 2), by the steps of [`Sphere`](super::Sphere).
+//! An ellipsoid: the image of a ball under a linear map. Rays are mapped back, and meet a ball by the steps
+//! of [`Sphere`](super::Sphere) (Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Geometry, Hull, Intersect, Spans, beside, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -13,13 +13,14 @@ use crate::surface::Surface;
 pub struct Ellipsoid {
     /// The middle.
     pub center: Vec3,
-    /// From the middle to the surface, three times: the half axes, if they stand at right angles to each other. Any three
-    /// that do not lie in one plane make an ellipsoid: it is all `center + x a + y b + z c` with x² + y² + z² ≤ 1.
+    /// Three vectors a, b and c from the middle to the surface: the half axes, if they are at right angles to
+    /// each other. They may have other angles, but must not lie in one plane: the ellipsoid is all points
+    /// `center + x a + y b + z c` with x² + y² + z² ≤ 1.
     pub axes: [Vec3; 3],
 }
 
 impl Ellipsoid {
-    /// The ellipsoid along the coordinate axes that reaches so far along each: more than 0.
+    /// The ellipsoid along the coordinate axes, with three radii that are more than 0.
     pub const fn new(center: Vec3, radii: Vec3) -> Self {
         Self {
             center,
@@ -28,7 +29,7 @@ impl Ellipsoid {
     }
 
     pub(super) const fn const_bytes<R: Real>() -> usize {
-        Arena::bytes::<Body<R>>(1)
+        Arena::bytes::<MappedBall<R>>(1)
     }
 }
 
@@ -64,7 +65,8 @@ impl Geometry for Ellipsoid {
         }
         let axes = self.axes.map(|axis| scale.setup_point::<R>(axis.to()));
         let longest = axes.into_iter().map(Vec3::length).fold(R::Setup::ZERO, R::Setup::larger);
-        // The inverse of the map, times the longest: then the ball has that radius, and no number is large.
+        // Multiply the inverse of the map by the longest axis. Then the ball has that radius, and no number
+        // is large.
         let [a, b, c] = axes.map(|axis| axis * longest.recip());
         let volume = a.cross(b).dot(c).recip();
         let rows = [b.cross(c) * volume, c.cross(a) * volume, a.cross(b) * volume];
@@ -73,7 +75,7 @@ impl Geometry for Ellipsoid {
         check_size(R::from_setup(longest / steepest))?;
         let size = farthest(axes);
         let center = scale.setup_point::<R>(self.center.to());
-        let body = Body {
+        let ball = MappedBall {
             center: Vec3::from_setup(center),
             rows: rows.map(Vec3::from_setup),
             radius: R::from_setup(longest),
@@ -82,11 +84,11 @@ impl Geometry for Ellipsoid {
             hull: hull(center, axes),
             magnitude: R::from_setup(center.magnitude() + size),
         };
-        memory.store(body).map(PreparedEllipsoid)
+        memory.store(ball).map(PreparedEllipsoid)
     }
 }
 
-/// How far it reaches along each coordinate axis.
+/// How far an ellipsoid with these axes reaches along each coordinate axis.
 fn reach<R: Real>(axes: [Vec3<R>; 3]) -> Vec3<R> {
     let [a, b, c] = axes;
     Vec3::new(
@@ -96,14 +98,15 @@ fn reach<R: Real>(axes: [Vec3<R>; 3]) -> Vec3<R> {
     )
 }
 
-/// No point is farther from the middle: the longest half axis, if these stand at right angles (Gershgorin's bound).
+/// An upper bound of the distance from the middle (Gershgorin's): the longest axis, if they are at right
+/// angles.
 fn farthest<R: Real>(axes: [Vec3<R>; 3]) -> R {
     let sum = |axis: Vec3<R>| axes.iter().map(|other| axis.dot(*other).abs()).fold(R::ZERO, |a, b| a + b);
     axes.into_iter().map(sum).fold(R::ZERO, R::larger).sqrt()
 }
 
-/// Along the longest of the three; the other two make an ellipse, whose longer half axis is the radius. Of what is as flat as it is long,
-/// all three.
+/// The hull: a line along the longest of the three axes, whose radius is the longer half axis of the ellipse
+/// of the other two; or the parallelepiped of all three axes, if the ellipsoid is flat rather than long.
 fn hull<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Hull<R> {
     let [a, b, c] = axes;
     let (a_length, b_length, c_length) = (a.length(), b.length(), c.length());
@@ -126,14 +129,15 @@ fn hull<R: Real>(center: Vec3<R::Setup>, axes: [Vec3<R::Setup>; 3]) -> Hull<R> {
 
 /// An [`Ellipsoid`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedEllipsoid<'m, R>(&'m Body<R>);
+pub struct PreparedEllipsoid<'m, R>(&'m MappedBall<R>);
 
+/// The data of a [`PreparedEllipsoid`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Body<R> {
+struct MappedBall<R> {
     center: Vec3<R>,
-    /// Maps it to a ball: the products with a vector are what the vector becomes.
+    /// The rows of the matrix that maps the ellipsoid to a ball.
     rows: [Vec3<R>; 3],
-    /// Of that ball.
+    /// The radius of that ball.
     radius: R,
     /// No point is farther from the center.
     size: R,
@@ -142,13 +146,13 @@ struct Body<R> {
     magnitude: R,
 }
 
-impl<R: Real> Body<R> {
+impl<R: Real> MappedBall<R> {
     fn mapped(&self, vector: Vec3<R>) -> Vec3<R> {
         let [x, y, z] = self.rows;
         Vec3::new(x.dot(vector), y.dot(vector), z.dot(vector))
     }
 
-    /// Where the whole line of a ray enters and leaves.
+    /// The distances at which the whole line of a ray enters and leaves the ellipsoid.
     fn crossings(&self, ray: &Ray<R>) -> Option<(R, R)> {
         let (from_center, advance) = ray.nearest_to(self.center);
         if from_center.length_squared_wide() > self.size.times(self.size) {
@@ -178,11 +182,6 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
         Some(Aabb::around(self.0.center, self.0.reach).padded(R::offset(self.0.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        (part == 0).then_some(self.0.hull)
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.0.crossings(ray).map_or(Spans::NONE, |(near, far)| Spans::one(near, far))
     }
@@ -190,7 +189,7 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let from_center = ray.at(t) - self.0.center;
         let (outward, length) = self.0.mapped(from_center).polar();
-        // The gradient of the mapped distance: the transposed map.
+        // The gradient of the distance from the center of the ball: the transposed matrix times its normal.
         let [x, y, z] = self.0.rows;
         let gradient = x * outward.x + y * outward.y + z * outward.z;
         let normal = gradient.normalized().unwrap_or(-ray.direction);
@@ -203,12 +202,18 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(self.0.mapped(surface.point - self.0.center))
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then_some(self.0.hull)
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 
@@ -235,7 +240,7 @@ mod tests {
 
     #[test]
     fn the_normal_is_the_gradient() {
-        // At x = 1 and half the height above: y = √3/2; the gradient is (x / 4, y).
+        // One unit aside of the middle, y = √3/2 above it; the gradient is (x / 4, y).
         let height = 0.75f64.sqrt();
         let length = (0.0625 + 0.75f64).sqrt();
         let normal = [0.25 / length, height / length, 0.0];
@@ -255,7 +260,8 @@ mod tests {
 
     #[test]
     fn a_slanted_image_of_a_ball() {
-        // x = u + v, y = v: the points with (x - y)² + y² + z² = 1. Along y = 1/2 they end at x = (1 + √3) / 2.
+        // With x = u + v and y = v, it is all points with (x - y)² + y² + z² ≤ 1. On y = 1/2 they end at x =
+        // (1 + √3) / 2.
         let slanted = Ellipsoid {
             center: Vec3::ZERO,
             axes: [Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)],
@@ -265,7 +271,7 @@ mod tests {
         let length = gx.hypot(gy);
         let normal = [gx / length, gy / length, 0.0];
         assert_meets(slanted, Vec3::new(5.0, 0.5, 0.0), LEFT, 5.0 - x, normal);
-        // Nothing is farther away than the golden ratio.
+        // It reaches no higher than 1.
         assert_misses(slanted, Vec3::new(5.0, 1.01, 0.0), LEFT);
     }
 
@@ -302,7 +308,7 @@ mod tests {
     #[test]
     fn coordinates_are_those_of_a_sphere_that_was_stretched() {
         assert_uv(EGG, Vec3::new(1.0, 2.0, 9.0), AWAY, [0.75, 0.5]);
-        // Halfway up the longer side it is 60 degrees up.
+        // A point between the z axis and the top.
         let away = (0.75f32).sqrt() * 0.5;
         assert_uv(
             EGG,
@@ -319,7 +325,7 @@ mod tests {
         assert_eq!(refusal(Ellipsoid { axes: [a, b, a - b], ..EGG }), Fault::NoVolume);
         assert_eq!(refusal(Ellipsoid { axes: [a, b, a * f32::NAN], ..EGG }), Fault::NotFinite);
         assert_eq!(refusal(Ellipsoid { axes: [a, b, a * 1e9], ..EGG }), Fault::TooFar);
-        // A coin that is too thin for numbers with a fixed point.
+        // A coin that is too thin for fixed-point numbers.
         let coin = Ellipsoid::new(Vec3::ZERO, Vec3::new(1.0, 0.01, 1.0));
         let mut memory = Memory::new();
         let fault = prepared::<_, crate::math::Fixed>(coin, &mut memory).expect_err("accepted");

@@ -1,10 +1,12 @@
-//! A plane and two coordinates in it: what triangles and rectangles have in common. After Woop's affine triangle as
-//! Havel and Herout give it, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs. 4-9.
+//! A plane with two coordinates: the common part of triangles and rectangles. After Woop's affine triangle,
+//! as given by Havel and Herout, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE TVCG 2010, eqs.
+//! 4-9.
 
 use super::{Hull, PreparedPlane};
 use crate::math::{FourRays, Interval, Linear, Ray, Real, Scale, Vec3, each};
 
-/// A plane that two edges from a corner span. Along each edge one coordinate grows from 0 to 1, and the other is 0.
+/// A plane, spanned by two edges from a corner. Along each edge one coordinate grows from 0 to 1; the other
+/// one is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Patch<R: Real> {
     pub(super) plane: PreparedPlane<R>,
@@ -13,7 +15,7 @@ pub(super) struct Patch<R: Real> {
 }
 
 impl<R: Real> Patch<R> {
-    /// Of the edges `right` and `up`, in the scene's units; `None` where they lie on one line.
+    /// The patch with the edges `right` and `up`, in the scene's units; `None` if they lie on one line.
     pub(super) fn new(
         corner: Vec3<R::Setup>,
         right: Vec3<R::Setup>,
@@ -22,12 +24,12 @@ impl<R: Real> Patch<R> {
     ) -> Option<Self> {
         let area_normal = right.cross(up);
         let area = area_normal.length();
-        // Thinner than a millionth of its length, it has no direction that could be trusted.
+        // The normal of a patch that is thinner than a millionth of its length would be rounding.
         if !(area > R::Setup::from_f32(1e-6) * right.length() * up.length()) {
             return None;
         }
         let normal = area_normal * area.recip();
-        // The gradient of each coordinate lies in the plane, across the other edge.
+        // The gradient of each coordinate lies in the plane, at a right angle to the other edge.
         let gradient_u = up.cross(normal) * area.recip();
         let gradient_v = normal.cross(right) * area.recip();
         let zero = scale.setup_point::<R>(corner);
@@ -39,7 +41,7 @@ impl<R: Real> Patch<R> {
         })
     }
 
-    /// The distance at which a ray meets the part of the plane whose coordinates are `inside`.
+    /// The distance at which a ray meets the part of the plane whose two coordinates are `inside`.
     #[inline(always)]
     pub(super) fn meet(
         &self,
@@ -53,14 +55,15 @@ impl<R: Real> Patch<R> {
         })
     }
 
-    /// As [`meet`](Self::meet), of four rays: a bit for each that meets the plane nearer than its `max`.
+    /// [`meet`](Self::meet) for four rays: a bit for each ray that meets the plane nearer than its `max`, the
+    /// four distances, and both coordinates of the four hits.
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     pub(super) fn meet_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4], [R; 4], [R; 4]) {
         let PreparedPlane { normal, distance } = self.plane;
         let height = each(|i| distance - normal.dot(rays.ray(i).origin));
         let slope = each(|i| normal.dot(rays.ray(i).direction));
-        // Positive and finite only toward the plane.
+        // Positive and finite only for rays that go toward the plane.
         let t = each(|i| height[i] / slope[i]);
         let met = R::less(&[R::ZERO; 4], &t) & R::less(&t, max);
         let points = each(|i| rays.ray(i).at(t[i]));
@@ -82,7 +85,7 @@ impl<R: Real> Patch<R> {
     pub(super) fn edges(&self) -> [Vec3<R::Setup>; 3] {
         let (u, v) = (self.u.gradient(), self.v.gradient());
         let (n, distance) = (self.plane.normal.to_setup(), self.plane.distance.to_setup());
-        // Edge vectors are the dual basis of the gradients.
+        // The edges are the dual basis of the gradients.
         let volume = u.cross(v).dot(n).recip();
         let (right, up) = (v.cross(n) * volume, n.cross(u) * volume);
         [n * distance - right * self.u.offset() - up * self.v.offset(), right, up]

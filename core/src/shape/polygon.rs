@@ -1,20 +1,21 @@
-//! A planar polygon, convex or concave: the plane is met first, then the crossings of the outline with a
-//! half-line in the plane are counted (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
+//! A planar polygon, convex or concave: a hit of its plane counts if a half-line in the plane crosses the
+//! outline an odd number of times (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Tip, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A planar polygon; its front is the side from which the vertices run counterclockwise.
+/// A planar polygon. Its front is the side from which the vertices run counterclockwise.
 ///
-/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule). Where it runs one way as much as the
-/// other, as a bow tie does, three vertices tell its front: the first, and the two in turn that span the largest triangle with it.
+/// If the outline crosses itself, the parts that it winds around twice are holes (even-odd rule). If it
+/// encloses as much area clockwise as counterclockwise, as a bow tie does, three vertices determine the
+/// front: the first, and the two consecutive ones that span the largest triangle with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Polygon<'a> {
-    /// The outline, three vertices or more; the last is joined to the first.
+    /// The outline: three vertices or more. An edge joins the last vertex to the first.
     pub vertices: &'a [Vec3],
 }
 
@@ -30,9 +31,52 @@ impl<'a> Polygon<'a> {
     pub(super) const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<Vec3<R>>(self.vertices.len())
     }
+
+    /// The unit normal of the plane of all vertices.
+    ///
+    /// By Newell's method: the sum of the cross products of neighboring vertices, as seen from the first one,
+    /// is twice the enclosed area along the normal (Sutherland, Sproull and Schumacker 1974).
+    fn normal<S: Real<Setup = S>>(&self) -> Result<Vec3<S>, Fault> {
+        let [first, .., last] = self.vertices else { return Err(Fault::NoArea) };
+        let corner: Vec3<S> = first.to();
+        let mut doubled_area = Vec3::ZERO;
+        let mut largest = Vec3::ZERO;
+        let mut previous = last.to() - corner;
+        let mut extent = S::ZERO;
+        for vertex in self.vertices {
+            let vertex = vertex.to() - corner;
+            let triangle = previous.cross(vertex);
+            doubled_area = doubled_area + triangle;
+            // Of several triangles that are equally large but for rounding, take the first.
+            if triangle.length_squared() > largest.length_squared() * S::from_f32(1.01) {
+                largest = triangle;
+            }
+            extent = extent.larger(vertex.length());
+            previous = vertex;
+        }
+        let least = S::from_f32(1e-6) * extent * extent;
+        let tolerance = S::from_f32(PLANARITY) * extent;
+        let is_normal = |normal: Vec3<S>| {
+            self.vertices.iter().all(|vertex| !(normal.dot(vertex.to() - corner).abs() > tolerance))
+        };
+        // If the outline crosses itself, the area may cancel and leave little but rounding: then try the
+        // largest triangle.
+        let mut found = Err(Fault::NoArea);
+        for area in [doubled_area, largest] {
+            if area.length() > least
+                && let Some(normal) = area.normalized()
+            {
+                found = if is_normal(normal) { Ok(normal) } else { Err(Fault::NotPlanar) };
+                if found.is_ok() {
+                    break;
+                }
+            }
+        }
+        found
+    }
 }
 
-/// Off its plane by this share of its extent, a vertex is wrong rather than rounded.
+/// The most that a vertex may be off the plane, as a share of the polygon's extent: more is no rounding.
 const PLANARITY: f32 = 1e-3;
 
 impl Geometry for Polygon<'_> {
@@ -58,51 +102,16 @@ impl Geometry for Polygon<'_> {
         Self: 'm,
     {
         self.vertices.iter().copied().try_for_each(check_point)?;
-        let [first, .., last] = self.vertices else { return Err(Fault::NoArea) };
-        // Newell's method, relative to the first vertex: the sum of the cross products of neighbors is twice
-        // the enclosed area along the normal (Sutherland, Sproull and Schumacker 1974).
-        let corner: Vec3<R::Setup> = first.to();
-        let mut doubled_area = Vec3::ZERO;
-        let mut largest = Vec3::ZERO;
-        let mut previous = last.to() - corner;
-        let mut extent = R::Setup::ZERO;
-        for vertex in self.vertices {
-            let vertex = vertex.to() - corner;
-            let triangle = previous.cross(vertex);
-            doubled_area = doubled_area + triangle;
-            // Of several that are as large but for rounding, the first.
-            if triangle.length_squared() > largest.length_squared() * R::Setup::from_f32(1.01) {
-                largest = triangle;
-            }
-            extent = extent.larger(vertex.length());
-            previous = vertex;
-        }
-        let least = R::Setup::from_f32(1e-6) * extent * extent;
-        let tolerance = R::Setup::from_f32(PLANARITY) * extent;
-        let is_normal = |normal: Vec3<R::Setup>| {
-            self.vertices.iter().all(|vertex| !(normal.dot(vertex.to() - corner).abs() > tolerance))
-        };
-        // Of an outline that crosses itself little or nothing of the area may be left, or what that was rounded by.
-        let mut found = Err(Fault::NoArea);
-        for area in [doubled_area, largest] {
-            if area.length() > least
-                && let Some(normal) = area.normalized()
-            {
-                found = if is_normal(normal) { Ok(normal) } else { Err(Fault::NotPlanar) };
-                if found.is_ok() {
-                    break;
-                }
-            }
-        }
-        let normal = found?;
-        // Drop the axis along which the polygon is thinnest: the shadow on the other two is the largest.
+        let [first, ..] = self.vertices else { return Err(Fault::NoArea) };
+        let normal: Vec3<R::Setup> = self.normal()?;
+        // Drop the axis along which the polygon is thinnest: then the projection has the largest area.
         let (x, y, z) = (normal.x.abs(), normal.y.abs(), normal.z.abs());
         let dropped = if x >= y && x >= z {
-            Axis::X
+            Projection::X
         } else if y >= z {
-            Axis::Y
+            Projection::Y
         } else {
-            Axis::Z
+            Projection::Z
         };
         let vertices = self.vertices;
         let edges = memory.store_with(vertices.len(), |i| {
@@ -112,12 +121,13 @@ impl Geometry for Polygon<'_> {
             let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
             Vec3::new(u, v, slope)
         })?;
-        let plane = PreparedPlane::new(normal, normal.dot(corner), scale);
+        let plane = PreparedPlane::new(normal, normal.dot(first.to()), scale);
         Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }
 }
 
-/// The least and the largest u, and those of v, of an outline that is a rectangle along the axes.
+/// The smallest and the largest u, and the smallest and the largest v, if the outline is a rectangle along
+/// the axes.
 fn rectangle<R: Real>(edges: &[Vec3<R>]) -> Option<[R; 4]> {
     let [a, b, c, d] = edges else { return None };
     let across_first = a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
@@ -127,21 +137,22 @@ fn rectangle<R: Real>(edges: &[Vec3<R>]) -> Option<[R; 4]> {
     (across_first || along_first).then_some([least_u, most_u, least_v, most_v])
 }
 
-/// So many times as long as wide, it may be thin where it is seen from its front.
+/// A polygon that is at least so many times as long as wide may be thin as it is seen from its front.
 const SLENDER: u16 = 4;
 
-/// With more vertices, an outline is as good as round.
+/// An outline of more vertices is taken for a round one, without tips.
 const MOST_TIPS: usize = 64;
 
-/// The axis that is left out when a polygon is looked at in two dimensions.
+/// The projection of a polygon to two dimensions: the axis that is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Axis {
+enum Projection {
     X,
     Y,
     Z,
 }
 
-impl Axis {
+impl Projection {
+    /// The two coordinates (u, v) of a point.
     fn flatten<R>(self, point: Vec3<R>) -> (R, R) {
         match self {
             Self::X => (point.y, point.z),
@@ -150,11 +161,13 @@ impl Axis {
         }
     }
 
-    /// The point of the plane that was flattened to (u, v).
+    /// The point of the plane with the coordinates (u, v).
+    // Not inlined: see `Hull::edges`.
     #[inline(never)]
     fn unflatten<R: Real>(self, u: R, v: R, plane: &PreparedPlane<R>) -> Vec3<R> {
         let PreparedPlane { normal: n, distance } = *plane;
-        // The plane's equation gives the coordinate that was dropped; its share of the normal is the largest.
+        // The plane's equation yields the dropped coordinate. It divides by the largest coordinate of the
+        // normal.
         let (nu, nv) = self.flatten(n);
         let rest = distance - nu * u - nv * v;
         match self {
@@ -169,10 +182,10 @@ impl Axis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedPolygon<'m, R> {
     plane: PreparedPlane<R>,
-    dropped: Axis,
-    /// Per vertex: its two coordinates in the flattened plane, and du/dv along the edge to the next.
+    dropped: Projection,
+    /// For each vertex its coordinates u and v, and du/dv along the edge to the next vertex.
     edges: &'m [Vec3<R>],
-    /// The same outline in short, where it is that simple.
+    /// The outline as the ranges of u and v, if it is a rectangle along the axes.
     rectangle: Option<[R; 4]>,
 }
 
@@ -187,12 +200,12 @@ impl<R: Real> PreparedPolygon<'_, R> {
         self.encloses_flat(u, v)
     }
 
-    /// The same of a flattened point: the half-line toward +u crosses an odd number of edges. A vertex belongs to the edge above it, so that
-    /// none is counted twice.
+    /// [`encloses`](Self::encloses) for a projected point: whether the half-line toward +u crosses an odd
+    /// number of edges. A vertex belongs to the edge above it, so that it is not counted twice.
     #[inline(always)]
     fn encloses_flat(&self, u: R, v: R) -> bool {
         if let Some([least_u, most_u, least_v, most_v]) = self.rectangle {
-            // The same points as below.
+            // Includes the same borders as the count of edges below.
             return u >= least_u && u < most_u && v >= least_v && v < most_v;
         }
         let mut inside = false;
@@ -209,13 +222,13 @@ impl<R: Real> PreparedPolygon<'_, R> {
     }
 }
 
-/// Whether (u, v) lies on the left of an edge.
+/// Whether (u, v) lies on the left of the edge that begins at `edge` and ends at `next`.
 #[inline]
 fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
     if R::REACH.is_none() {
         return u < edge.x + (v - edge.y) * edge.z;
     }
-    // Slopes may be out of range; the comparison of exact products is right for all.
+    // In fixed point slopes may be out of range: compare exact products instead.
     let (along, across) = ((v - edge.y).times(next.x - edge.x), (u - edge.x).times(next.y - edge.y));
     if next.y > edge.y { across < along } else { across > along }
 }
@@ -242,12 +255,23 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         bounds_of(self.vertices())
     }
 
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.plane.surface(ray, t)
+    }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        self.plane.uv(surface, scale)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
+    // Not inlined: see `Hull::edges`.
     #[inline(never)]
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         if part > 0 {
             return None;
         }
-        // The rectangle along the longest edge.
+        // Part 0: the rectangle along the longest edge.
         let corner = self.vertices().last()?;
         let (mut along, mut previous) = (Vec3::ZERO, corner);
         for vertex in self.vertices() {
@@ -262,14 +286,16 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         let Aabb { min, max } = bounds_of(self.vertices().map(place))?;
         let size = max - min;
         if size.x < size.y * R::from_u16(SLENDER) {
-            // Most often a face of something, narrow only where the next face begins: to trace all of these takes `prism` a tenth more rays.
+            // Not slender: most often a face of a solid, which is seen narrow only next to another face. Its
+            // bounds do.
             return self.bounds().map(Hull::aligned);
         }
         let edges = [along * size.x, across * size.y, Vec3::ZERO];
         Some(Hull::edges(corner + along * min.x + across * min.y, edges))
     }
 
-    /// At each vertex: one that is turned inward is the tip of a notch. An outline of many is taken for a round one.
+    /// One tip at each vertex. A vertex that is turned inward is the tip of a notch, which may be as thin.
+    // Not inlined: see `Hull::edges`.
     #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let count = self.edges.len();
@@ -282,14 +308,6 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         };
         let ends = [vertex(number + count - 1)?, vertex(number + 1)?];
         Some(Tip { apex: vertex(number)?, ends, radius: R::ZERO })
-    }
-
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        self.plane.surface(ray, t)
-    }
-
-    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
-        self.plane.uv(surface, scale)
     }
 }
 
@@ -365,7 +383,7 @@ mod tests {
 
     #[test]
     fn two_polygons_share_their_common_edge() {
-        // Points on the edge belong to one of the two, never to both or none, through vertices as well.
+        // Points on the edge, and on its ends, belong to one of the two polygons, never to both or none.
         let left = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
         let right = left.map(|vertex| vertex + Vec3::new(1.0, 0.0, 0.0));
         for i in 1..100u16 {
@@ -381,7 +399,7 @@ mod tests {
     #[test]
     fn an_outline_that_crosses_itself_encloses_both_its_sides() {
         let vec = |x: f32, y: f32| Vec3::new(x, y, 0.0);
-        // Two triangles that meet in the middle and run opposite ways: no area is left, or little.
+        // Two triangles that meet in the middle and run in opposite directions: the areas cancel, or almost.
         for (height, front) in [(1.0, -1.0), (1.001, 1.0)] {
             let bow_tie = [vec(-1.0, -1.0), vec(-1.0, 1.0), vec(1.0, -height), vec(1.0, height)];
             for (x, y) in [(-0.9, 0.0), (-0.5, 0.4), (-0.5, -0.4), (0.9, 0.0), (0.5, 0.4), (0.5, -0.4)] {
@@ -397,12 +415,12 @@ mod tests {
 
     #[test]
     fn a_bow_tie_in_any_plane_has_a_front() {
-        // Turned and far from the origin, where what is left of its area is rounding.
+        // Turned and far from the origin, where only rounding is left of the area.
         let (right, up) = (Vec3::new(0.3, 0.7, -0.2), Vec3::new(-0.5, 0.1, 0.4));
         let front = up.cross(right).normalized().unwrap();
         let center = Vec3::new(3.1, -4.7, 2.3);
         let outline = [center - right - up, center - right + up, center + right - up, center + right + up];
-        // From its second vertex on, the first triangle is part of the other wing.
+        // If it begins at its second vertex, the first triangle is part of the other wing.
         for (outline, front) in [(outline, front), ([outline[1], outline[2], outline[3], outline[0]], -front)]
         {
             let mut memory = Memory::new();
@@ -415,7 +433,7 @@ mod tests {
 
     #[test]
     fn rectangles_are_polygons() {
-        // The same square as a rectangle along the axes, and with a fifth vertex on its outline.
+        // A square as a rectangle along the axes, and with a fifth vertex on its outline.
         let vec = |x: f32, y: f32| Vec3::new(x, y, 0.0);
         let square = [vec(-1.0, -2.0), vec(3.0, -2.0), vec(3.0, 1.0), vec(-1.0, 1.0)];
         let turned = [square[1], square[2], square[3], square[0]];

@@ -1,15 +1,14 @@
-//! A convex polyhedron: what lies behind all of its planes (Haines, "Fast Ray-Convex Polyhedron Intersection", Graphics
-//! Gems II, 1991).
+//! A convex polyhedron: all points behind all of its planes (Haines, "Fast Ray-Convex Polyhedron
+//! Intersection", Graphics Gems II, 1991).
 //!
-//! # Its vertices
-//! Bounds need them, and only a polyhedron that has an end has some. The line that two planes have in common is cut by
-//! all others, as a ray is: what remains is an edge. One without end, or none at all, means that the planes enclose nothing.
-//! This needs no memory, and steps that go with the cube of the number of planes: 130,000 for
-//! [`MAX_FACES`]. Rejected: to clip the polygon of each face, which needs memory for the largest; and to intersect all triples,
-//! which goes with the fourth power.
+//! # Vertices
+//! The bounds are those of the vertices. To find these, the common line of each pair of planes is cut by all
+//! other planes, as a ray is: the part that is left is an edge. If an edge has no end, or there is no edge at
+//! all, the planes do not enclose a solid. This needs no memory, and a number of steps that grows with the
+//! cube of the number of planes: 130,000 for [`MAX_FACES`].
 
 use super::chord::Chord;
-use super::{Geometry, Intersect, Plane, PreparedPlane, Spans, uv};
+use super::{Geometry, Intersect, Plane, PreparedPlane, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
 use crate::limits::{MAX_COORDINATE, MAX_FACES};
@@ -18,11 +17,11 @@ use crate::surface::Surface;
 
 /// A convex solid with flat faces.
 ///
-/// The [part](Surface::part) of a hit is the position of the face's plane.
+/// The [part](Surface::part) of a hit is the index of the face's plane in `planes`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConvexPolyhedron<'a> {
-    /// What lies behind all of them is inside: their normals point outward. At most [`MAX_FACES`].
+    /// The planes of the faces, with outward normals; at most [`MAX_FACES`].
     pub planes: &'a [Plane],
 }
 
@@ -39,14 +38,14 @@ impl<'a> ConvexPolyhedron<'a> {
         Arena::bytes::<PreparedPlane<R>>(self.planes.len())
     }
 
-    /// Calls `each` for both ends of each edge, and says how sure they are: 1 where planes meet at right angles, less
-    /// where they hardly meet.
+    /// Calls `each` with both ends of each edge, and with a number for how well each end is determined: 1 if
+    /// the planes meet there at right angles, less if they meet at a small angle.
     fn vertices<S: Real>(&self, mut each: impl FnMut(Vec3<S>, S)) -> Result<(), Fault> {
-        // Beyond this, points are too far away in any case.
+        // Vertices beyond this are refused in any case.
         let endless = S::from_f32(8.0 * MAX_COORDINATE);
         for (i, one) in self.planes.iter().enumerate() {
             for (j, other) in self.planes.iter().enumerate().skip(i.wrapping_add(1)) {
-                let Some((line, sine)) = Line::common(one, other)? else { continue };
+                let Some((line, sine)) = CommonLine::common(one, other)? else { continue };
                 let (mut from, mut to) = ((-endless, S::ONE), (endless, S::ONE));
                 for (k, plane) in self.planes.iter().enumerate() {
                     if k != i && k != j {
@@ -67,17 +66,17 @@ impl<'a> ConvexPolyhedron<'a> {
     }
 }
 
-/// A line that two planes have in common.
-struct Line<S> {
+/// The common line of two planes.
+struct CommonLine<S> {
     origin: Vec3<S>,
     direction: Vec3<S>,
 }
 
-/// The sine of an angle that is none but for rounding.
+/// Two planes, or a line and a plane, are parallel if the sine of their angle is at most this.
 const PARALLEL: f32 = 1e-5;
 
-impl<S: Real> Line<S> {
-    /// The line, and the sine of the angle between the planes; `None` where they are parallel.
+impl<S: Real> CommonLine<S> {
+    /// The line, and the sine of the angle between the planes; `None` if they are parallel.
     fn common(one: &Plane, other: &Plane) -> Result<Option<(Self, S)>, Fault> {
         let (normal, across): (Vec3<S>, Vec3<S>) =
             (check_direction(one.normal)?, check_direction(other.normal)?);
@@ -85,13 +84,15 @@ impl<S: Real> Line<S> {
         if !(sine > S::from_f32(PARALLEL)) {
             return Ok(None);
         }
-        // From the point of the one plane, along it and across the line, to the other.
+        // Go from the point of the first plane, within it and at a right angle to the line, to the second
+        // plane.
         let start: Vec3<S> = one.point.to();
         let height = across.dot(other.point.to() - start);
         Ok(Some((Self { origin: start + direction.cross(normal) * (height / sine), direction }, sine)))
     }
 
-    /// Cuts off what lies in front of the plane. Each end keeps the sine of its angle to the plane that cut it.
+    /// Cuts off the part of the line in front of a plane. With each end is stored the sine of the angle
+    /// between the line and the plane that cut it.
     fn clip(&self, plane: &Plane, from: &mut (S, S), to: &mut (S, S)) -> Result<(), Fault> {
         let normal: Vec3<S> = check_direction(plane.normal)?;
         let beyond = plane.point.to() - self.origin;
@@ -99,7 +100,8 @@ impl<S: Real> Line<S> {
         let slope = normal.dot(self.direction);
         let t = height / slope;
         if slope.abs() <= S::from_f32(PARALLEL) {
-            // Several planes may have the line in common.
+            // A parallel plane cuts off all of the line or nothing. One that contains the line cuts off
+            // nothing, since more than two planes may meet in it.
             if height < -S::from_f32(PARALLEL) * beyond.magnitude() {
                 *to = *from;
             }
@@ -130,7 +132,7 @@ impl Geometry for ConvexPolyhedron<'_> {
 
     fn extent(&self) -> Extent {
         let mut reach = 0f32;
-        // What has no vertices is refused when it is prepared.
+        // A polyhedron without vertices is refused when it is prepared.
         let known = self.planes.len() <= MAX_FACES
             && self.vertices(|vertex: Vec3, _| reach = reach.larger(vertex.magnitude())).is_ok();
         Extent::flat(if known { reach } else { 0.0 })
@@ -159,7 +161,7 @@ impl Geometry for ConvexPolyhedron<'_> {
         let corners = corners.ok_or(Fault::NotEnclosed)?;
         let reach = corners.magnitude();
         check_coordinate(reach.to_f32())?;
-        // The middle of the vertices lies inside, unless there is no inside.
+        // The mean of the vertices lies inside, unless the solid has no volume.
         let (middle, size) = (sum * count.recip(), (corners.max - corners.min).magnitude());
         let planes = memory.try_store_with(self.planes.len(), |index, _| {
             let plane = self.planes.get(index).ok_or(Fault::NotEnclosed)?;
@@ -169,13 +171,14 @@ impl Geometry for ConvexPolyhedron<'_> {
                 return Err(Fault::NotEnclosed);
             }
             check_size(scale.length::<R>(depth))?;
-            // A plane far outside might be out of range, and is as good a little nearer.
+            // A plane far outside might be out of range. At twice the solid's reach it still cuts off
+            // nothing.
             let (distance, outside) = (normal.dot(plane.point.to()), reach + reach);
             let distance = if distance < outside { distance } else { outside };
             Ok(PreparedPlane::new(normal, distance, scale))
         })?;
         let scaled = Aabb { min: scale.point::<R>(corners.min), max: scale.point(corners.max) };
-        // The rounding of a plane moves a vertex the farther the less sure it is.
+        // Rounding of planes moves a vertex farther if it is not well determined.
         let offset = R::offset(scaled.magnitude()).to_setup() / least_sure;
         let most = scale.setup::<R>(reach);
         let margin = R::from_setup(if offset < most { offset } else { most });
@@ -191,6 +194,7 @@ pub struct PreparedPolyhedron<'m, R> {
 }
 
 impl<R: Real> PreparedPolyhedron<'_, R> {
+    /// The part of a ray's line inside the solid.
     fn chord(&self, ray: &Ray<R>) -> Chord<R> {
         let mut chord = Chord::whole();
         for PreparedPlane { normal, distance } in self.planes {
@@ -218,7 +222,7 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let point = ray.at(t);
-        // The hit belongs to the face that it is the least behind of.
+        // The hit belongs to the face whose plane it is the farthest in front of, or the least behind.
         let height = |plane: &PreparedPlane<R>| plane.normal.dot(point) - plane.distance;
         let mut nearest: Option<(R, u32, &PreparedPlane<R>)> = None;
         for (part, plane) in (0..).zip(self.planes) {
@@ -236,6 +240,8 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
         uv::flat(surface.normal, surface.point, scale)
     }
 }
+
+impl<R: Real> Silhouette<R> for PreparedPolyhedron<'_, R> {}
 
 #[cfg(test)]
 mod tests {
@@ -257,7 +263,7 @@ mod tests {
         plane(0.0, 0.0, 1.0, 2.0),
     ];
 
-    /// All that is nearer to the origin than 1, by the sum of its coordinates.
+    /// All points whose absolute coordinates have a sum of at most 1.
     const OCTAHEDRON: [Plane; 8] = [
         plane(1.0, 1.0, 1.0, 1.0),
         plane(1.0, 1.0, -1.0, 1.0),
@@ -320,7 +326,7 @@ mod tests {
 
     #[test]
     fn bounds_are_those_of_the_vertices() {
-        // Planes that cut nothing off, or a face that is there already, change nothing.
+        // Planes that cut nothing off, or that are there already, change nothing.
         let more: Vec<Plane> = BLOCK
             .into_iter()
             .chain([plane(1.0, 1.0, 0.0, 9e5), BLOCK[1], plane(3.0, 3.0, 0.0, 6.0)])
@@ -340,7 +346,8 @@ mod tests {
         assert_meets(ConvexPolyhedron::new(&more), Vec3::new(5.0, 0.5, 1.5), LEFT, 4.0, [1.0, 0.0, 0.0]);
     }
 
-    /// Faces in all directions, at least 30 degrees from each other, as far as 0.8 from its middle.
+    /// A solid with faces in all directions, at least 30 degrees from each other, at a distance of 0.8 from
+    /// its middle.
     fn gem(extent: f32) -> (Vec<Plane>, Vec3) {
         let mut random = Random(7);
         let mut normals = BLOCK.map(|plane| plane.normal).to_vec();
@@ -364,14 +371,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_enclosed_is_refused() {
+    fn planes_that_enclose_nothing_are_refused() {
         let refused = |planes: &[Plane]| refusal(ConvexPolyhedron::new(planes));
-        // Nothing, a half of space, a slab, a pipe, a box without a lid, and an endless wedge.
+        // No plane, a half of space, a slab, half of a slab, a pipe, and a pipe that is closed at one end.
         for count in 0..BLOCK.len() {
             assert_eq!(refused(&BLOCK[..count]), Fault::NotEnclosed, "{count}");
         }
         assert_eq!(refused(&OCTAHEDRON[..4]), Fault::NotEnclosed);
-        // Inward normals, and planes that leave nothing between them.
+        // Inward normals, and planes that leave nothing or no volume between them.
         let inward = BLOCK.map(|Plane { point, normal }| Plane::new(point, -normal));
         assert_eq!(refused(&inward), Fault::NotEnclosed);
         let mut empty = BLOCK;

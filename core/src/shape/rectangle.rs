@@ -1,27 +1,27 @@
-//! A rectangle or parallelogram: the two coordinates of a [`Patch`], both from 0 to 1.
+//! A rectangle or parallelogram: the part of a [`Patch`] whose two coordinates are both from 0 to 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Silhouette, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A rectangle, or a parallelogram where its edges are not at right angles; its front is the side from which `right`
-/// turns counterclockwise toward `up`.
+/// A rectangle, or a parallelogram if its edges are not at right angles. Its front is the side from which
+/// `right` turns counterclockwise toward `up`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Rectangle {
     /// One corner.
     pub corner: Vec3,
-    /// From there to the next.
+    /// The edge from that corner to the next one.
     pub right: Vec3,
-    /// And to the other next.
+    /// The other edge from that corner.
     pub up: Vec3,
 }
 
 impl Rectangle {
-    /// The rectangle that two edges from a corner span.
+    /// The rectangle that is spanned by two edges from a corner.
     pub const fn new(corner: Vec3, right: Vec3, up: Vec3) -> Self {
         Self { corner, right, up }
     }
@@ -70,17 +70,18 @@ impl<R: Real> Intersect<R> for PreparedRectangle<R> {
         bounds_of(Rectangle::corners(corner, right, up).into_iter().map(Vec3::from_setup))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        (part == 0).then(|| self.patch.hull())
-    }
-
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         self.patch.plane.surface(ray, t)
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         self.patch.coordinates(surface.point).into()
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        (part == 0).then(|| self.patch.hull())
     }
 }
 

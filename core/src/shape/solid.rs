@@ -1,16 +1,16 @@
-//! The set of all built-in shapes that can be put together.
+//! The set of all built-in solids.
 
 use super::{Cone, ConvexPolyhedron, Cuboid, Cylinder, Ellipsoid, Plane, Quadric, Shape, Sphere, Torus};
 use crate::math::Real;
 
 crate::shape_set! {
-    /// The set of all built-in solids: what a [`Csg`](super::Csg) is made of, unless you name a set of your own.
+    /// The set of all built-in solids: the parts of a [`Csg`](super::Csg), unless you name a set of your own.
     pub enum Solid<'a>;
-    /// [`Solid`] as the kernel sees it.
+    /// [`Solid`], prepared.
     pub enum PreparedSolid {
         /// A ball.
         Sphere(Sphere),
-        /// All that lies behind a plane.
+        /// The half of space behind a plane.
         Plane(Plane),
         /// A capped cylinder.
         Cylinder(Cylinder),
@@ -18,7 +18,7 @@ crate::shape_set! {
         Cone(Cone),
         /// An ellipsoid.
         Ellipsoid(Ellipsoid),
-        /// What a quadric and a box have in common.
+        /// The inside of a quadric, cut off by a box.
         Quadric(Quadric),
         /// A torus.
         Torus(Torus),

@@ -2,9 +2,10 @@
 
 use crate::math::{Interval, Real};
 
-/// The parts of a line that lie inside a solid: [`MOST`](Self::MOST) or fewer, in order, that do not overlap.
+/// The parts of a line that lie inside a solid: at most [`MOST`](Self::MOST), in order along the line,
+/// without overlap.
 ///
-/// Where one has no end it ends at ±[`Real::FARTHEST`].
+/// A part without end is stored with its end at ±[`Real::FARTHEST`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spans<R> {
     parts: [Interval<R>; 2],
@@ -12,20 +13,20 @@ pub struct Spans<R> {
 }
 
 impl<R: Real> Spans<R> {
-    /// A line meets a torus four times: no shape by itself has more parts.
+    /// The most parts. A line that crosses a torus four times has two, and no other single shape has more.
     pub const MOST: usize = 2;
 
-    /// Of a line that passes by.
+    /// No parts: the line misses the solid.
     pub const NONE: Self = Self { parts: [Interval { min: R::ZERO, max: R::ZERO }; 2], count: 0 };
 
-    /// One part, if it is one: `from` before `to`.
+    /// One part from `from` to `to`, or none if `from` is not less than `to`.
     pub fn one(from: R, to: R) -> Self {
         let mut spans = Self::NONE;
         spans.push(from, to);
         spans
     }
 
-    /// Adds a part that lies behind those before. One without length is left out, as is what is more than
+    /// Adds a part behind the existing ones. A part without length is left out, and so is one beyond
     /// [`MOST`](Self::MOST).
     pub fn push(&mut self, from: R, to: R) {
         if from < to

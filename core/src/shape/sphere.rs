@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect, Spans, uv};
+use super::{Form, Geometry, Intersect, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, each};
@@ -13,12 +13,12 @@ use crate::surface::Surface;
 pub struct Sphere {
     /// The middle.
     pub center: Vec3,
-    /// More than 0.
+    /// Radius, more than 0.
     pub radius: f32,
 }
 
 impl Sphere {
-    /// The sphere around `center`.
+    /// The sphere around `center` with this radius.
     pub const fn new(center: Vec3, radius: f32) -> Self {
         Self { center, radius }
     }
@@ -55,7 +55,7 @@ pub struct PreparedSphere<R: Real> {
     center: Vec3<R>,
     radius: R::Radius,
     radius_squared: R::Product,
-    /// The largest coordinate of its surface.
+    /// No coordinate of the surface is larger.
     magnitude: R,
 }
 
@@ -64,13 +64,14 @@ impl<R: Real> PreparedSphere<R> {
         self.radius.into()
     }
 
-    /// Where a ray's line enters and where it leaves.
+    /// The distances at which a ray's line enters and leaves the sphere.
+    // Forced: see `intersect` in `shape_set!` (1.12 times the instructions).
     #[inline(always)]
     fn chord(&self, ray: &Ray<R>) -> Option<(R, R)> {
         let from_center = ray.origin - self.center;
         let middle = -from_center.dot(ray.direction);
-        // The discriminant from the point of the ray nearest to the center, not from b² − c: that would lose
-        // a sphere that is 100 radii away.
+        // Compute the discriminant from the point of the ray that is nearest to the center. With the
+        // textbook's b² − c, hits from 100 radii away are off by 0.3 % of the radius.
         let nearest = from_center + ray.direction * middle;
         let discriminant = self.radius_squared - nearest.length_squared_wide();
         if discriminant > R::Product::ZERO {
@@ -90,9 +91,9 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
     }
 
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
-        // As `chord`. The root of what is not positive is 0 or NaN.
+        // The steps of `chord`. If the discriminant is not positive, its root is 0 or NaN.
         let from_center = each(|i| rays.ray(i).origin - self.center);
         let middle = each(|i| -from_center[i].dot(rays.ray(i).direction));
         let nearest = each(|i| from_center[i] + rays.ray(i).direction * middle[i]);
@@ -134,12 +135,14 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        (surface.normal * self.radius() + step).unit()
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.center)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedSphere<R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        (surface.normal * self.radius() + step).unit()
     }
 }
 
@@ -174,7 +177,7 @@ mod tests {
         for (x, z, u) in [(0.0, -1.0, 0.25), (-1.0, 0.0, 0.5), (0.0, 1.0, 0.75), (1.0, -1.0, 0.125)] {
             let inward = Vec3::new(-x, 0.0, -z);
             assert_uv(BALL, center - inward * 5.0, inward, [u, 0.5]);
-            // Where it is as high as far out: an eighth of a turn up, of half a turn in all.
+            // At 45 degrees up, latitude is three quarters of the way from pole to pole.
             let down = inward + Vec3::new(0.0, -inward.length(), 0.0);
             assert_uv(BALL, center - down * 5.0, down, [u, 0.75]);
         }

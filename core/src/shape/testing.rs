@@ -1,4 +1,4 @@
-//! What the closed-form tests of all shapes share.
+//! Helpers for the closed-form tests of all shapes.
 
 use super::{Geometry, Intersect};
 use crate::arena::{Arena, Workspace};
@@ -6,9 +6,9 @@ use crate::fault::Fault;
 use crate::math::{Fixed, FourRays, Interval, Ray, Real, Scale, Vec3, choose};
 use crate::surface::Surface;
 
-/// Where a ray met a shape, in `f64`.
+/// A hit of a shape, in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Meeting {
+pub(super) struct TestHit {
     pub(super) t: f64,
     pub(super) point: [f64; 3],
     pub(super) normal: [f64; 3],
@@ -22,7 +22,7 @@ fn doubles<R: Real>(v: Vec3<R>) -> [f64; 3] {
 /// Memory for any shape of the tests.
 pub(super) type Memory = Workspace<4096>;
 
-/// The shape in the number system `R`.
+/// The shape, prepared in the number system `R`.
 pub(super) fn prepared<'m, G: Geometry + 'm, R: Real>(
     shape: G,
     memory: &'m mut Memory,
@@ -30,7 +30,8 @@ pub(super) fn prepared<'m, G: Geometry + 'm, R: Real>(
     prepared_for(shape, Vec3::ZERO, memory).map(|(_, prepared)| prepared)
 }
 
-/// The same, and its scale, as a scene that holds this shape alone and is seen from `eye`.
+/// The shape, prepared for a scene that contains nothing else and is seen from `eye`, and the scale of that
+/// scene.
 fn prepared_for<'m, G: Geometry + 'm, R: Real>(
     shape: G,
     eye: Vec3,
@@ -40,19 +41,20 @@ fn prepared_for<'m, G: Geometry + 'm, R: Real>(
     shape.prepare(scale, &mut Arena::new(memory.lend())).map(|prepared| (scale, prepared))
 }
 
-/// Why a shape is refused.
+/// The fault that a shape is refused with.
 pub(super) fn refusal<G: Geometry>(shape: G) -> Fault {
     prepared::<G, f32>(shape, &mut Memory::new()).expect_err("the shape was accepted")
 }
 
-fn meet_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Option<Meeting> {
+/// The hit of a ray in the number system `R`.
+fn meet_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Option<TestHit> {
     let direction = Vec3::from_setup(toward.to::<R::Setup>().normalized().expect("a direction"));
     let mut memory = Memory::new();
     let (scale, prepared) = prepared_for::<G, R>(shape, origin, &mut memory).expect("a legal shape");
     let ray = Ray { origin: scale.point(origin.to()), direction };
     let t = prepared.intersect(&ray, Interval::AHEAD)?;
     let Surface { point, normal, shading_normal, .. } = prepared.surface(&ray, t);
-    Some(Meeting {
+    Some(TestHit {
         t: f64::from(t.to_f32() / scale.to_f32()),
         point: doubles(point).map(|x| x / f64::from(scale.to_f32())),
         normal: doubles(normal),
@@ -64,7 +66,7 @@ fn near(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < 2e-5)
 }
 
-/// A ray from `origin` along `toward` meets the shape at distance `t`, with this outward normal.
+/// Asserts that a ray from `origin` along `toward` meets the shape at distance `t`, with this outward normal.
 pub(super) fn assert_meets<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, t: f64, normal: [f64; 3]) {
     let length = f64::from(toward.length());
     let at: Vec<f64> = doubles(origin).iter().zip(doubles(toward)).map(|(o, d)| o + d / length * t).collect();
@@ -80,11 +82,12 @@ pub(super) fn assert_meets<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, t:
     }
 }
 
-/// The shading normal where the ray meets the shape.
+/// The shading normal at the hit of a ray.
 pub(super) fn shading_normal<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 3] {
     meet_in::<f64, G>(shape, origin, toward).expect("a hit").shading_normal
 }
 
+/// The coordinates u and v at the hit of a ray in the number system `R`.
 fn uv_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 2] {
     let direction = Vec3::from_setup(toward.to::<R::Setup>().normalized().expect("a direction"));
     let mut memory = Memory::new();
@@ -94,7 +97,7 @@ fn uv_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 2]
     prepared.uv(&prepared.surface(&ray, t), scale).map(|coordinate| f64::from(coordinate.to_f32()))
 }
 
-/// The place where the ray meets the shape has these coordinates on it.
+/// Asserts that the hit of a ray has these coordinates u and v.
 pub(super) fn assert_uv<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, expected: [f64; 2]) {
     for uv in [
         uv_in::<f32, G>(shape, origin, toward),
@@ -106,7 +109,7 @@ pub(super) fn assert_uv<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, expec
     }
 }
 
-/// A ray from `origin` along `toward` does not meet the shape.
+/// Asserts that a ray from `origin` along `toward` misses the shape.
 pub(super) fn assert_misses<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) {
     assert_eq!(meet_in::<f32, G>(shape, origin, toward), None);
     assert_eq!(meet_in::<f64, G>(shape, origin, toward), None);
@@ -125,7 +128,8 @@ fn spans_in<R: Real, G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> Vec<(
     spans.as_slice().iter().map(|part| (unscaled(part.min), unscaled(part.max))).collect()
 }
 
-/// The line from `origin` along `toward` lies inside the shape in these parts; infinity is where it has no end.
+/// Asserts that the line from `origin` along `toward` has these parts inside the shape; a part without end
+/// ends at infinity.
 pub(super) fn assert_spans<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, expected: &[(f64, f64)]) {
     let near = |a: f64, b: f64| a == b || (a - b).abs() < 2e-5 * b.abs().max(1.0);
     for spans in [
@@ -138,8 +142,8 @@ pub(super) fn assert_spans<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, ex
     }
 }
 
-/// Fires rays at points around `middle`, also from inside and from far away, four by four: they must meet the shape as single rays do,
-/// to the bit, also where something nearer was met before.
+/// Fires rays at points around `middle`, four at once, also from inside and from far away. Their hits must be
+/// those of single rays, to the bit, also if the rays end earlier.
 pub(super) fn assert_four_are_met_as_one<G: Geometry>(shape: G, middle: Vec3, extent: f32) {
     assert_four_are_met_as_one_in::<f32, G>(shape, middle, extent);
     assert_four_are_met_as_one_in::<f64, G>(shape, middle, extent);
@@ -175,8 +179,8 @@ fn assert_four_are_met_as_one_in<R: Real, G: Geometry>(shape: G, middle: Vec3, e
     );
 }
 
-/// Fires `rays` at points around `middle`: each must meet the shape where the parts of its line inside say so, and there
-/// alone.
+/// Fires rays at points around `middle`: each must meet the shape at the ends of its line's parts inside the
+/// shape, and nowhere else.
 pub(super) fn assert_spans_are_met<G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
     assert!(shape.is_solid());
     assert_spans_are_met_in::<f32, G>(shape, middle, extent, rays);
@@ -193,7 +197,7 @@ fn assert_spans_are_met_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent:
     let tolerance = f64::from(1e-3 * extent * scale.to_f32());
     let double = |t: R| f64::from(t.to_f32());
     for _ in 0..rays {
-        // From outside as well as from inside.
+        // From outside and from inside: 0 to 4 extents away from the middle.
         let origin = middle + random.direction() * (extent * (2.0 + 2.0 * random.next()));
         let aim = middle + random.vector() * extent;
         let Some(direction) = (aim - origin).normalized() else { continue };
@@ -201,7 +205,7 @@ fn assert_spans_are_met_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent:
         let spans = prepared.spans(&ray);
         let parts = spans.as_slice();
         assert!(parts.iter().zip(parts.iter().skip(1)).all(|(a, b)| a.max <= b.min), "{spans:?}");
-        // What is hardly touched may be missed.
+        // A part that is hardly longer than the tolerance may be missed.
         if parts.iter().any(|part| double(part.max) - double(part.min) < 10.0 * tolerance) {
             continue;
         }
@@ -224,7 +228,7 @@ fn assert_spans_are_met_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent:
     assert!(met > rays / 20, "only {met} of {rays} rays met {shape:?}");
 }
 
-/// Numbers in [-1, 1) that are the same on every run (Knuth's MMIX generator).
+/// Random numbers in [-1, 1), the same on every run (Knuth's MMIX generator).
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
@@ -247,7 +251,7 @@ impl Random {
     }
 }
 
-/// Fires `rays` from around the shape at points around `middle`; from each hit a ray is spawned into a random
+/// Fires rays from around the shape at points around `middle`. From each hit it spawns a ray in a random
 /// direction, which must not meet the same place of the surface again.
 pub(super) fn assert_no_self_hits<G: Geometry>(shape: G, middle: Vec3, extent: f32, rays: usize) {
     assert_no_self_hits_in::<f32, G>(shape, middle, extent, rays);
@@ -258,7 +262,7 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
     let mut random = Random(extent.to_bits().into());
     let mut hits = 0;
     let mut memory = Memory::new();
-    // As the scene that holds it alone, seen from as far as the rays come.
+    // Seen from as far away as the rays begin.
     let eye = Vec3::new(middle.magnitude() + 5.0 * extent, 0.0, 0.0);
     let (scale, prepared) = prepared_for::<G, R>(shape, eye, &mut memory).expect("a legal shape");
     let kernel = |point: Vec3| -> Vec3<R> { scale.point(point.to()) };
@@ -280,7 +284,7 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
             assert!(size < length(4.0 * extent + middle.magnitude()), "{bounds:?} is loose");
         }
         let away: Vec3<R> = Vec3::from_setup(random.direction().to());
-        // Rays within half a degree of the surface may rightly meet a curved one again close by.
+        // A ray within half a degree of a curved surface may rightly meet it again nearby.
         if away.dot(surface.normal).abs() < R::from_f32(0.01) {
             continue;
         }
@@ -293,7 +297,7 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
             );
         }
         if let Some(again) = prepared.intersect(&spawned, Interval::AHEAD) {
-            // Close to an edge the other face is close too.
+            // Close to an edge, the other face is close, too.
             let other_face = prepared.surface(&spawned, again).normal.dot(surface.normal) < R::from_f32(0.9);
             assert!(
                 other_face || again.to_f32() > length(extent * 1e-3),
@@ -304,7 +308,7 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
     assert!(hits > rays / 20, "only {hits} of {rays} rays met {shape:?}");
 }
 
-/// What the [form](super::Form) of a shape says of how often a ray up to `max` meets it holds, to the bit.
+/// Asserts what the [form](super::Form) of a shape tells about the number of hits of a ray up to `max`.
 fn assert_parts_meet_no_more<R: Real>(prepared: &impl Intersect<R>, ray: &Ray<R>, max: R) {
     let Some(most) = prepared.form().most_hits() else { return };
     let mut range = Interval { min: R::ZERO, max };
@@ -321,5 +325,5 @@ fn assert_parts_meet_no_more<R: Real>(prepared: &impl Intersect<R>, ray: &Ray<R>
     }
 }
 
-/// Sizes over nine orders of magnitude.
+/// Sizes over eight orders of magnitude.
 pub(super) const EXTENTS: [f32; 5] = [1e-3, 0.1, 1.0, 300.0, 1e5];

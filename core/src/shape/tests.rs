@@ -1,14 +1,14 @@
-//! What holds for all shapes, of any size: no ray meets one outside its bounds.
+//! A test of all shapes, of any size: no ray meets a shape outside of its bounds.
 
 use super::testing::Random;
 use super::*;
 use crate::arena::Workspace;
 use crate::math::Fixed;
 
-/// Room for any of the shapes below.
-type Room = Workspace<32768>;
+/// Memory for any of the shapes below.
+type ShapeMemory = Workspace<32768>;
 
-/// Shapes that are as small, as large, as long and as thin as descriptions may be.
+/// Random shapes that are as small, as large, as long and as thin as descriptions may be.
 struct Shapes(Random);
 
 impl Shapes {
@@ -128,7 +128,7 @@ impl Shapes {
         Instances { model: Box::leak(Box::new(model)), size: self.of(&[1.0, 0.3, 2.0]), poses: poses.leak() }
     }
 
-    /// One of each kind in turn.
+    /// A shape of one of the 17 kinds.
     fn shape(&mut self, kind: usize) -> Shape<'static> {
         let [a, b, c] = self.places();
         match kind % 17 {
@@ -170,7 +170,7 @@ impl Shapes {
         }
     }
 
-    /// Somewhere in the shape or near it, where there is such a place.
+    /// A place in the bounds of a shape or near them; any place if it has no bounds.
     fn aim(&mut self, bounds: Option<Aabb<f64>>) -> Vec3 {
         let Some(Aabb { min, max }) = bounds else { return self.place() };
         let share = |random: &mut Random| f64::from(random.next() * 0.6) + 0.5;
@@ -180,12 +180,12 @@ impl Shapes {
     }
 }
 
-/// Shoots rays at a shape, and returns how often it is met.
+/// Asserts that all hits of some rays lie in the bounds of a shape. Returns the number of hits.
 fn assert_met_inside_bounds<R: Real>(shape: &Shape<'static>, rays: &[(Vec3, Vec3)]) -> usize {
-    let mut room = Room::new();
+    let mut room = ShapeMemory::new();
     let farthest = rays.iter().map(|(origin, _)| *origin).max_by(|a, b| a.length().total_cmp(&b.length()));
     let scale = Scale::new::<R>(shape.extent(), farthest.unwrap_or(Vec3::ZERO));
-    // In fixed point some are refused.
+    // Fixed point refuses some of the shapes.
     let Ok(prepared) = shape.prepare::<R>(scale, &mut Arena::new(room.lend())) else { return 0 };
     let Some(bounds) = prepared.bounds() else { return 0 };
     let mut met = 0;
@@ -193,7 +193,7 @@ fn assert_met_inside_bounds<R: Real>(shape: &Shape<'static>, rays: &[(Vec3, Vec3
         let Some(direction) = toward.to::<R::Setup>().normalized() else { continue };
         let ray = Ray { origin: scale.point(origin.to()), direction: Vec3::from_setup(direction) };
         let mut range = Interval::AHEAD;
-        // Nothing has more surfaces along one ray.
+        // No shape has more surfaces along one ray.
         for _ in 0..64 {
             let Some(t) = prepared.intersect(&ray, range) else { break };
             let point = ray.at(t);
@@ -209,7 +209,7 @@ fn assert_met_inside_bounds<R: Real>(shape: &Shape<'static>, rays: &[(Vec3, Vec3
     met
 }
 
-/// The definition of [`Intersect::bounds`].
+/// The rule of [`Intersect::bounds`].
 #[test]
 fn no_ray_meets_a_shape_outside_its_bounds() {
     let count = std::env::var("RAYLINE_SHAPES").ok().and_then(|count| count.parse().ok()).unwrap_or(40_000);
@@ -217,13 +217,13 @@ fn no_ray_meets_a_shape_outside_its_bounds() {
     let mut met = [0; 17];
     for number in 0..count {
         let shape = shapes.shape(number);
-        let mut room = Room::new();
+        let mut room = ShapeMemory::new();
         let bounds = shape.prepare::<f64>(Scale::ONE, &mut Arena::new(room.lend()));
         let Ok(bounds) = bounds.map(|shape| shape.bounds()) else { continue };
         let rays: Vec<(Vec3, Vec3)> = (0..24)
             .map(|_| {
                 let (aim, origin) = (shapes.aim(bounds), shapes.place());
-                // Now and then from inside.
+                // Some rays begin inside.
                 let origin = if shapes.below(6) == 0 { shapes.aim(bounds) } else { origin };
                 (origin, aim - origin)
             })

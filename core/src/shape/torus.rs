@@ -1,29 +1,28 @@
-//! A torus: a quartic equation, whose roots are separated by those of its derivative (Hanrahan in Glassner (ed.), "An
-//! Introduction to Ray Tracing", 1989, ch. 3), and then found by the distance from the circle in the tube's middle.
-//!
-//! Rejected: Ferrari's formulas, which lose most digits of `f32`, and Sturm's sequences, which divide polynomials. Starting from
-//! the point of the ray nearest to the center, the derivative is t³ + A t + B: its roots are found as simply. The
-//! values of the quartic are those of the distance times something positive, so that the distance can stand for it, which does
-//! not lose a thin tube in its squares.
+//! A torus: a ray meets it at the roots of a quartic equation. The roots of the derivative separate them
+//! (Hanrahan in Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 3). If a line is parametrized
+//! from its point nearest to the center, the derivative is t³ + A t + B, whose roots are simple to find. The
+//! roots of the quartic between them are found by Newton's steps. These evaluate the squared distance from
+//! the tube's middle circle, less the squared radius of the tube, in place of the quartic: it has the same
+//! sign, and keeps the digits of a thin tube.
 
-use super::hull::Circle;
-use super::{Geometry, Hull, Intersect, Spans, beside, reach_across, uv};
+use super::circle::Circle;
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
 use crate::surface::Surface;
 
-/// A torus: what is no farther than the minor radius from a circle.
+/// A torus: all points that are no farther than the minor radius from a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Torus {
     /// The middle of the hole.
     pub center: Vec3,
-    /// Across the circle; any length but 0.
+    /// Points along the axis of the hole; any length but 0.
     pub axis: Vec3,
-    /// Radius of the circle.
+    /// Radius of the circle, more than 0.
     pub major_radius: f32,
-    /// Radius of the tube around it: more than 0, less than the other.
+    /// Radius of the tube around the circle: more than 0, and less than the major radius.
     pub minor_radius: f32,
 }
 
@@ -77,25 +76,28 @@ pub struct PreparedTorus<R> {
     axis: Vec3<R>,
     major: R,
     minor: R,
-    /// The sum of both radii. No point is farther from the center.
+    /// The sum of both radii: no point is farther from the center.
     size: R,
-    /// The radii, where that is 1.
+    /// The major radius in units of `size`.
     width: R,
+    /// The minor radius in units of `size`.
     thickness: R,
     magnitude: R,
 }
 
-/// A line, from its point that is nearest to the center, where the torus has size 1.
-struct Line<R: Real> {
-    /// Distance from there to the center, squared.
+/// A line, relative to a torus of size 1. It is parametrized from its point nearest to the center.
+struct LineAtTorus<R: Real> {
+    /// The squared distance of that point from the center.
     distance: R::Product,
-    /// The part along the axis, and by how much it rises with each unit.
+    /// The height of that point along the axis.
     height: R,
+    /// The change of height for each unit along the line.
     climb: R,
 }
 
-impl<R: Real> Line<R> {
-    /// The part that can meet the torus: in a ball around it, and between the planes that it lies between.
+impl<R: Real> LineAtTorus<R> {
+    /// The part that can meet the torus: the part in the ball around the torus and between the two planes
+    /// that touch it.
     fn part(&self, thickness: R) -> Option<Interval<R>> {
         let end = (R::ONE.times(R::ONE) - self.distance).sqrt();
         let mut part = Interval { min: -end, max: end };
@@ -111,8 +113,8 @@ impl<R: Real> Line<R> {
         (part.min < part.max).then_some(part)
     }
 
-    /// Whether a place is inside, and Newton's step from there to the surface: along the difference between the squares of the
-    /// distance from the circle and of the tube's radius.
+    /// Whether the place at `t` is inside the torus, and Newton's step from there to the surface, for the
+    /// difference between two squares: of the distance from the circle, and of the tube's radius.
     fn look(&self, t: R, width: R, thickness: R) -> (bool, R) {
         let height = self.height + self.climb * t;
         let from_axis = (self.distance + t.times(t) - height.times(height)).sqrt();
@@ -125,8 +127,8 @@ impl<R: Real> Line<R> {
 }
 
 impl<R: Real> PreparedTorus<R> {
-    /// Tells where a ray's line meets the torus, in order, until one is what is to be `found`. What lies before `range` may be
-    /// left out.
+    /// Calls `found` with the distances at which a ray's line meets the torus, in order, until it returns
+    /// `true`. Distances before the beginning of `range` may be left out.
     fn each_crossing(&self, ray: &Ray<R>, range: Interval<R>, mut found: impl FnMut(R) -> bool) {
         let (from_center, advance) = ray.nearest_to_twice(self.center);
         if from_center.length_squared_wide() > self.size.times(self.size) {
@@ -135,16 +137,17 @@ impl<R: Real> PreparedTorus<R> {
         let Self { width, thickness, size, .. } = *self;
         let start = Vec3::new(from_center.x / size, from_center.y / size, from_center.z / size);
         let (height, climb) = (start.dot(self.axis), ray.direction.dot(self.axis));
-        let line = Line { distance: start.length_squared_wide(), height, climb };
+        let line = LineAtTorus { distance: start.length_squared_wide(), height, climb };
         let Some(part) = line.part(thickness) else { return };
 
-        // The quartic is (t² + k)² - 4 W² (t² + s² - (height + climb t)²), with k = s² + W² - T². A quarter of its derivative:
+        // The quartic is (t² + k)² - 4 W² (t² + s² - (height + climb t)²), with k = s² + W² - T². A quarter
+        // of its derivative:
         let (width_squared, distance) = (width * width, line.distance.over(R::ONE));
         let linear =
             distance - thickness * thickness + width_squared * (climb * climb + climb * climb - R::ONE);
         let constant = width_squared * height * climb;
         let turns = cubic_roots(linear, constant + constant, part.min, part.max);
-        // The ends of the part are outside.
+        // Both ends of the part are outside of the torus.
         let places = turns.map(|turn| (turn, line.look(turn, width, thickness).0)).chain([(part.max, false)]);
         let (mut from, mut from_is_inside) = (part.min, false);
         for (to, to_is_inside) in places {
@@ -176,12 +179,6 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         Some(Aabb::around(self.center, reach).padded(R::offset(self.magnitude)))
     }
 
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
-        circle.hull(part, self.minor)
-    }
-
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         let everywhere = Interval { min: -R::FARTHEST, max: R::FARTHEST };
         let (mut spans, mut enters) = (Spans::NONE, None);
@@ -207,15 +204,22 @@ impl<R: Real> Intersect<R> for PreparedTorus<R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_center = surface.point - self.center;
         let height = from_center.dot(self.axis);
         let across = (from_center - self.axis * height).length();
         [uv::angle_about(self.axis, from_center), R::turn(height, across - self.major)]
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedTorus<R> {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let circle = Circle { center: self.center, axis: self.axis, radius: self.major };
+        circle.hull(part, self.minor)
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 
@@ -243,7 +247,7 @@ mod tests {
         assert_meets(RING, right + LEFT * 11.0, LEFT, 1.0, [-1.0, 0.0, 0.0]);
         assert_spans(RING, right, LEFT, &[(4.0, 6.0), (10.0, 12.0)]);
         assert_spans(RING, right + LEFT * 20.0, LEFT, &[(-16.0, -14.0), (-10.0, -8.0)]);
-        // Half a radius above, the tube is √3 wide.
+        // Half a minor radius above the circle, the tube is √3 wide.
         let half = 0.75f64.sqrt();
         let above = right - DOWN * 0.5;
         assert_spans(RING, above, LEFT, &[(5.0 - half, 5.0 + half), (11.0 - half, 11.0 + half)]);
@@ -264,7 +268,7 @@ mod tests {
 
     #[test]
     fn met_along_a_line_that_touches_the_inner_circle() {
-        // A little more than two units beside the axis, the line does not leave the tube between its ends.
+        // A little more than two units beside the axis, the line stays in the tube from end to end.
         let end = (16.0 - 2.001f64 * 2.001).sqrt();
         assert_spans(RING, Vec3::new(1.0 + 2.001, 2.0, 3.0), Vec3::new(0.0, 0.0, 1.0), &[(-end, end)]);
     }
@@ -315,7 +319,7 @@ mod tests {
                         major_radius: 0.5 * extent,
                         minor_radius: minor * extent,
                     };
-                    // Few rays meet a thin one.
+                    // Aim nearer at a thin torus: few rays meet it.
                     if minor > 0.1 {
                         assert_no_self_hits(torus, center, extent, 4_000);
                         assert_spans_are_met(torus, center, extent, 500);
@@ -331,7 +335,7 @@ mod tests {
     fn coordinates_are_two_angles() {
         assert_uv(RING, Vec3::new(9.0, 2.0, 2.99), LEFT, [0.01 / 4.0 / core::f64::consts::TAU, 0.0]);
         assert_uv(RING, Vec3::new(1.0, 9.0, 0.0), DOWN, [0.25, 0.25]);
-        // From the middle outward: the inside of the ring.
+        // From the middle outward: the inner side of the tube.
         assert_uv(RING, Vec3::new(1.0, 2.0, 3.0), LEFT, [0.5, 0.5]);
         assert_uv(RING, Vec3::new(1.0, -9.0, 6.0), -DOWN, [0.75, 0.75]);
     }
@@ -346,7 +350,7 @@ mod tests {
         };
         let mut memory = Memory::new();
         let tilted = prepared::<_, f32>(tilted, &mut memory).unwrap();
-        // Down onto the top of the tube, where the circle leans over by 3 · 2e-4.
+        // Onto the side of the tube, where the circle leans by 3 · 2e-4.
         let ray = Ray { origin: Vec3::new(9.0, -3.0, 0.0), direction: LEFT };
         let t = tilted.intersect(&ray, Interval::AHEAD).unwrap();
         assert!((t - (8.9 - 3.0 * 2e-4)).abs() < 1e-5, "{t}");

@@ -1,19 +1,20 @@
-//! A triangle: the two coordinates of a [`Patch`] are barycentric ones, and their sum is at most 1.
+//! A triangle: the part of a [`Patch`] whose two coordinates are at least 0 and have a sum of at most 1. They
+//! are the barycentric coordinates of the second and the third corner.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, Tip, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Silhouette, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
 use crate::surface::Surface;
 
-/// A triangle; its front is the side from which the vertices run counterclockwise.
+/// A triangle. Its front is the side from which the vertices run counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Triangle {
     /// The corners.
     pub vertices: [Vec3; 3],
-    /// Normals at the corners, interpolated for shading; any length but 0. `None`: flat.
+    /// Normals at the corners, of any length but 0, interpolated for shading; `None` for a flat triangle.
     pub normals: Option<[Vec3; 3]>,
 }
 
@@ -67,14 +68,14 @@ impl Geometry for Triangle {
 /// A [`Triangle`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedTriangle<'m, R: Real> {
-    /// Its coordinates are the weights of the second and the third corner.
+    /// The coordinates are the weights of the second and the third corner.
     patch: Patch<R>,
     normals: Option<&'m [Vec3<R>; 3]>,
 }
 
 impl<R: Real> PreparedTriangle<'_, R> {
-    /// The interpolated normal at a point of the plane.
-    #[inline(always)]
+    /// The interpolated normal at a point of the plane; `None` if the triangle is flat or the normals cancel.
+    #[inline]
     fn normal_at(&self, point: Vec3<R>) -> Option<Vec3<R>> {
         let [at_a, at_b, at_c] = self.normals?;
         let (b, c) = self.patch.coordinates(point);
@@ -89,7 +90,7 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
     }
 
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // By places of four.
+    #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         let (met, t, b, c) = self.patch.meet_four(rays, max);
         let (zeros, sum) = ([R::ZERO; 4], each(|i| b[i].add_saturating(c[i])));
@@ -106,12 +107,21 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         bounds_of([a, a + ab, a + ac].into_iter().map(Vec3::from_setup))
     }
 
-    #[inline(never)]
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        let surface = self.patch.plane.surface(ray, t);
+        Surface { shading_normal: self.normal_at(surface.point).unwrap_or(surface.normal), ..surface }
+    }
+
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.patch.coordinates(surface.point).into()
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
     }
 
-    #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let [a, ab, ac] = self.patch.edges();
         let [a, b, c] = [a, a + ab, a + ac].map(Vec3::from_setup);
@@ -124,17 +134,8 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         Some(Tip { apex, ends, radius: R::ZERO })
     }
 
-    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let surface = self.patch.plane.surface(ray, t);
-        Surface { shading_normal: self.normal_at(surface.point).unwrap_or(surface.normal), ..surface }
-    }
-
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         self.normal_at(surface.point + step).unwrap_or(surface.normal)
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        self.patch.coordinates(surface.point).into()
     }
 }
 
@@ -143,7 +144,7 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
-    // In the plane z = 1, counterclockwise from above.
+    // In the plane z = 1, counterclockwise as seen from above.
     const FLAT: Triangle =
         Triangle::flat(Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 3.0, 1.0));
 

@@ -1,12 +1,14 @@
-//! A shape and a distance field that are not of the core: they join a set, and are drawn, shaded, shadowed and refused like any
-//! other.
+//! A shape and a distance field that are defined outside of the core: they join a set of shapes, and are
+//! drawn, shaded, shadowed and refused like built-in ones.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::math::{Aabb, Extent, Fixed, Interval, Ray, Scale};
-use rayline::shape::{Distance, DistanceField, Geometry, Implicit, Intersect, Plane, Quadric, Shape, Sphere};
+use rayline::shape::{
+    Distance, DistanceField, Geometry, Implicit, Intersect, Plane, Quadric, Shape, Silhouette, Sphere,
+};
 use rayline::{
     Arena, Background, Camera, Fault, Light, LinearRgb, Material, Object, Part, PreparedScene, Real,
     Renderer, Scene, Settings, Surface, Texture, Through, Vec3, prepared_bytes,
@@ -18,22 +20,22 @@ use rayline_tests::{Picture, assert_alike, settings};
 struct Dish {
     /// Its lowest point.
     bottom: Vec3,
-    /// Of the rim.
+    /// The radius of the rim.
     radius: f32,
-    /// A sixteenth of the radius or more.
+    /// The height of the rim above the bottom: a sixteenth of the radius or more.
     depth: f32,
 }
 
 /// [`Dish`], prepared.
 #[derive(Clone, Copy, Debug)]
-struct PreparedDish<'m, R>(&'m Body<R>);
+struct PreparedDish<'m, R>(&'m DishData<R>);
 
-/// Radius, depth and bend are in its own unit.
+/// The data of a [`PreparedDish`]. Radius, depth and bend are measured in `unit`.
 #[derive(Clone, Copy, Debug)]
-struct Body<R> {
+struct DishData<R> {
     bottom: Vec3<R>,
     middle: Vec3<R>,
-    /// From the middle to the rim: squares of what is measured in it keep their digits.
+    /// The distance from the middle to the rim. Squares of numbers that are measured in it keep their digits.
     unit: R,
     magnitude: R,
     radius: R,
@@ -46,7 +48,7 @@ impl Geometry for Dish {
     type Prepared<'m, R: Real> = PreparedDish<'m, R>;
 
     fn bytes<R: Real>(&self) -> usize {
-        Arena::bytes::<Body<R>>(1)
+        Arena::bytes::<DishData<R>>(1)
     }
 
     fn extent(&self) -> Extent {
@@ -72,7 +74,7 @@ impl Geometry for Dish {
         let (radius, depth) = (R::Setup::from_f32(radius), R::Setup::from_f32(depth));
         let (bottom, half) = (bottom.to::<R::Setup>(), R::Setup::from_f32(0.5));
         let unit = Vec3::new(radius, depth * half, R::Setup::ZERO).length();
-        let body = Body {
+        let body = DishData {
             bottom: scale.point(bottom),
             middle: scale.point(bottom + Vec3::new(R::Setup::ZERO, depth * half, R::Setup::ZERO)),
             unit: scale.length(unit),
@@ -85,8 +87,8 @@ impl Geometry for Dish {
     }
 }
 
-impl<R: Real> Body<R> {
-    /// Seen from the bottom, in units.
+impl<R: Real> DishData<R> {
+    /// A point relative to the bottom, in units.
     fn inside(&self, point: Vec3<R>) -> Vec3<R> {
         let Vec3 { x, y, z } = point - self.bottom;
         Vec3::new(x / self.unit, y / self.unit, z / self.unit)
@@ -121,7 +123,7 @@ impl<R: Real> Intersect<R> for PreparedDish<'_, R> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        let Body { bottom, unit, radius, depth, magnitude, .. } = *self.0;
+        let DishData { bottom, unit, radius, depth, magnitude, .. } = *self.0;
         let (aside, up) = (radius * unit, depth * unit);
         let bounds = Aabb {
             min: bottom - Vec3::new(aside, R::ZERO, aside),
@@ -133,7 +135,7 @@ impl<R: Real> Intersect<R> for PreparedDish<'_, R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let body = self.0;
         let p = body.inside(ray.at(t));
-        // Half the gradient of x² + z² - 2 y · bend, which points away from the axis and down.
+        // Half the gradient of x² + z² - 2 y · half_bend. It points away from the axis and down.
         let (normal, half_slope) = Vec3::new(p.x, -body.half_bend, p.z).polar();
         let half_value = (p.x * p.x + p.z * p.z) * R::from_f32(0.5) - body.half_bend * p.y;
         let on_dish = p - normal * (half_value / half_slope);
@@ -142,14 +144,16 @@ impl<R: Real> Intersect<R> for PreparedDish<'_, R> {
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        let Body { radius, .. } = *self.0;
+        let DishData { radius, .. } = *self.0;
         let Vec3 { x, z, .. } = self.0.inside(surface.point);
         let half = R::from_f32(0.5);
         [x, z].map(|across| across / radius * half + half)
     }
 }
 
-/// A ball, by how far away it is.
+impl<R: Real> Silhouette<R> for PreparedDish<'_, R> {}
+
+/// A ball, as a distance field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Round(Sphere);
 
@@ -176,7 +180,7 @@ impl<R: Real> Distance<R> for PreparedRound<R> {
 }
 
 rayline::shape_set! {
-    /// A set that cannot be read from files, as the dish cannot, with a shape that borrows.
+    /// A set with a shape that borrows. It cannot be read from files, since the dish cannot.
     #[allow(dead_code)]
     enum Borrowing<'a>;
     /// [`Borrowing`], prepared.
@@ -245,7 +249,7 @@ const OBJECTS: [Object<Table>; 3] = [
     Object::new(Table::Floor(FLOOR), 2),
 ];
 
-/// What the scene makes of the memory that it asks for.
+/// Prepares the scene in as much memory as it needs.
 fn prepare<'m, R: Real, S: Geometry + 'm>(
     scene: &Scene<'m, S>,
     memory: &'m mut Vec<MaybeUninit<u8>>,
@@ -270,7 +274,7 @@ fn draw<R: Real, S: Geometry>(prepared: &PreparedScene<'_, R, S>) -> Picture {
 
 #[test]
 fn they_are_drawn_in_every_number_system_as_the_quadrics_that_they_are() {
-    // The same by the shapes of the core.
+    // The same scene, of built-in shapes.
     let bend = DISH.radius * DISH.radius / DISH.depth;
     let quadric = Quadric {
         center: DISH.bottom,

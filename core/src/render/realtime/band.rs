@@ -22,7 +22,7 @@ use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
 use crate::probe::Probe;
 use crate::render::{DisplayColor, Renderer};
-use crate::shape::{Geometry, Intersect};
+use crate::shape::{Geometry, Silhouette};
 
 /// Rays that would bring a smaller share of their light than this to the pixel are left out.
 const CUTOFF: f32 = 1.0 / 64.0;

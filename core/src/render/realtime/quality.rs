@@ -23,7 +23,7 @@ use super::grid::Grid;
 ///   other shadows can be cut off.
 /// - **Highlights of one or two pixels**, for example of shininess 1000 on a ball of 11 pixels' radius with a
 ///   grid of eight; mirrored highlights; and highlights on your own shapes that do not implement
-///   [`normal_beside`](crate::shape::Intersect::normal_beside).
+///   [`normal_beside`](crate::shape::Silhouette::normal_beside).
 /// - **Polygons seen from their edge**, unless they are four times as long as wide, and **the shadows of
 ///   plates** whose edge points at a light.
 /// - **Details smaller than a cell in smooth textures**: noise, marble, wood and blended images, as colors

@@ -1,4 +1,4 @@
-//! Where a line enters and leaves solids.
+//! The places at which a line enters and leaves solids.
 
 use super::program::{Bits, Program};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -12,15 +12,15 @@ pub(super) struct Boundary<R> {
     pub(super) solid: u8,
 }
 
-/// The most that so many solids can have: none has more parts of a line inside than [`Spans`] hold.
+/// The most boundaries of so many solids: each has at most [`Spans::MOST`] parts, which have two ends.
 const fn most(solids: usize) -> usize {
     solids * 2 * 2
 }
 
-/// With this many or fewer, a short list is enough: a long one takes longer to lay out than a lens to be met.
+/// The most solids for which the short list is used: clearing the long one takes longer than testing a lens.
 const FEW_SOLIDS: usize = 4;
 
-/// Lends room for all boundaries of so many solids.
+/// Calls `work` with room for all boundaries of so many solids.
 pub(super) fn with_room<R: Real, T>(solids: usize, work: impl FnOnce(&mut [Boundary<R>]) -> T) -> T {
     let blank = Boundary { t: R::ZERO, solid: 0 };
     if solids <= FEW_SOLIDS {
@@ -30,22 +30,21 @@ pub(super) fn with_room<R: Real, T>(solids: usize, work: impl FnOnce(&mut [Bound
     }
 }
 
-/// All places where a line enters or leaves solids, in the order of the line.
+/// All places where a line enters or leaves solids, in order along the line.
 pub(super) struct Boundaries<'b, R> {
     places: &'b mut [Boundary<R>],
     count: usize,
-    /// The solids that the line comes from inside of.
+    /// A bit for each solid that the line is inside of before the first place.
     before: Bits,
 }
 
 impl<'b, R: Real> Boundaries<'b, R> {
-    #[inline(never)]
     pub(super) fn new<P: Intersect<R>>(room: &'b mut [Boundary<R>], solids: &[P], ray: &Ray<R>) -> Self {
         const { assert!(Spans::<R>::MOST == 2) };
         let mut boundaries = Self { places: room, count: 0, before: 0 };
         for (number, solid) in (0u8..).zip(solids) {
             for part in solid.spans(ray).as_slice() {
-                // There is no surface where it has no end.
+                // An end at infinity is no surface.
                 if part.min > -R::FARTHEST {
                     boundaries.insert(part.min, number);
                 } else {
@@ -59,7 +58,7 @@ impl<'b, R: Real> Boundaries<'b, R> {
         boundaries
     }
 
-    /// Sorts one in: there are few.
+    /// Inserts a boundary in order. There are few, so insertion sort is enough.
     fn insert(&mut self, t: R, solid: u8) {
         let Some(last) = self.places.get_mut(self.count) else { return };
         *last = Boundary { t, solid };
@@ -74,16 +73,17 @@ impl<'b, R: Real> Boundaries<'b, R> {
         }
     }
 
-    /// The places, and the solids that the line comes from inside of.
+    /// The places, and the solids that the line is inside of before the first place.
     pub(super) fn parts(&self) -> (&[Boundary<R>], Bits) {
         (self.places.get(..self.count).unwrap_or_default(), self.before)
     }
 }
 
-/// The surfaces of the whole along a line.
+/// The surfaces of the combined solid along a line.
 pub(super) struct Surfaces<'b, R, P> {
     rest: &'b [Boundary<R>],
-    /// The solids that are around, and whether the whole is.
+    /// A bit for each solid that the line is inside of after the places so far, and whether it is inside the
+    /// combined solid.
     around: Bits,
     is_inside: bool,
     program: Program<'b>,
@@ -104,13 +104,14 @@ impl<'b, R: Real, P: Intersect<R>> Surfaces<'b, R, P> {
         Self { rest, around, is_inside: program.is_inside(around), program, solids, ray, tolerance }
     }
 
-    /// Whether a boundary is so near to another before it that the two are one.
+    /// Whether two boundaries are so near to each other that they count as one place.
     fn is_one_place(&self, before: &Boundary<R>, after: &Boundary<R>) -> bool {
         let way = after.t - before.t;
         if way <= self.tolerance {
             return true;
         }
-        // A line that grazes a face that two solids share has a long way from the one to the other.
+        // If a line grazes a face that two solids share, the way between their boundaries is long: measure it
+        // at a right angle to the faces.
         let across = |boundary: &Boundary<R>| {
             let solid = self.solids.get(usize::from(boundary.solid));
             solid.map_or(way, |solid| {
@@ -132,7 +133,8 @@ impl<R: Real, P: Intersect<R>> Iterator for Surfaces<'_, R, P> {
         loop {
             let first = self.rest.first()?;
             let was_inside = self.is_inside;
-            // Of those that are one place, the surface is the first that changes anything.
+            // The surface is at the first boundary of the place at which the line enters or leaves the
+            // combined solid. If the line is inside after the place as it was before, there is none.
             let mut surface = None;
             while let Some((boundary, rest)) = self.rest.split_first()
                 && self.is_one_place(first, boundary)

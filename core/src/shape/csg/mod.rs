@@ -1,16 +1,18 @@
-//! Constructive solid geometry: one solid out of several, by the parts of a ray that lie in each (Roth, "Ray Casting for
-//! Modeling Solids", Computer Graphics and Image Processing 18, 1982).
+//! Constructive solid geometry: one solid, combined from several, by the parts of a ray that lie in each
+//! (Roth, "Ray Casting for Modeling Solids", Computer Graphics and Image Processing 18, 1982).
 //!
-//! Roth puts lists of parts together, one for each node of the tree. Here all boundaries of all solids stand in one list, in the
-//! order of the ray. Crossing one changes a bit: whether that solid is around. The tree is evaluated on the bits, and where
-//! its value changes there is a surface. That takes one array and a word, however the tree is nested, and no recursion.
+//! Roth combines lists of parts, one list for each node of the tree. Here the boundaries of all solids stand
+//! in one list, in the order along the ray. Each boundary flips a bit, which tells whether the ray is inside
+//! that solid. The tree is evaluated on the bits, and where its value changes there is a surface. This takes
+//! one array and one word, however the tree is nested, and no recursion.
 //!
 //! # Coinciding faces
-//! Two solids that share a face, such as a block and the hole that goes through it, have boundaries there that differ by
-//! rounding: thin dust would be left between them. Therefore boundaries that lie nearer to each other than the distance by
-//! which rays in `f32` leave a surface ([`Real::offset`]), measured across both, are one: what matters is what is around before and after
-//! all of them. So a shared face is one surface or none, and walls that are thinner than that are not there. For rays that graze
-//! a face at less than 1 : 1000 it is not made sure.
+//! Two solids that share a face, such as a block and the hole that goes through it, have boundaries there
+//! that differ by rounding: thin dust would be left between them. Therefore boundaries count as one place if
+//! they are nearer to each other, measured at a right angle to both faces, than the distance by which rays in
+//! `f32` leave a surface ([`Real::offset`]). Only the insides before and after the whole place matter. So a
+//! shared face is one surface or none, and walls that are thinner than this distance vanish. For rays that
+//! graze a face at less than 1 : 1000, dust is not ruled out.
 
 mod boundaries;
 mod program;
@@ -20,17 +22,18 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Geometry, Hull, Intersect, Solid, Tip};
+use super::{Geometry, Hull, Intersect, Silhouette, Solid, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A solid that is made of others. It is no part of another solid itself: nest its steps in the other's.
+/// A solid that is combined from other solids. It cannot be a part of another [`Csg`]: nest its steps in the
+/// other's.
 ///
-/// The steps are in the order in which one would build it: a solid is laid down, and an operator takes the last two that
-/// lie there and leaves one.
+/// The steps work on a stack. A solid is put on the stack; an operator takes the last two solids from the
+/// stack, combines them, and puts the result on the stack.
 ///
 /// ```
 /// use rayline::Vec3;
@@ -52,21 +55,21 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Csg<'a, S = Solid<'a>> {
-    /// The steps, of which one solid is left in the end: at most [`MAX_CSG_SOLIDS`] solids.
+    /// The steps, with at most [`MAX_CSG_SOLIDS`] solids. In the end, one solid must be on the stack.
     pub steps: &'a [CsgStep<S>],
 }
 
-/// A step on the way to a [`Csg`].
+/// A step of a [`Csg`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum CsgStep<S = Solid<'static>> {
-    /// Lays down a solid: a shape that [is one](Geometry::is_solid).
+    /// Puts a [solid](Geometry::is_solid) shape on the stack.
     Solid(S),
-    /// What is in one of the last two, or in both.
+    /// All points in one of the last two solids, or in both.
     Union,
-    /// What is in both of the last two.
+    /// All points in both of the last two solids.
     Intersection,
-    /// What is in the last but one, but not in the last.
+    /// All points in the last but one solid that are not in the last.
     Difference,
 }
 
@@ -91,11 +94,11 @@ impl<'a, S> Csg<'a, S> {
         })
     }
 
-    /// What lists of so many steps and solids take, where each of these takes `solid` bytes when it is prepared.
+    /// The bytes of the lists of steps and solids, where `P` is a prepared solid.
     const fn list_bytes<R: Real, P>(steps: usize, solids: usize) -> usize {
         Arena::bytes::<P>(solids)
             .saturating_add(Arena::bytes::<CsgStep<()>>(steps))
-            .saturating_add(Arena::bytes::<Body<R>>(1))
+            .saturating_add(Arena::bytes::<Tree<R>>(1))
     }
 }
 
@@ -151,29 +154,30 @@ impl<'a, S: Geometry + 'a> Geometry for Csg<'a, S> {
         let program = Program::new(self.steps, memory)?;
         let mut unprepared = self.solids();
         let solids = &*memory.try_store_with(given, |index, memory| {
-            // There is one for each.
+            // The iterator has `given` solids.
             let solid = unprepared.next().ok_or(Fault::NotOneSolid)?;
             solid.prepare(scale, memory).inspect_err(|_| memory.blame(Inner::Solid(index)))
         })?;
-        // Of all solids, since what is left of them is rounded as they are; in `f64` too, since descriptions are rounded to `f32`.
+        // The largest coordinate of all solids, whose rounding is that of the result. At least that of `f32`,
+        // since descriptions are rounded to `f32`.
         let Extent { solid, flat, plane } = self.extent();
         let magnitude = solid.larger(flat).larger(plane.unwrap_or(0.0));
         let rounding: R = scale.length(R::Setup::from_f32(f32::offset(magnitude)));
         let tolerance = rounding.larger(R::offset(scale.length(R::Setup::from_f32(magnitude))));
-        // Rays begin at the middle of the whole, so a small solid is met with the rounding of all; and of
-        // boundaries that are one place, the surface may be either.
+        // Pad the bounds: rays begin at the middle of the combined solid, so that a small solid is met with
+        // the rounding of all; and the surface may be at any of the boundaries that count as one place.
         let bounds = bounds(self.steps, solids)?.map(|bounds| bounds.padded(tolerance + tolerance));
         let ball = bounds.map(|bounds| {
             let center = bounds.center();
             let radius = (bounds.max - center).length();
             (center, radius + R::offset(bounds.magnitude()))
         });
-        let body = memory.store(Body { program, bounds, ball, tolerance })?;
-        Ok(PreparedCsg { solids, body })
+        let tree = memory.store(Tree { program, bounds, ball, tolerance })?;
+        Ok(PreparedCsg { solids, tree })
     }
 }
 
-/// A box around the whole; `None` where it has no end.
+/// A box around the combined solid; `None` if it has no end.
 fn bounds<R: Real, S, P: Intersect<R>>(steps: &[CsgStep<S>], solids: &[P]) -> Result<Option<Aabb<R>>, Fault> {
     let mut boxes = solids.iter().map(Intersect::bounds);
     let join = |step: &CsgStep<()>, left: Option<Aabb<R>>, right: Option<Aabb<R>>| match step {
@@ -187,46 +191,50 @@ fn bounds<R: Real, S, P: Intersect<R>>(steps: &[CsgStep<S>], solids: &[P]) -> Re
     fold(steps, None, |_| boxes.next().flatten(), join)
 }
 
-/// What two boxes have in common; a box without room where that is nothing.
+/// The intersection of two boxes; a box without volume if they do not overlap.
 fn common<R: Real>(a: Aabb<R>, b: Aabb<R>) -> Aabb<R> {
     let min = Vec3::new(a.min.x.larger(b.min.x), a.min.y.larger(b.min.y), a.min.z.larger(b.min.z));
     let max = Vec3::new(b.max.x.smaller(a.max.x), b.max.y.smaller(a.max.y), b.max.z.smaller(a.max.z));
     Aabb { min, max: Vec3::new(max.x.larger(min.x), max.y.larger(min.y), max.z.larger(min.z)) }
 }
 
-/// Of the number of a part of the surface, the lower bits are that of the solid's, the upper ones number the solids.
+/// A part of the surface is numbered by the solid's part, in so many lower bits, and by the index of the
+/// solid, above them.
 const PART_BITS: u32 = 8;
-/// What is above is not told apart.
+/// The largest number of a solid's part; larger ones are stored as this one.
 const MOST_PARTS: u32 = (1 << PART_BITS) - 1;
 
 /// A [`Csg`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedCsg<'m, R, P> {
     solids: &'m [P],
-    body: &'m Body<'m, R>,
+    tree: &'m Tree<'m, R>,
 }
 
+/// The data of a [`PreparedCsg`], except the solids.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Body<'m, R> {
+struct Tree<'m, R> {
     program: Program<'m>,
     bounds: Option<Aabb<R>>,
-    /// Around the bounds.
+    /// Center and radius of a ball around the bounds.
     ball: Option<(Vec3<R>, R)>,
-    /// Nearer to each other than this, boundaries are one.
+    /// Boundaries that are nearer to each other than this count as one place.
     tolerance: R,
 }
 
-/// A ray that begins where it is nearest to the middle, and the distance from there to its own origin.
+/// A ray whose origin was moved along its line to the point nearest to the middle of the bounds.
 struct Moved<R> {
     ray: Ray<R>,
+    /// The distance from the old origin to the new one.
     advance: R,
 }
 
 impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
-    /// All solids are to see the same ray, with the same roundings, from nearby: their boundaries are compared. `None` where the
-    /// ray passes by, or is elsewhere in `range`.
+    /// Moves the origin of a ray near to the solids. Their boundaries along it are compared, so all solids
+    /// must see the same ray, with the same rounding. `None` if the ray misses the bounds, or meets them
+    /// outside of `range`.
     fn moved(&self, ray: &Ray<R>, range: Interval<R>) -> Option<Moved<R>> {
-        let Some((center, radius)) = self.body.ball else {
+        let Some((center, radius)) = self.tree.ball else {
             return Some(Moved { ray: *ray, advance: R::ZERO });
         };
         let advance = (center - ray.origin).dot(ray.direction);
@@ -237,10 +245,10 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         (is_near && is_in_range).then_some(Moved { ray: Ray { origin, direction: ray.direction }, advance })
     }
 
-    /// The surface of one of its solids as that of the whole, or the other way around.
+    /// The surface of one solid as a surface of the combined solid, or the other way around.
     fn turned(&self, solid: u8, surface: Surface<R>) -> Surface<R> {
-        if self.body.program.is_taken_away(solid) {
-            // Its inside is outside.
+        if self.tree.program.is_subtracted(solid) {
+            // The solid is subtracted: its inside is outside.
             let (normal, shading_normal) = (-surface.normal, -surface.shading_normal);
             Surface { normal, shading_normal, ..surface }
         } else {
@@ -248,19 +256,20 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         }
     }
 
-    /// A surface as the solid that it belongs to sees it, and which that is.
+    /// The solid that a surface belongs to, and the surface as that of the solid.
     fn on_solid(&self, surface: &Surface<R>) -> (u8, Surface<R>) {
         let (solid, part) = ((surface.part >> PART_BITS) as u8, surface.part & MOST_PARTS);
         (solid, self.turned(solid, Surface { part, ..*surface }))
     }
 
+    /// The surfaces of the combined solid along a ray.
     fn surfaces<'b>(&'b self, boundaries: &'b Boundaries<'_, R>, ray: &'b Ray<R>) -> Surfaces<'b, R, P> {
-        Surfaces::new(boundaries, self.body.program, self.solids, ray, self.body.tolerance)
+        Surfaces::new(boundaries, self.tree.program, self.solids, ray, self.tree.tolerance)
     }
 }
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
-    // Its boundaries may take a kilobyte: on no stack but its own.
+    // Not inlined: the boundaries may take a kilobyte of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let Moved { ray, advance } = self.moved(ray, range)?;
@@ -272,25 +281,13 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        self.body.bounds
+        self.tree.bounds
     }
 
-    /// That of the whole, then those of its solids: of two that are thick, a thin part may be left, and of several that are far apart
-    /// each may be thin.
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let Some(part) = part.checked_sub(1) else { return self.body.bounds.map(Hull::aligned) };
-        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
-    }
-
-    /// Those of its solids: what is left of them may taper off there.
-    fn tip(&self, number: usize) -> Option<Tip<R>> {
-        self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
-    }
-
+    // Not inlined: see `intersect`.
     #[inline(never)]
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        // The same steps as before lead to the same boundary.
+        // The same steps as in `intersect` lead to the same boundary.
         let everywhere = Interval { min: -R::FARTHEST, max: R::FARTHEST };
         let found = self.moved(ray, everywhere).and_then(|Moved { ray, advance }| {
             let off = |here: R| (advance + here - t).abs();
@@ -310,15 +307,29 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
         self.turned(solid, Surface { part, ..surface })
     }
 
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        let (solid, surface) = self.on_solid(surface);
+        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
+    }
+}
+
+impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
+    /// Part 0 is the box around the combined solid, which may be thin although its solids are thick. The
+    /// further parts are the hulls of the solids, each of which may be thin.
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        let Some(part) = part.checked_sub(1) else { return self.tree.bounds.map(Hull::aligned) };
+        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
+    }
+
+    /// The tips of all solids, which may also be tips of the combined solid.
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         let (number, on_solid) = self.on_solid(surface);
         let solid = self.solids.get(usize::from(number));
         let normal = solid.map_or(on_solid.shading_normal, |solid| solid.normal_beside(&on_solid, step));
-        if self.body.program.is_taken_away(number) { -normal } else { normal }
-    }
-
-    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
-        let (solid, surface) = self.on_solid(surface);
-        self.solids.get(usize::from(solid)).map_or([R::ZERO; 2], |solid| solid.uv(&surface, scale))
+        if self.tree.program.is_subtracted(number) { -normal } else { normal }
     }
 }

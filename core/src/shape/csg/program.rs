@@ -1,4 +1,4 @@
-//! The tree, as steps that are carried out on a stack.
+//! The tree of operators, as steps that are carried out on a stack.
 
 use super::CsgStep;
 use crate::arena::Arena;
@@ -10,17 +10,18 @@ pub(super) type Bits = u32;
 
 const _: () = assert!(MAX_CSG_SOLIDS == Bits::BITS as usize, "a solid, or a level of the stack, is a bit");
 
-/// Steps that leave one solid, without the solids: these are numbered in the order of the steps.
+/// The steps without the solids, which are numbered in the order of the steps. The steps are known to leave
+/// one solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Program<'m> {
     steps: &'m [CsgStep<()>],
-    /// The solids that are taken away from others, and not again from what these are taken away from.
-    taken_away: Bits,
+    /// A bit for each solid: whether it is subtracted an odd number of times.
+    subtracted: Bits,
 }
 
 impl<'m> Program<'m> {
     pub(super) fn new<S>(steps: &[CsgStep<S>], memory: &mut Arena<'m>) -> Result<Self, Fault> {
-        let (mut next, mut taken_away): (Bits, Bits) = (1, 0);
+        let (mut next, mut subtracted): (Bits, Bits) = (1, 0);
         fold(
             steps,
             0,
@@ -31,7 +32,7 @@ impl<'m> Program<'m> {
             },
             |step, left, right| {
                 if *step == CsgStep::Difference {
-                    taken_away ^= right;
+                    subtracted ^= right;
                 }
                 left | right
             },
@@ -39,17 +40,18 @@ impl<'m> Program<'m> {
         let mut unprepared = steps.iter();
         let steps = memory
             .store_with(steps.len(), |_| unprepared.next().map_or(CsgStep::Union, CsgStep::operator))?;
-        Ok(Self { steps, taken_away })
+        Ok(Self { steps, subtracted })
     }
 
-    /// Whether the inside of this solid is outside of the whole, where they share a surface.
-    pub(super) fn is_taken_away(&self, solid: u8) -> bool {
-        self.taken_away.wrapping_shr(solid.into()) & 1 != 0
+    /// Whether the inside of this solid is outside of the combined solid, where the two share a surface.
+    pub(super) fn is_subtracted(&self, solid: u8) -> bool {
+        self.subtracted.wrapping_shr(solid.into()) & 1 != 0
     }
 
-    /// Whether a place is inside, of which it is known whether it is inside of each solid.
+    /// Whether a place is inside the combined solid, by a bit for each solid that tells whether the place is
+    /// inside that.
     pub(super) fn is_inside(&self, solids: Bits) -> bool {
-        // The stack is a word too: the top is the last bit.
+        // The stack is a word, too: the lowest bit is its top.
         let (mut rest, mut stack): (Bits, Bits) = (solids, 0);
         for step in self.steps {
             if let CsgStep::Solid(()) = step {
@@ -70,7 +72,7 @@ impl<'m> Program<'m> {
 }
 
 impl<S> CsgStep<S> {
-    /// The same without the solid.
+    /// The step without the solid.
     fn operator(&self) -> CsgStep<()> {
         match self {
             Self::Solid(_) => CsgStep::Solid(()),
@@ -81,7 +83,8 @@ impl<S> CsgStep<S> {
     }
 }
 
-/// Carries out the steps: what each solid is, and what an operator makes of the left and the right.
+/// Carries out the steps: `solid` computes the value of a solid, and `join` the result of an operator on the
+/// last but one and the last value on the stack.
 pub(super) fn fold<S, T: Copy>(
     steps: &[CsgStep<S>],
     blank: T,

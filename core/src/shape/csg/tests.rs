@@ -19,7 +19,8 @@ const fn behind(point: Vec3, normal: Vec3) -> CsgStep {
     CsgStep::Solid(Solid::Plane(Plane::new(point, normal)))
 }
 
-/// Where the line from `origin` meets the solid, one after the other, and the normals there along the line.
+/// The distances at which the line from `origin` meets the solid, in order, and the cosines between the line
+/// and the normals there.
 fn meetings<R: Real>(csg: Csg, origin: Vec3, toward: Vec3) -> Vec<(f64, f64)> {
     let mut memory = Memory::new();
     let scale = Scale::new::<R>(csg.extent(), origin);
@@ -36,7 +37,8 @@ fn meetings<R: Real>(csg: Csg, origin: Vec3, toward: Vec3) -> Vec<(f64, f64)> {
     meetings
 }
 
-/// The line meets the solid at these distances and nowhere else; normals point against it and along it by turns.
+/// The line meets the solid at these distances and nowhere else, with normals that alternately point against
+/// the line and along it.
 #[track_caller]
 fn assert_surfaces(steps: &[CsgStep], origin: Vec3, toward: Vec3, expected: &[f64]) {
     let csg = Csg::new(steps);
@@ -48,7 +50,7 @@ fn assert_surfaces(steps: &[CsgStep], origin: Vec3, toward: Vec3, expected: &[f6
         let near =
             meetings.iter().zip(expected).all(|((t, _), expected)| (t - expected).abs() < 2e-5 * t.max(1.0));
         assert!(near && meetings.len() == expected.len(), "{meetings:?}, not {expected:?}");
-        // The last leaves it.
+        // At the last one, the line leaves the solid.
         let outward = meetings.iter().rev().enumerate().all(|(i, (_, along))| (*along > 0.0) == (i % 2 == 0));
         assert!(outward, "{meetings:?}");
     }
@@ -84,7 +86,7 @@ fn a_bead_has_a_hole() {
 }
 
 #[test]
-fn what_is_united_has_no_walls_inside() {
+fn a_union_has_no_walls_inside() {
     let pair = [ball(-1.0, 1.5), ball(1.0, 1.5), CsgStep::Union];
     assert_surfaces(&pair, RIGHT * 5.0, -RIGHT, &[2.5, 7.5]);
     assert_surfaces(&pair, Vec3::ZERO, RIGHT, &[2.5]);
@@ -94,13 +96,13 @@ fn what_is_united_has_no_walls_inside() {
 }
 
 #[test]
-fn what_is_taken_away_from_what_is_taken_away_stays() {
+fn a_solid_that_is_subtracted_twice_stays() {
     // A shell around a ball.
     let onion = [ball(0.0, 3.0), ball(0.0, 2.0), ball(0.0, 1.0), CsgStep::Difference, CsgStep::Difference];
     assert_surfaces(&onion, RIGHT * 5.0, -RIGHT, &[2.0, 3.0, 4.0, 6.0, 7.0, 8.0]);
     assert_meets(Csg::new(&onion), RIGHT * 2.5, -RIGHT, 0.5, [-1.0, 0.0, 0.0]);
     assert_meets(Csg::new(&onion), RIGHT * 1.5, -RIGHT, 0.5, [1.0, 0.0, 0.0]);
-    // The other order: the ball is taken away from nothing.
+    // In the other order the ball is subtracted from the cavity, which changes nothing.
     let shell = [ball(0.0, 3.0), ball(0.0, 2.0), CsgStep::Difference, ball(0.0, 1.0), CsgStep::Difference];
     assert_surfaces(&shell, RIGHT * 5.0, -RIGHT, &[2.0, 3.0, 7.0, 8.0]);
 }
@@ -131,7 +133,7 @@ fn a_torus_that_is_cut_open_is_met_more_than_twice() {
 }
 
 #[test]
-fn bounds_are_those_of_what_is_left() {
+fn bounds_are_those_of_the_combined_solid() {
     let bounds = |steps: &[CsgStep]| {
         let mut memory = Memory::new();
         prepared::<_, f32>(Csg::new(steps), &mut memory).unwrap().bounds().unwrap()
@@ -149,7 +151,7 @@ fn bounds_are_those_of_what_is_left() {
         near(pair.min, Vec3::new(-3.0, -2.0, -2.0)) && near(pair.max, Vec3::new(3.0, 2.0, 2.0)),
         "{pair:?}"
     );
-    // Nothing in common: a box without room, and nothing to be met.
+    // Balls that do not overlap leave a box without volume, and no surface.
     let nothing = [ball(-3.0, 1.0), ball(3.0, 1.0), CsgStep::Intersection];
     let _ = bounds(&nothing);
     assert_surfaces(&nothing, RIGHT * 9.0, -RIGHT, &[]);
@@ -194,22 +196,21 @@ fn coordinates_are_those_of_the_solid() {
     let expected = [0.75, 0.625];
     assert_uv(alone, origin, toward, expected);
     assert_uv(Csg::new(&steps), origin, toward, expected);
-    // A cavity as well: seen from inside of it.
+    // A cavity as well, as seen from inside.
     let cavity = [ball(0.0, 2.0), block, CsgStep::Difference];
     assert_uv(alone, Vec3::new(0.5, 0.25, 0.0), -toward, expected);
     assert_uv(Csg::new(&cavity), Vec3::new(0.5, 0.25, 0.0), -toward, expected);
 }
 
-/// Rays from everywhere, most of them grazing: none may see dust where faces coincide.
-fn assert_no_dust<R: Real>(extent: f32) {
-    let axis = Vec3::new(0.48, 0.6, -0.64);
+/// A pipe: two pieces of a cylinder, one on the other, from which two pieces of a core are subtracted, end to
+/// end.
+fn pipe_in_pieces(base: Vec3, axis: Vec3, extent: f32) -> [CsgStep; 7] {
     let cylinder = |radius: f32, from: f32, to: f32| {
-        let at = |height: f32| Vec3::new(1.0, 2.0, -0.5) * extent + axis * (height * extent);
+        let at = |height: f32| base + axis * (height * extent);
         let cylinder = Cylinder { base: at(from), top: at(to), radius: radius * extent, capped: true };
         CsgStep::Solid(Solid::Cylinder(cylinder))
     };
-    // Two pieces, one on the other, of which the same two pieces of a core are taken away, end to end.
-    let steps = [
+    [
         cylinder(1.0, 0.0, 1.0),
         cylinder(1.0, 1.0, 2.0),
         CsgStep::Union,
@@ -217,9 +218,14 @@ fn assert_no_dust<R: Real>(extent: f32) {
         CsgStep::Difference,
         cylinder(0.5, 1.0, 2.0),
         CsgStep::Difference,
-    ];
+    ]
+}
+
+/// Rays from everywhere, most of them grazing: none of them may meet dust where faces coincide.
+fn assert_no_dust<R: Real>(extent: f32) {
+    let (base, axis) = (Vec3::new(1.0, 2.0, -0.5) * extent, Vec3::new(0.48, 0.6, -0.64));
+    let steps = pipe_in_pieces(base, axis, extent);
     let pipe = Csg::new(&steps);
-    let base = Vec3::new(1.0, 2.0, -0.5) * extent;
     let mut random = Random(3);
     let mut memory = Memory::new();
     let scale = Scale::new::<R>(pipe.extent(), base + Vec3::new(12.0, 0.0, 0.0) * extent);
@@ -227,7 +233,8 @@ fn assert_no_dust<R: Real>(extent: f32) {
     let mut met = 0;
     for _ in 0..20_000 {
         let disc = axis.cross(random.direction());
-        // A place of one of the three faces that are none, inside of the hole or of the wall.
+        // A place on one of three faces that must not exist: in the mouths of the hole, or between the
+        // pieces.
         let (height, most) = match random.next() {
             x if x < -0.3 => (0.0, 0.45),
             x if x < 0.3 => (1.0, 0.95),
@@ -252,7 +259,7 @@ fn assert_no_dust<R: Real>(extent: f32) {
             let from_axis = (point - axis * height).length();
             let on_lid = surface.normal.to_f32().dot(axis).abs() > 0.5;
             let (height, from_axis) = (height / extent, from_axis / extent);
-            // Edges may have the normal of either face.
+            // At an edge the normal may be that of either face.
             let is_dust = on_lid && (from_axis < 0.499 || (height - 1.0).abs() < 0.5 && from_axis > 0.501);
             assert!(!is_dust, "dust at height {height}, {from_axis} from the axis: {ray:?}");
             met += 1;
@@ -271,48 +278,56 @@ fn coinciding_faces_leave_no_dust() {
     }
 }
 
+/// A random tree over six random balls: each step adds a ball or an operator.
+fn random_tree(random: &mut Random) -> Vec<CsgStep> {
+    let (mut steps, mut balls, mut depth) = (vec![], 0, 0);
+    while balls < 6 || depth > 1 {
+        if balls < 6 && (depth < 2 || random.next() > 0.0) {
+            let sphere = Sphere::new(random.vector(), 0.7 + 0.4 * random.next());
+            steps.push(CsgStep::Solid(Solid::Sphere(sphere)));
+            balls += 1;
+            depth += 1;
+        } else {
+            let choice = random.next();
+            steps.push(if choice < -0.3 {
+                CsgStep::Union
+            } else if choice < 0.3 {
+                CsgStep::Intersection
+            } else {
+                CsgStep::Difference
+            });
+            depth -= 1;
+        }
+    }
+    steps
+}
+
+/// Whether a point is inside a tree of balls.
+fn is_inside(steps: &[CsgStep], point: Vec3<f64>) -> bool {
+    let mut stack = vec![];
+    for step in steps {
+        let value = if let CsgStep::Solid(Solid::Sphere(sphere)) = step {
+            (point - sphere.center.to()).length() < f64::from(sphere.radius)
+        } else {
+            let (right, left): (bool, bool) = (stack.pop().unwrap(), stack.pop().unwrap());
+            match step {
+                CsgStep::Union => left || right,
+                CsgStep::Intersection => left && right,
+                _ => left && !right,
+            }
+        };
+        stack.push(value);
+    }
+    stack.pop().unwrap()
+}
+
 #[test]
 fn surfaces_are_where_a_point_comes_in_or_goes_out() {
     let mut random = Random(11);
     let mut met = 0;
     for _ in 0..300 {
-        // A random tree over random balls: each step lays one down or joins two.
-        let (mut steps, mut balls, mut depth) = (vec![], vec![], 0);
-        while balls.len() < 6 || depth > 1 {
-            if balls.len() < 6 && (depth < 2 || random.next() > 0.0) {
-                let sphere = Sphere::new(random.vector(), 0.7 + 0.4 * random.next());
-                balls.push(sphere);
-                steps.push(CsgStep::Solid(Solid::Sphere(sphere)));
-                depth += 1;
-            } else {
-                let choice = random.next();
-                steps.push(if choice < -0.3 {
-                    CsgStep::Union
-                } else if choice < 0.3 {
-                    CsgStep::Intersection
-                } else {
-                    CsgStep::Difference
-                });
-                depth -= 1;
-            }
-        }
-        let is_inside = |point: Vec3<f64>| {
-            let mut stack = vec![];
-            for step in &steps {
-                let value = if let CsgStep::Solid(Solid::Sphere(sphere)) = step {
-                    (point - sphere.center.to()).length() < f64::from(sphere.radius)
-                } else {
-                    let (right, left): (bool, bool) = (stack.pop().unwrap(), stack.pop().unwrap());
-                    match step {
-                        CsgStep::Union => left || right,
-                        CsgStep::Intersection => left && right,
-                        _ => left && !right,
-                    }
-                };
-                stack.push(value);
-            }
-            stack.pop().unwrap()
-        };
+        let steps = random_tree(&mut random);
+        let is_inside = |point| is_inside(&steps, point);
         let mut memory = Memory::new();
         let prepared = prepared::<_, f64>(Csg::new(&steps), &mut memory).unwrap();
         for _ in 0..10 {
@@ -324,7 +339,7 @@ fn surfaces_are_where_a_point_comes_in_or_goes_out() {
                 let surface = prepared.surface(&ray, t);
                 assert!((surface.point - ray.at(t)).length() < 1e-9);
                 let (before, after) = (ray.at(t - 1e-4), ray.at(t + 1e-4));
-                // Unless another is that near.
+                // Unless another surface is near.
                 if prepared.intersect(&ray, Interval { min: t - 1e-3, max: t }).is_none()
                     && prepared.intersect(&ray, Interval { min: t, max: t + 1e-3 }).is_none()
                 {
@@ -379,7 +394,7 @@ fn a_set_of_your_own() {
 
 #[test]
 fn many_solids_in_one() {
-    // Balls in a row, each of which is taken away from what is left of the others.
+    // A pillar from which a row of balls is subtracted, one after the other.
     let mut steps = vec![pillar(1.0, -20.0, 20.0)];
     for place in 0..31u16 {
         let center = Vec3::new(1.0, f32::from(place) - 15.0, 0.0);
@@ -399,7 +414,7 @@ fn many_solids_in_one() {
     assert_eq!(count, 64);
     steps.extend([ball(0.0, 1.0), CsgStep::Union]);
     assert_eq!(refusal(Csg::new(&steps)), Fault::TooManySolids { given: 33 });
-    // On a stack that holds all of them at once.
+    // All solids are on the stack at once.
     let mut laid_down: Vec<_> = (0..32u8).map(|x| ball(f32::from(x), 0.25)).collect();
     laid_down.extend([CsgStep::Union; 31]);
     let mut memory = crate::arena::Workspace::<8192>::new();

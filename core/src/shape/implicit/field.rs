@@ -1,11 +1,11 @@
-//! What a shape is that only tells how far away it is: a signed distance bound (Hart 1996, definition 2).
+//! Distance fields: functions that bound the distance from a point to a surface (Hart 1996, definition 2).
 
 use core::fmt::Debug;
 
 use crate::fault::Fault;
 use crate::math::{Real, Scale, Vec3};
 
-/// The description of a distance field, in `f32`: what an [`Implicit`](super::Implicit) shows.
+/// The description of a distance field, in `f32`. An [`Implicit`](super::Implicit) shows its surface.
 ///
 /// A field of your own joins a set of shapes like any other. Here is a box with round edges:
 ///
@@ -14,7 +14,7 @@ use crate::math::{Real, Scale, Vec3};
 /// use rayline::shape::{Distance, DistanceField, Implicit, Plane};
 /// use rayline::{Fault, Vec3};
 ///
-/// /// All that is no farther than `rounding` from a cube around the origin.
+/// /// All points that are no farther than `rounding` from a cube around the origin.
 /// #[derive(Clone, Copy, Debug, PartialEq)]
 /// pub struct Pebble {
 ///     half: f32,
@@ -61,23 +61,23 @@ use crate::math::{Real, Scale, Vec3};
 /// let _shape = Beach::Pebble(pebble);
 /// ```
 pub trait DistanceField: Copy + Debug {
-    /// What the description becomes in the number system `R`.
+    /// The prepared form in the number system `R`.
     type Prepared<R: Real>: Distance<R> + Copy + Debug + Send + Sync;
 
-    /// Checks every number, scales it and converts it.
+    /// Checks every number, scales the field and converts it.
     ///
     /// # Errors
     /// A [`Fault`] that says what is wrong with the description.
     fn prepare<R: Real>(&self, scale: Scale) -> Result<Self::Prepared<R>, Fault>;
 }
 
-/// A distance field, prepared.
+/// A prepared distance field.
 pub trait Distance<R: Real> {
-    /// How far a point is from the surface, at least, and negative inside.
+    /// A lower bound of the distance from a point to the surface; negative inside. Point and distance are in
+    /// scaled units.
     ///
-    /// Point and distance are in units after scaling. Between two points it must not change by more than the way from the one to
-    /// the other: where it does, rays go through the surface. In fixed point all points lie within 1/2 of
-    /// the origin along each axis, and a little beyond: squares are to be summed by
-    /// [`length`](Vec3::length) or [`dot_wide`](Vec3::dot_wide), which keep their digits.
+    /// Between two points the result must not change by more than their distance, or rays may go through the
+    /// surface. In fixed point all points lie within 1/2 of the origin along each axis, or a little beyond;
+    /// sum squares by [`length`](Vec3::length) or [`dot_wide`](Vec3::dot_wide), which keep their digits.
     fn distance(&self, point: Vec3<R>) -> R;
 }

@@ -1,5 +1,6 @@
-//! Implicit surfaces: where a function of space is zero. A ray finds them by sphere tracing (Hart, "Sphere Tracing: A Geometric
-//! Method for the Antialiased Ray Tracing of Implicit Surfaces", The Visual Computer, 1996; see [`trace`]).
+//! Implicit surfaces: all points where a function of space is zero. Rays find them by sphere tracing (Hart,
+//! "Sphere Tracing: A Geometric Method for the Antialiased Ray Tracing of Implicit Surfaces", The Visual
+//! Computer, 1996; see [`trace`]).
 
 mod field;
 mod metaballs;
@@ -7,31 +8,32 @@ mod metaballs;
 mod tests;
 mod trace;
 
-use super::{Geometry, Intersect, beside, uv};
+use super::{Geometry, Intersect, Silhouette, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
-use trace::Line;
+use trace::TracedLine;
 
 pub use field::{Distance, DistanceField};
 pub use metaballs::{Blob, Metaballs, PreparedMetaballs};
 
-/// The surface of a distance field, as far as it lies in a box.
+/// The part of a distance field's surface in a box.
 ///
-/// A ray takes at most [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS) steps through the box, and what is thinner than such a
-/// share of its way may be missed: make the box tight, but let it not touch the surface. Where the box cuts the surface it is open.
-/// Its normals are differences over a 256th of the box: edges look as if they were rounded by so much, and a ray that leaves
-/// there may meet the surface again. The shape is not [solid](Geometry::is_solid).
+/// A ray takes at most [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS) steps through the box. Parts that
+/// are thinner than this share of its way may be missed, so make the box tight, but do not let it touch the
+/// surface: where the box cuts the surface, the shape is open. Normals are computed from differences over a
+/// 256th of the box. So edges look rounded by that much, and a ray that leaves an edge may meet the surface
+/// again. The shape is not [solid](Geometry::is_solid).
 ///
-/// Its coordinates u and v are longitude and latitude, as seen from the middle of the box.
+/// The coordinates u and v are longitude and latitude, as seen from the middle of the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Implicit<F> {
-    /// Where it is zero is the surface.
+    /// The distance field: the surface is where it is 0.
     pub field: F,
     /// The corner of the box with the smallest coordinates.
     pub min: Vec3,
-    /// The corner with the largest.
+    /// The corner of the box with the largest coordinates.
     pub max: Vec3,
 }
 
@@ -51,23 +53,24 @@ impl<F: DistanceField> Geometry for Implicit<F> {
     {
         check_point(self.min)?;
         check_point(self.max)?;
-        let room = Room::new(Aabb { min: self.min.to(), max: self.max.to() }, scale)?;
+        let room = FieldBox::new(Aabb { min: self.min.to(), max: self.max.to() }, scale)?;
         Ok(PreparedImplicit { field: self.field.prepare(scale)?, room })
     }
 }
 
-/// A box, by its middle, with what follows from its size.
+/// The box around an implicit surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Room<R> {
+struct FieldBox<R> {
     middle: Vec3<R>,
+    /// Half of each side.
     half: Vec3<R>,
-    /// From the middle to the corners.
+    /// The distance from the middle to the corners.
     radius: R,
-    /// The largest coordinate.
+    /// The largest absolute coordinate.
     magnitude: R,
 }
 
-impl<R: Real> Room<R> {
+impl<R: Real> FieldBox<R> {
     fn new(bounds: Aabb<R::Setup>, scale: Scale) -> Result<Self, Fault> {
         let half = (bounds.max - bounds.min) * R::Setup::from_f32(0.5);
         for reach in [half.x, half.y, half.z] {
@@ -88,13 +91,13 @@ impl<R: Real> Room<R> {
         Aabb::around(self.middle, self.half).padded(R::offset(self.magnitude))
     }
 
-    /// How exactly a hit is looked for: well above rounding, and well below what a spawned ray leaves by.
+    /// The accuracy of a hit: a sixteenth of the offset of a spawned ray, which is far above rounding.
     fn tolerance(&self) -> R {
         R::offset(self.magnitude) * R::from_fraction(1 << 12)
     }
 
-    /// The step back from a hit to the surface, at this distance along the normal. One that is longer than the rounding of a hit
-    /// would lead astray.
+    /// The step from a hit back to the surface, which is `distance` away along the normal. A step that is
+    /// longer than the rounding of a hit would be wrong: then it is 0.
     fn step_back(&self, distance: R) -> R {
         let longest = R::offset(self.magnitude) * R::from_fraction(1 << 15);
         if distance.abs() <= longest { distance } else { R::ZERO }
@@ -105,11 +108,12 @@ impl<R: Real> Room<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedImplicit<D, R> {
     field: D,
-    room: Room<R>,
+    room: FieldBox<R>,
 }
 
 impl<D: Distance<R>, R: Real> PreparedImplicit<D, R> {
-    /// The slope of the field: central differences over a 256th of the box, or 16 times what rounding may be.
+    /// The direction of the gradient, by central differences over a 256th of the box, or over 4 offsets of
+    /// spawned rays if that is more; `None` if the field does not change there.
     fn normal(&self, point: Vec3<R>) -> Option<Vec3<R>> {
         let share = self.room.radius * R::from_fraction(1 << 8);
         let step = share.larger(R::offset(self.room.magnitude) * R::from_u16(4));
@@ -125,11 +129,9 @@ impl<D: Distance<R>, R: Real> PreparedImplicit<D, R> {
 }
 
 impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
-    // Much code, and many rays never come here.
-    #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let Room { middle, half, radius, .. } = self.room;
-        let line = Line::new(ray, middle, radius)?;
+        let FieldBox { middle, half, radius, .. } = self.room;
+        let line = TracedLine::new(ray, middle, radius)?;
         line.first_crossing(half, range, self.room.tolerance(), |t| {
             let distance = self.field.distance(middle + line.at(t));
             (distance, distance.abs())
@@ -147,11 +149,13 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
         Surface { point, normal, shading_normal: normal, magnitude: self.room.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.room.middle)
+    }
+}
+
+impl<D: Distance<R>, R: Real> Silhouette<R> for PreparedImplicit<D, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }

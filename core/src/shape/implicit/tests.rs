@@ -2,56 +2,56 @@ use super::super::testing::*;
 use super::*;
 use crate::math::Fixed;
 
-/// A ball.
+/// The distance field of a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Ball {
+struct BallField {
     center: Vec3,
     radius: f32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct PreparedBall<R> {
+struct PreparedBallField<R> {
     center: Vec3<R>,
     radius: R,
 }
 
-impl DistanceField for Ball {
-    type Prepared<R: Real> = PreparedBall<R>;
+impl DistanceField for BallField {
+    type Prepared<R: Real> = PreparedBallField<R>;
 
-    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBall<R>, Fault> {
+    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBallField<R>, Fault> {
         crate::fault::check_radius(self.radius)?;
         let radius = scale.length(R::Setup::from_f32(self.radius));
-        Ok(PreparedBall { center: scale.point(self.center.to()), radius })
+        Ok(PreparedBallField { center: scale.point(self.center.to()), radius })
     }
 }
 
-impl<R: Real> Distance<R> for PreparedBall<R> {
+impl<R: Real> Distance<R> for PreparedBallField<R> {
     fn distance(&self, point: Vec3<R>) -> R {
         (point - self.center).length() - self.radius
     }
 }
 
-/// A box, by its middle, and what is no farther from it than `rounding`.
+/// The distance field of a box with round edges: all points no farther than `rounding` from the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Block {
+struct BlockField {
     center: Vec3,
     half: Vec3,
     rounding: f32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct PreparedBlock<R> {
+struct PreparedBlockField<R> {
     center: Vec3<R>,
     half: Vec3<R>,
     rounding: R,
 }
 
-impl DistanceField for Block {
-    type Prepared<R: Real> = PreparedBlock<R>;
+impl DistanceField for BlockField {
+    type Prepared<R: Real> = PreparedBlockField<R>;
 
-    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBlock<R>, Fault> {
+    fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedBlockField<R>, Fault> {
         let rounding = scale.length(R::Setup::from_f32(self.rounding));
-        Ok(PreparedBlock {
+        Ok(PreparedBlockField {
             center: scale.point(self.center.to()),
             half: scale.point(self.half.to()),
             rounding,
@@ -59,7 +59,7 @@ impl DistanceField for Block {
     }
 }
 
-impl<R: Real> Distance<R> for PreparedBlock<R> {
+impl<R: Real> Distance<R> for PreparedBlockField<R> {
     fn distance(&self, point: Vec3<R>) -> R {
         let Vec3 { x, y, z } = point - self.center;
         let beyond = Vec3::new(x.abs() - self.half.x, y.abs() - self.half.y, z.abs() - self.half.z);
@@ -73,14 +73,14 @@ impl<R: Real> Distance<R> for PreparedBlock<R> {
 const CENTER: Vec3 = Vec3::new(1.0, 2.0, 3.0);
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 
-fn ball(center: Vec3, radius: f32) -> Implicit<Ball> {
+fn ball(center: Vec3, radius: f32) -> Implicit<BallField> {
     let reach = Vec3::new(radius, radius, radius) * 1.25;
-    Implicit { field: Ball { center, radius }, min: center - reach, max: center + reach }
+    Implicit { field: BallField { center, radius }, min: center - reach, max: center + reach }
 }
 
-fn block(center: Vec3, half: Vec3) -> Implicit<Block> {
+fn block(center: Vec3, half: Vec3) -> Implicit<BlockField> {
     Implicit {
-        field: Block { center, half, rounding: 0.0 },
+        field: BlockField { center, half, rounding: 0.0 },
         min: center - half * 1.25,
         max: center + half * 1.25,
     }
@@ -102,8 +102,8 @@ fn open_where_the_box_ends() {
     assert_meets(bowl, Vec3::new(1.0, 2.0, 10.0), DOWN, 9.0, [0.0, 0.0, -1.0]);
 }
 
-/// Fires rays at both: they must meet them in the same places, and with the same normals but within a 256th of an
-/// edge.
+/// Fires rays at both shapes: they must meet them in the same places, and, except near an edge, with the same
+/// normals.
 fn assert_same<R: Real>(one: impl Geometry, other: impl Geometry) {
     let (mut memory, mut others) = (Memory::new(), Memory::new());
     let scale = Scale::new::<R>(one.extent().union(other.extent()), CENTER * 2.0);
@@ -119,14 +119,15 @@ fn assert_same<R: Real>(one: impl Geometry, other: impl Geometry) {
         match hits {
             (Some(t), Some(same)) => {
                 met += 1;
-                // Where a ray grazes a surface, the same error in its distance is a longer way.
+                // For a ray that grazes a surface, the same distance from the surface is a longer way along
+                // the ray.
                 let (surface, normal) = (one.surface(&ray, t), other.surface(&ray, same).normal);
                 let slope = normal.dot(ray.direction).abs().larger(R::from_f32(0.02));
                 assert!((t - same).abs() * slope < tolerance, "{ray:?}: {t:?}, not {same:?}");
                 turned += usize::from((surface.normal - normal).magnitude() > R::from_f32(1e-3));
             }
             (None, None) => {}
-            // Next to an outline or an edge, where less than a step is inside.
+            // Next to an outline or an edge, less than a step may be inside.
             _ => lost += 1,
         }
     }
@@ -154,7 +155,7 @@ fn spawned_rays_do_not_meet_their_own_surface() {
             let half = Vec3::new(0.5, 1.0, 0.75) * extent;
             // Normals next to a sharp edge are between those of its faces.
             let sharp = block(center, half);
-            let pebble = Implicit { field: Block { rounding: 0.1 * extent, ..sharp.field }, ..sharp };
+            let pebble = Implicit { field: BlockField { rounding: 0.1 * extent, ..sharp.field }, ..sharp };
             assert_no_self_hits(pebble, center, extent, 5_000);
         }
     }
@@ -167,7 +168,7 @@ fn bad_boxes_are_refused() {
     assert_eq!(refusal(Implicit { max: Vec3::new(f32::NAN, 9.0, 9.0), ..ball }), Fault::NotFinite);
     assert_eq!(refusal(Implicit { min: Vec3::new(-2e6, 0.0, 0.0), ..ball }), Fault::TooFar);
     assert_eq!(
-        refusal(Implicit { field: Ball { radius: 0.0, ..ball.field }, ..ball }),
+        refusal(Implicit { field: BallField { radius: 0.0, ..ball.field }, ..ball }),
         Fault::RadiusNotPositive
     );
 }

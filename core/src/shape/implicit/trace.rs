@@ -1,48 +1,52 @@
-//! Sphere tracing with bounded steps (Hart, "Sphere Tracing: A Geometric Method for the Antialiased Ray Tracing of Implicit
-//! Surfaces", The Visual Computer, 1996).
+//! Sphere tracing with bounded steps (Hart, "Sphere Tracing: A Geometric Method for the Antialiased Ray
+//! Tracing of Implicit Surfaces", The Visual Computer, 1996).
 //!
-//! From each place a ray goes as far as the function surely keeps its sign, and where the sign has changed nonetheless, the
-//! root is between. It can change because no step is shorter than a share of the way: Hart's steps become ever shorter where a ray
-//! grazes a surface, so that either their number is open, or the ray ends in a hole. So the number of steps
-//! is fixed, every ray comes to its end, and what is lost is only what lies between two places so near to each other.
+//! From each place, a ray steps as far as the function is known to keep its sign, but not less than a fixed
+//! share of its way through the box. If the sign has changed after a step, there is a root in between, which
+//! is then searched.
 //!
-//! Rejected: to call it a hit where the value is small. A ray that was spawned on the surface begins where it is small.
+//! The share is there because Hart's steps become ever shorter where a ray grazes a surface: their number
+//! would have no bound, or rays would have to be given up, which leaves holes. With the share every ray comes
+//! to its end, and two changes of the sign are lost only if they are closer together than the share.
+//!
+//! A small value does not count as a hit, since a ray that was spawned on the surface begins where the value
+//! is small.
 
 use crate::limits::MAX_TRACE_STEPS;
 use crate::math::{Interval, Ray, Real, Vec3};
 use crate::shape::chord::Chord;
 
-/// The most steps to a root that lies between two places: three are common.
+/// The most steps of the search for a root between two places. Three are common.
 const ROOT_STEPS: u8 = 40;
 
-/// A ray's line, from its point that is nearest to the middle of a box.
-pub(super) struct Line<R> {
-    /// That point, from the middle.
+/// A ray's line through a box. It is parametrized from its point nearest to the middle of the box.
+pub(super) struct TracedLine<R> {
+    /// That point, relative to the middle.
     start: Vec3<R>,
     direction: Vec3<R>,
-    /// Its distance from the ray's origin.
+    /// The distance of that point from the ray's origin.
     advance: R,
 }
 
-impl<R: Real> Line<R> {
-    /// The line, unless it passes by the ball of this radius around the middle.
+impl<R: Real> TracedLine<R> {
+    /// The line of a ray; `None` if it misses the ball of this radius around the middle.
     pub(super) fn new(ray: &Ray<R>, middle: Vec3<R>, radius: R) -> Option<Self> {
         let (start, advance) = ray.nearest_to_twice(middle);
         let is_near = start.length_squared_wide() <= radius.times(radius);
         is_near.then_some(Self { start, direction: ray.direction, advance })
     }
 
-    /// The point at a distance along the line, from the middle.
+    /// The point at `t` along the line, relative to the middle.
     pub(super) fn at(&self, t: R) -> Vec3<R> {
         self.start + self.direction * t
     }
 
-    /// How far along the line a point is nearest.
+    /// The `t` at which the line is nearest to a point, which is relative to the middle.
     pub(super) fn along(&self, point: Vec3<R>) -> R {
         point.dot(self.direction)
     }
 
-    /// The part in the box that reaches so far from the middle.
+    /// The part of the line in the box with these half sides.
     fn within(&self, half: Vec3<R>) -> Option<Interval<R>> {
         let Self { start, direction, .. } = self;
         let mut chord = Chord::whole();
@@ -52,8 +56,8 @@ impl<R: Real> Line<R> {
         chord.spans().as_slice().first().copied()
     }
 
-    /// The first distance of the ray, inside `range` and in the box, at which a function becomes negative or ceases to be.
-    /// `look` gives its value at a place along the line, and how far it surely keeps its sign from there on.
+    /// The first distance along the ray, inside `range` and in the box, at which a function changes its sign.
+    /// `look` returns its value at a place along the line, and a distance within which it keeps its sign.
     #[inline(always)]
     pub(super) fn first_crossing(
         &self,
@@ -63,10 +67,11 @@ impl<R: Real> Line<R> {
         look: impl Fn(R) -> (R, R),
     ) -> Option<R> {
         let part = self.within(half)?;
-        // The steps do not depend on the range: a hit is the same, whatever else was hit before.
+        // The steps do not depend on the range, so that a hit is the same whatever was hit before.
         let least = (part.max - part.min) * R::from_fraction((0x1_0000 / MAX_TRACE_STEPS) as u16);
         let end = range.max - self.advance;
-        // From the ray's origin, not from the range's beginning: that may be a hit, which must not be found once more a little later.
+        // Start at the ray's origin, not at the beginning of the range: that may be a hit, which must not be
+        // found again.
         let mut t = part.min.larger(-self.advance);
         let (mut value, mut step) = look(t);
         for _ in 0..MAX_TRACE_STEPS {
@@ -74,7 +79,7 @@ impl<R: Real> Line<R> {
                 break;
             }
             let mut next = t + step.larger(least);
-            // It is no step at all where the part is shorter than rounding.
+            // If the part is shorter than rounding, a step may not move at all: then go to its end.
             if !(next < part.max && next > t) {
                 next = part.max;
             }
@@ -92,8 +97,9 @@ impl<R: Real> Line<R> {
     }
 }
 
-/// The root between two places where a function of unknown slope has different signs, by secants; of an end that stays, half its value
-/// counts (the Illinois method: Dowell and Jarratt, "A Modified Regula Falsi Method", BIT, 1971).
+/// The root between two places, each given with the function's value there; the values have different signs.
+/// By secants; the value of an end that is kept twice is halved (the Illinois method: Dowell and Jarratt, "A
+/// Modified Regula Falsi Method", BIT, 1971).
 fn root_by_secants<R: Real>(mut from: (R, R), mut to: (R, R), tolerance: R, value: impl Fn(R) -> R) -> R {
     let half = R::from_fraction(1 << 15);
     let from_is_negative = from.1 < R::ZERO;

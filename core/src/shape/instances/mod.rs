@@ -1,23 +1,20 @@
-//! Instances: one model in many places (Rubin and Whitted, "A 3-dimensional representation for fast rendering of complex scenes",
-//! SIGGRAPH 1980). A ray is brought to where the model is, and its hit back.
+//! Instances: one model in many places (Rubin and Whitted, "A 3-dimensional representation for fast rendering
+//! of complex scenes", SIGGRAPH 1980). A ray is transformed to the place where the model was described, and
+//! its hit is transformed back.
 //!
 //! # Memory
-//! The model is prepared once, and a place takes 50 bytes in `f32` and fixed point; up to 100 where there are more than
-//! [`FEW_POSES`], for the boxes around them. Sixteen smooth pawns of 500 triangles take 26 KB, and 387 KB as
-//! sixteen meshes.
+//! The model is prepared once. Each place takes 50 bytes in `f32` and fixed point, and up to 100 bytes if
+//! there are more than [`FEW_POSES`], as these have boxes around them.
 //!
 //! # One size
-//! All instances of a shape have one size, and the model is prepared in that. So distances along a ray are the same in both
-//! places: nothing is multiplied, no digit is lost, and a mesh finds its triangle again by the very distance at which it was met.
-//! In another size, or of another material, the model is prepared once more.
-//!
-//! Rejected: a size for each place, which in fixed point needs as many more digits as the sizes differ. Rejected as well: an object
-//! for each place that finds out which others are like it. How much memory that takes could not be told in a constant, as
-//! addresses are not known before the program is linked.
+//! All instances of a shape have the same size, and the model is prepared in that size. So distances along
+//! the transformed ray are those along the ray itself: nothing is multiplied, no digit is lost, and a mesh
+//! finds its triangle again by the exact distance. For another size, or another material, the model is
+//! prepared once more.
 //!
 //! # No recursion
-//! Instances hold no instances: [`Model`] has none, and a set of one's own whose instances are of that set does not compile, because
-//! the prepared model is a part of the prepared instances.
+//! Instances contain no instances. [`Model`] has none, and a set of your own whose instances are of that set
+//! does not compile, because the prepared instances contain the prepared model itself, not a reference to it.
 //!
 //! ```compile_fail
 //! rayline::shape_set! {
@@ -48,9 +45,9 @@ use crate::hierarchy::Hierarchy;
 use crate::limits::{MAX_COUNT, MIN_SIZE};
 use crate::math::{Aabb, Extent, Real, Scale};
 use pose::PreparedPose;
-use prepared::Group;
+use prepared::Places;
 
-/// One shape in one size, in as many places as there are.
+/// One shape of one size in several places.
 ///
 /// ```
 /// use rayline::Vec3;
@@ -74,16 +71,17 @@ use prepared::Group;
 /// static TWINS: Shape = Shape::Instances(Instances::new(&TETRAHEDRON, &PLACES).sized(0.5));
 /// ```
 ///
-/// The coordinates u and v are those of the model, as if it were by itself. Where instances overlap, each is there: together they
-/// are no [solid](Geometry::is_solid). One alone is, if its model is.
+/// The coordinates u and v are those of the model. Instances may overlap; several are no
+/// [solid](Geometry::is_solid), but a single one is, if its model is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Instances<'a, S = Model<'a>> {
-    /// What stands there: best around its own origin. It holds no instances.
+    /// The shape that stands in each place, best described around its own origin. It must not contain
+    /// instances.
     pub model: &'a S,
-    /// How many units of the scene one of the model is: 1e-6 or more.
+    /// The length of one unit of the model, in units of the scene: 1e-6 or more.
     pub size: f32,
-    /// Where: one place or more.
+    /// The places: one or more.
     pub poses: &'a [Pose],
 }
 
@@ -92,31 +90,31 @@ crate::read::read_struct! {
     [S: crate::read::Read<'m> + Copy] Instances as Instances<'m, S> { model, size = 1.0, poses }
 }
 
-/// The most that are tested one by one.
+/// The most instances that are tested one by one, without a hierarchy.
 const FEW_POSES: usize = 4;
 
-/// The most in a leaf of the hierarchy.
+/// The most instances in a leaf of the hierarchy.
 const LEAF: usize = 2;
 
-/// How many lie in boxes, of so many.
+/// The number of instances that the hierarchy has, for so many places.
 const fn in_boxes(poses: usize) -> usize {
     if cfg!(feature = "hierarchy") && poses > FEW_POSES { poses } else { 0 }
 }
 
 impl<'a, S> Instances<'a, S> {
-    /// A model in these places, as large as it is.
+    /// A model in these places, in its own size.
     pub const fn new(model: &'a S, poses: &'a [Pose]) -> Self {
         Self { model, size: 1.0, poses }
     }
 
-    /// The same in another size.
+    /// The same instances in another size.
     pub const fn sized(self, size: f32) -> Self {
         Self { size, ..self }
     }
 
-    /// What so many places take.
+    /// The bytes that so many places take.
     const fn pose_bytes<R: Real>(poses: usize) -> usize {
-        Arena::bytes::<Group<'_, R>>(1)
+        Arena::bytes::<Places<'_, R>>(1)
             .saturating_add(Arena::bytes::<PreparedPose<R>>(poses))
             .saturating_add(Arena::bytes::<u16>(poses))
             .saturating_add(Hierarchy::<R>::bytes(in_boxes(poses), LEAF))
@@ -146,7 +144,7 @@ impl<'a, S: Geometry + 'a> Geometry for Instances<'a, S> {
 
     fn extent(&self) -> Extent {
         let Extent { solid, flat, plane } = self.model.extent();
-        // The model must be near where it was described, too: rays are brought there.
+        // The model must also fit where it was described, since rays are transformed to that place.
         let here = solid.larger(flat) * self.size;
         let there = self.poses.iter().map(|pose| pose.reach(here)).fold(here, Real::larger);
         let away = self.poses.iter().map(|pose| pose.origin.length()).fold(0.0, Real::larger);
@@ -190,7 +188,7 @@ impl<'a, S: Geometry + 'a> Geometry for Instances<'a, S> {
         } else {
             Hierarchy::list(order)
         };
-        let group = memory.store(Group { poses, hierarchy, bounds: all, sized })?;
-        Ok(PreparedInstances::new(model, group))
+        let places = memory.store(Places { poses, hierarchy, bounds: all, sized })?;
+        Ok(PreparedInstances::new(model, places))
     }
 }

@@ -1,13 +1,14 @@
-//! The set of all built-in shapes that are worth having instances of.
+//! The set of all built-in shapes that instances can save memory for.
 
 use super::super::{ConvexPolyhedron, Csg, Mesh, Metaballs, Polygon, Quadric, Shape};
 use crate::math::Real;
 
 crate::shape_set! {
-    /// What [`Instances`](super::Instances) are of, unless you name a set of your own: all built-in shapes that borrow their
-    /// description, and quadrics, which cannot be turned. Any other is as well described once more, elsewhere.
+    /// The set of models of [`Instances`](super::Instances), unless you name a set of your own: all built-in
+    /// shapes that borrow their description, and quadrics, whose box cannot be turned in another way. Other
+    /// shapes are simply described again in another place.
     pub enum Model<'a>;
-    /// [`Model`] as the kernel sees it.
+    /// [`Model`], prepared.
     pub enum PreparedModel {
         /// A planar polygon.
         Polygon(Polygon<'a>),
@@ -17,7 +18,7 @@ crate::shape_set! {
         ConvexPolyhedron(ConvexPolyhedron<'a>),
         /// A mesh of triangles.
         Mesh(Mesh<'a>),
-        /// A solid that is made of others.
+        /// A solid that is combined from other solids.
         Csg(Csg<'a>),
         /// Balls that flow into each other.
         Metaballs(Metaballs<'a>),

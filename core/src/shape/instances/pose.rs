@@ -1,19 +1,19 @@
-//! Where an instance stands, and how it is turned.
+//! The place and the rotation of an instance.
 
 use super::super::{Bend, Hull, Rim, Tip, bounds_of};
 use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
 
-/// Where an instance stands, and how it is turned: about its model's origin first, then moved.
+/// The place and the rotation of an instance. The model is first turned about its origin, then moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Pose {
-    /// By which angles it is turned about the x axis, then about y, then about z; in radians, counterclockwise as seen
-    /// from the axis' end.
+    /// The angles by which the model is turned about the x axis, then about y, then about z; in radians,
+    /// counterclockwise as seen from the positive end of the axis.
     #[cfg_attr(feature = "serde", serde(default = "unturned"))]
     pub rotation: Vec3,
-    /// Where the model's origin is.
+    /// The place of the model's origin.
     pub origin: Vec3,
 }
 
@@ -26,22 +26,24 @@ const fn unturned() -> Vec3 {
 crate::read::plain!(Pose);
 
 impl Pose {
-    /// Upright, with the model's origin there.
+    /// Upright, with the model's origin at this point.
     pub const fn at(origin: Vec3) -> Self {
         Self { rotation: Vec3::ZERO, origin }
     }
 
-    /// The same, turned.
+    /// The same place with this rotation.
     pub const fn turned(self, rotation: Vec3) -> Self {
         Self { rotation, ..self }
     }
 
+    /// Refuses numbers that are not finite, and origins that are too far away.
     pub(super) fn check(&self) -> Result<(), Fault> {
         check_numbers(self.rotation)?;
         check_point(self.origin)
     }
 
-    /// How far from the scene's origin what lies in the model's box of this half side is, along any axis.
+    /// The largest absolute coordinate of a cube of this half side around the model's origin, as it stands in
+    /// the scene.
     pub(super) fn reach(&self, half: f32) -> f32 {
         let rotation = Rotation::<f32>::new(self.rotation);
         let most = |toward: Vec3| (toward.x.abs() + toward.y.abs() + toward.z.abs()) * half;
@@ -64,8 +66,8 @@ pub(super) struct PreparedPose<R> {
 }
 
 impl<R: Real> PreparedPose<R> {
-    /// The ray where the model is. Distances along it are the same.
-    #[inline(always)]
+    /// Transforms a ray from the scene to the model. Distances along it stay the same.
+    #[inline]
     pub(super) fn inward(&self, ray: &Ray<R>) -> Ray<R> {
         Ray {
             origin: self.rotation.back(ray.origin - self.origin),
@@ -73,21 +75,22 @@ impl<R: Real> PreparedPose<R> {
         }
     }
 
-    /// A direction of the model where the instance is.
+    /// Transforms a direction from the model to the scene.
     pub(super) fn turn(&self, direction: Vec3<R>) -> Vec3<R> {
         self.rotation.turn(direction)
     }
 
-    /// The way back.
+    /// Transforms a direction from the scene to the model.
     pub(super) fn turn_back(&self, direction: Vec3<R>) -> Vec3<R> {
         self.rotation.back(direction)
     }
 
+    /// Transforms a point from the model to the scene.
     fn point(&self, point: Vec3<R>) -> Vec3<R> {
         self.rotation.turn(point) + self.origin
     }
 
-    /// A surface of the model where the instance is.
+    /// Transforms a surface from the model to the scene.
     pub(super) fn outward(&self, surface: Surface<R>) -> Surface<R> {
         let point = self.point(surface.point);
         Surface {
@@ -99,7 +102,7 @@ impl<R: Real> PreparedPose<R> {
         }
     }
 
-    /// The way back.
+    /// Transforms a surface from the scene to the model.
     pub(super) fn inward_surface(&self, surface: &Surface<R>) -> Surface<R> {
         Surface {
             point: self.rotation.back(surface.point - self.origin),
@@ -109,16 +112,18 @@ impl<R: Real> PreparedPose<R> {
         }
     }
 
-    /// A box around the model's box.
+    /// The bounds of the transformed box `around`.
     pub(super) fn bounds(&self, around: Aabb<R>) -> Option<Aabb<R>> {
         bounds_of(around.corners().map(|corner| self.point(corner)))
     }
 
+    /// Transforms a hull from the model to the scene.
     pub(super) fn hull(&self, hull: Hull<R>) -> Hull<R> {
         let axes = hull.axes.map(|axis| self.rotation.turn(axis));
         Hull { center: self.point(hull.center), axes, ..hull }
     }
 
+    /// Transforms a rim from the model to the scene.
     pub(super) fn rim(&self, rim: Rim<R>) -> Rim<R> {
         let bend = match rim.bend {
             Bend::Smooth(normals) => Bend::Smooth(normals.map(|normal| self.rotation.turn(normal))),
@@ -127,6 +132,7 @@ impl<R: Real> PreparedPose<R> {
         Rim { ends: rim.ends.map(|end| self.point(end)), bend }
     }
 
+    /// Transforms a tip from the model to the scene.
     pub(super) fn tip(&self, tip: Tip<R>) -> Tip<R> {
         Tip { apex: self.point(tip.apex), ends: tip.ends.map(|end| self.point(end)), ..tip }
     }

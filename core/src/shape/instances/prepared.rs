@@ -1,6 +1,6 @@
-//! How a ray meets instances: it is brought to where the model is, and its hit back.
+//! Instances, prepared: a ray is transformed to the model, and its hit is transformed back.
 
-use super::super::{Hull, Intersect, Rim, Spans, Tip};
+use super::super::{Hull, Intersect, Rim, Silhouette, Spans, Tip};
 use super::pose::PreparedPose;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
@@ -9,56 +9,58 @@ use crate::surface::Surface;
 /// [`Instances`](super::Instances), prepared.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedInstances<'m, R, P> {
-    // Not lent: a set of shapes whose instances are of the same set would hold itself, which the compiler refuses. So there is no
-    // recursion.
+    // By value, not by reference: so a set of shapes whose instances are of the same set would contain
+    // itself, which the compiler refuses. This rules out recursion.
     model: P,
-    group: &'m Group<'m, R>,
+    places: &'m Places<'m, R>,
 }
 
-/// All places.
+/// The places of all instances.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Group<'m, R> {
+pub(super) struct Places<'m, R> {
     pub(super) poses: &'m [PreparedPose<R>],
     pub(super) hierarchy: Hierarchy<'m, R>,
     pub(super) bounds: Option<Aabb<R>>,
-    /// How large the model was prepared.
+    /// The scale that the model was prepared with.
     pub(super) sized: Scale,
 }
 
-/// Of the number of a part of the surface, the lower bits are that of the model's part, the upper ones number the places.
+/// A part of the surface is numbered by the model's part, in so many lower bits, and by the index of the
+/// place, above them.
 const PART_BITS: u32 = 16;
 
 impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
-    pub(super) fn new(model: P, group: &'m Group<'m, R>) -> Self {
-        Self { model, group }
+    pub(super) fn new(model: P, places: &'m Places<'m, R>) -> Self {
+        Self { model, places }
     }
 
-    /// A surface where the model is, and the place that it belongs to.
+    /// The place that a surface belongs to, and the surface as that of the model.
     fn on_model(&self, surface: &Surface<R>) -> Option<(&'m PreparedPose<R>, Surface<R>)> {
-        let pose = self.group.poses.get((surface.part >> PART_BITS) as usize)?;
+        let pose = self.places.poses.get((surface.part >> PART_BITS) as usize)?;
         let part = surface.part & ((1 << PART_BITS) - 1);
         Some((pose, pose.inward_surface(&Surface { part, ..*surface })))
     }
 
-    /// The only one, if it is.
+    /// The only place, if there is just one.
     fn only(&self) -> Option<&'m PreparedPose<R>> {
-        if let [pose] = self.group.poses { Some(pose) } else { None }
+        if let [pose] = self.places.poses { Some(pose) } else { None }
     }
 
-    /// Of what the model has several of, by their numbers, and each place has again: one, and its place.
+    /// An item, by its number, and its place. The model has a list of items (hulls or tips), which `of_model`
+    /// returns by their numbers; the instances have this list once for each place.
     fn of_a_pose<T>(
         &self,
         number: usize,
         of_model: impl Fn(usize) -> Option<T>,
     ) -> Option<(&'m PreparedPose<R>, T)> {
         let count = (0..).take_while(|number| of_model(*number).is_some()).count();
-        let pose = self.group.poses.get(number.checked_div(count)?)?;
+        let pose = self.places.poses.get(number.checked_div(count)?)?;
         Some((pose, of_model(number.checked_rem(count)?)?))
     }
 
     /// The instance that a ray meets at this distance: of several, the first.
     fn at(&self, ray: &Ray<R>, t: R) -> Option<(usize, &'m PreparedPose<R>)> {
-        let Group { poses, hierarchy, .. } = self.group;
+        let Places { poses, hierarchy, .. } = self.places;
         let point = ray.at(t);
         let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
         let around = Interval { min: t - margin, max: t + margin };
@@ -78,16 +80,14 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
     }
 }
 
-/// Of more instances than so many, none is looked at for where it tapers off.
+/// The most instances for which tips and rims are listed.
 const MOST_TAPERING: usize = 32;
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
-    const HAS_RIMS: bool = P::HAS_RIMS;
-
-    // Much code, and many rays never come here.
+    // Not inlined: the list of waiting boxes takes 488 bytes of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let Group { poses, hierarchy, .. } = self.group;
+        let Places { poses, hierarchy, .. } = self.places;
         let mut range = range;
         let mut nearest = None;
         hierarchy.walk(ray, range.max, |index| {
@@ -103,44 +103,16 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        self.group.bounds
-    }
-
-    #[inline(never)]
-    fn hull(&self, part: usize) -> Option<Hull<R>> {
-        if let Some(pose) = self.only() {
-            return Some(pose.hull(self.model.hull(part)?));
-        }
-        let Some(part) = part.checked_sub(1) else { return self.group.bounds.map(Hull::aligned) };
-        let (pose, hull) = self.of_a_pose(part, |part| self.model.hull(part))?;
-        Some(pose.hull(hull))
-    }
-
-    #[inline(never)]
-    fn tip(&self, number: usize) -> Option<Tip<R>> {
-        if self.group.poses.len() > MOST_TAPERING {
-            return None;
-        }
-        let (pose, tip) = self.of_a_pose(number, |number| self.model.tip(number))?;
-        Some(pose.tip(tip))
-    }
-
-    fn each_rim(&self, mut visit: impl FnMut(Rim<R>)) {
-        // Of many, it would take as long as to look for them.
-        let poses = if self.group.poses.len() > MOST_TAPERING { &[] } else { self.group.poses };
-        for pose in poses {
-            self.model.each_rim(|rim| visit(pose.rim(rim)));
-        }
+        self.places.bounds
     }
 
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
         self.only().map_or(Spans::NONE, |pose| self.model.spans(&pose.inward(ray)))
     }
 
-    #[inline(never)]
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let Some((index, pose)) = self.at(ray, t) else {
-            // Where `intersect` gave `t`, there is one.
+            // If `intersect` returned `t`, there is an instance.
             let (point, normal) = (ray.at(t), -ray.direction);
             return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
         };
@@ -149,12 +121,41 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         Surface { part, ..surface }
     }
 
+    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+        self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.places.sized))
+    }
+}
+
+impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
+    const HAS_RIMS: bool = P::HAS_RIMS;
+
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        if let Some(pose) = self.only() {
+            return Some(pose.hull(self.model.hull(part)?));
+        }
+        let Some(part) = part.checked_sub(1) else { return self.places.bounds.map(Hull::aligned) };
+        let (pose, hull) = self.of_a_pose(part, |part| self.model.hull(part))?;
+        Some(pose.hull(hull))
+    }
+
+    fn tip(&self, number: usize) -> Option<Tip<R>> {
+        if self.places.poses.len() > MOST_TAPERING {
+            return None;
+        }
+        let (pose, tip) = self.of_a_pose(number, |number| self.model.tip(number))?;
+        Some(pose.tip(tip))
+    }
+
+    fn each_rim(&self, mut visit: impl FnMut(Rim<R>)) {
+        // For many instances, listing the rims would take longer than it saves.
+        let poses = if self.places.poses.len() > MOST_TAPERING { &[] } else { self.places.poses };
+        for pose in poses {
+            self.model.each_rim(|rim| visit(pose.rim(rim)));
+        }
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         let Some((pose, surface)) = self.on_model(surface) else { return surface.shading_normal };
         pose.turn(self.model.normal_beside(&surface, pose.turn_back(step)))
-    }
-
-    fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
-        self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.group.sized))
     }
 }

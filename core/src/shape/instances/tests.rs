@@ -1,18 +1,18 @@
 use super::super::testing::*;
-use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Sphere, Torus};
+use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Silhouette, Sphere, Torus};
 use super::*;
 use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 const QUARTER: f32 = core::f32::consts::FRAC_PI_2;
 
-/// A ball beside its origin.
+/// A ball beside the origin of the model.
 static BALL: Sphere = Sphere::new(Vec3::new(1.0, 0.0, 0.0), 0.5);
 
-/// About z from x to y, and moved.
+/// Turned about z from x to y, then moved.
 static ASIDE: [Pose; 1] = [Pose::at(Vec3::new(3.0, 0.0, 1.0)).turned(Vec3::new(0.0, 0.0, QUARTER))];
 
-/// Any places within some units, turned in any way.
+/// Random places within `extent`, turned at random.
 fn poses<const N: usize>(center: Vec3, extent: f32) -> [Pose; N] {
     let mut random = Random(2);
     core::array::from_fn(|_| Pose::at(center + random.vector() * extent).turned(random.vector() * 3.0))
@@ -20,7 +20,7 @@ fn poses<const N: usize>(center: Vec3, extent: f32) -> [Pose; N] {
 
 #[test]
 fn turned_about_the_origin_of_the_model_enlarged_and_moved() {
-    // Around (3, 2, 1), with a radius of 1.
+    // The ball is around (3, 2, 1), with a radius of 1.
     let ball = Instances::new(&BALL, &ASIDE).sized(2.0);
     assert_meets(ball, Vec3::new(3.0, 2.0, 10.0), DOWN, 8.0, [0.0, 0.0, 1.0]);
     assert_meets(ball, Vec3::new(3.0, 2.0, 1.5), DOWN, 1.5, [0.0, 0.0, -1.0]);
@@ -33,7 +33,7 @@ fn turned_about_the_origin_of_the_model_enlarged_and_moved() {
     );
     assert_misses(ball, Vec3::new(5.0, 0.0, 10.0), DOWN);
     assert_misses(ball, Vec3::new(3.0, 3.01, 10.0), DOWN);
-    // From x toward -z: the model's own place at the end of its y axis' turn.
+    // Longitude of the model: from its x axis, which was turned to y, toward -z.
     assert_uv(ball, Vec3::new(3.0, 2.0, 10.0), DOWN, [0.75, 0.5]);
     assert_uv(ball, Vec3::new(3.0, 9.0, 1.0), Vec3::new(0.0, -1.0, 0.0), [0.0, 0.5]);
 }
@@ -68,8 +68,8 @@ fn parts_of_a_solid_that_is_made_of_others() {
         radius: 0.25,
         capped: true,
     };
-    let ball = Model2::Ball(BALL);
-    let hole = Model2::Hole(hole);
+    let ball = BeadPart::Ball(BALL);
+    let hole = BeadPart::Hole(hole);
     let steps = [&ball, &hole].map(|model| CsgStep::Solid(Instances::new(model, &ASIDE).sized(2.0)));
     let [ball, hole] = steps;
     let bead = [ball, hole, CsgStep::Difference];
@@ -81,11 +81,11 @@ fn parts_of_a_solid_that_is_made_of_others() {
 }
 
 crate::shape_set! {
-    /// The bead's parts.
-    enum Model2;
-    /// The same, prepared.
-    enum PreparedModel2 {
-        /// The bead.
+    /// The parts of a bead.
+    enum BeadPart;
+    /// [`BeadPart`], prepared.
+    enum PreparedBeadPart {
+        /// The ball.
         Ball(Sphere),
         /// Its hole.
         Hole(Cylinder),
@@ -129,7 +129,7 @@ const fn house(vertices: &[Vec3]) -> Mesh<'_> {
     Mesh { vertices, triangles: &WALLS, normals: None, uvs: None }
 }
 
-/// Rays from all around at both: they meet them in the same places, with the same normals.
+/// Rays from all around must meet both shapes in the same places, with the same normals.
 fn assert_same<R: Real>(one: impl Geometry, other: impl Geometry) {
     let lent = || [core::mem::MaybeUninit::uninit(); 16384];
     let (mut memory, mut others) = (lent(), lent());
@@ -147,17 +147,17 @@ fn assert_same<R: Real>(one: impl Geometry, other: impl Geometry) {
         let (t, same) = match (one.intersect(&ray, Interval::AHEAD), other.intersect(&ray, Interval::AHEAD)) {
             (Some(t), Some(same)) => (t, same),
             (None, None) => continue,
-            // Next to an outline.
+            // A ray next to an outline.
             _ => {
                 lost += 1;
                 continue;
             }
         };
         let (surface, expected) = (one.surface(&ray, t), other.surface(&ray, same));
-        // Where a ray grazes a face, the same error in its distance is a longer way.
+        // For a ray that grazes a face, the same distance from the face is a longer way along the ray.
         let slope = expected.normal.dot(ray.direction).abs();
         let is_turned = (surface.normal - expected.normal).magnitude() > R::from_f32(1e-4);
-        // Next to an edge it may be the one face or the other.
+        // Next to an edge, it may be one face or the other.
         assert!(is_turned || (t - same).abs() * slope < near, "{ray:?}: {t:?}, not {same:?}");
         assert!((surface.point - ray.at(t)).magnitude() < near, "{surface:?} of {ray:?} at {t:?}");
         met += usize::from(!is_turned);
@@ -203,7 +203,7 @@ fn parts_tell_the_instance_and_the_part_of_the_model() {
         let ray = Ray { origin: Vec3::new(0.0, y, 5.0), direction: DOWN.to() };
         prepared.surface(&ray, prepared.intersect(&ray, Interval::AHEAD).unwrap()).part
     };
-    // The face toward z; of the second instance, that toward y has been turned there.
+    // The ray meets the face toward z. In the second instance, that is the model's face toward y.
     assert_eq!((part(0.0), part(3.0)), (5, 1 << 16 | 3));
 }
 
@@ -257,7 +257,7 @@ fn spawned_rays_do_not_meet_their_own_surface() {
             let model = Model::Mesh(house(&HOUSE));
             let house = Instances::new(&model, core::slice::from_ref(&pose)).sized(0.5 * extent);
             assert_no_self_hits(house, center, extent, 4_000);
-            // Far from where the model was described.
+            // Far from the place where the model was described.
             let far = Sphere::new(Vec3::new(0.0, 4.0, 0.0), 1.0);
             let origin = center - Rotation::<f32>::new(pose.rotation).turn(far.center * (0.5 * extent));
             let there = [Pose { origin, ..pose }];
@@ -277,7 +277,7 @@ fn bad_instances_are_refused() {
     assert_eq!(refused(f32::NAN, Vec3::ZERO), Fault::NotFinite);
     assert_eq!(refused(1.0, Vec3::new(0.0, f32::INFINITY, 0.0)), Fault::NotFinite);
     assert_eq!(refused(1.0, Vec3::new(0.0, 2e6, 0.0)), Fault::TooFar);
-    // It would reach beyond.
+    // The model would reach too far.
     assert_eq!(refused(2e5, Vec3::new(9e5, 0.0, 0.0)), Fault::TooFar);
     let turned = [Pose::at(Vec3::ZERO).turned(Vec3::new(f32::NAN, 0.0, 0.0))];
     assert_eq!(refusal(Instances::new(&BALL, &turned)), Fault::NotFinite);
@@ -286,8 +286,8 @@ fn bad_instances_are_refused() {
 }
 
 #[test]
-fn what_wraps_far_away_meets_no_model() {
-    // Fixed point: rays from the farthest points there are, turned to where the model is.
+fn rays_whose_coordinates_wrap_meet_no_model() {
+    // Fixed point: rays from the farthest points that there are, transformed to the model.
     let model = Model::Mesh(house(&HOUSE));
     let flat = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 0.0, -1.0), Vec3::new(0.0, 1.0, 1.0)];
     let polygon = Model::Polygon(Polygon::new(&flat));

@@ -1,60 +1,62 @@
-//! Meshes that were prepared when the program was built, so that a device needs neither memory nor time for it.
+//! Meshes that are prepared when the program is built, so that a device needs neither memory nor time to
+//! prepare them.
 
 use core::any::Any;
 
 use super::super::Geometry;
-use super::{Parts, PreparedMesh, SmallNormal};
+use super::{MeshData, PreparedMesh, SmallNormal};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, Node};
 use crate::math::{Aabb, Extent, Real, Scale, Vec3};
 
-/// A [`Mesh`](super::Mesh) as it is prepared for the number system `N`: a shape that lies in flash with its hierarchy, and takes no
-/// RAM. The module `bake` writes it, for the scene that it is in.
+/// A [`Mesh`](super::Mesh) that is already prepared for the number system `N`, with its hierarchy. It lies in
+/// flash and takes no RAM. The module `bake` writes it as source code, for the scene that it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BakedMesh<N: Real> {
-    parts: Parts<'static, N>,
+    parts: MeshData<'static, N>,
     scale: f32,
     extent: f32,
 }
 
-/// What a [`BakedMesh`] is made of.
+/// The data of a [`BakedMesh`].
 #[derive(Clone, Copy, Debug)]
 pub struct BakedParts<'m, N: Real> {
-    /// As in the description.
+    /// The triangles, as in the description.
     pub triangles: &'m [[u16; 3]],
-    /// As in the description, or none.
+    /// The coordinates u and v, as in the description, or none.
     pub uvs: &'m [[f32; 2]],
-    /// The corners, in the number system and at its scale.
+    /// The vertices, in the number system and scaled.
     pub vertices: &'m [Vec3<N>],
     /// One for each vertex, or none.
     pub normals: &'m [SmallNormal],
-    /// The triangles that have an area, leaf by leaf.
+    /// The indices of the triangles that have an area, leaf by leaf.
     pub order: &'m [u16],
-    /// The boxes around them, or none.
+    /// The nodes of the hierarchy, or none.
     pub nodes: &'m [Node<N>],
-    /// The smallest and the largest corner of the box around all.
+    /// The corners of the bounds with the smallest and with the largest coordinates.
     pub bounds: [Vec3<N>; 2],
-    /// What [`Scale::to_f32`] was for the scene.
+    /// The result of [`Scale::to_f32`] for the scene.
     pub scale: f32,
-    /// The largest coordinate of the description.
+    /// The largest absolute coordinate of the description.
     pub extent: f32,
 }
 
 impl<N: Real> BakedMesh<N> {
-    /// Puts a mesh together when the program is compiled.
+    /// Makes a mesh of its data, when the program is compiled.
     ///
     /// # Panics
-    /// A node leads back to one before it: rays would never come to an end. Or nodes lie in more than
-    /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH) others, or one in several: rays have no room to remember so many.
+    /// If a node refers to one before it, as rays would visit them without end; if a node lies in more than
+    /// one other node; or if nodes are nested deeper than
+    /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH), the room that rays have.
     pub const fn new(baked: BakedParts<'static, N>) -> Self {
-        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
-            baked;
+        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent } = baked;
+        let [min, max] = bounds;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
         assert!(Node::are_shallow(nodes), "the nodes of a baked mesh lie in too many others");
         let hierarchy = Hierarchy::baked(nodes, order);
         let bounds = Aabb { min, max };
-        Self { parts: Parts { triangles, vertices, normals, uvs, hierarchy, bounds }, scale, extent }
+        Self { parts: MeshData { triangles, vertices, normals, uvs, hierarchy, bounds }, scale, extent }
     }
 }
 
@@ -71,9 +73,9 @@ impl<N: Real> Geometry for &'static BakedMesh<N> {
     where
         Self: 'm,
     {
-        let parts: &'static Parts<'static, N> = &self.parts;
-        // What kind of number it is, is known when this is compiled: no call remains.
-        let parts = (parts as &dyn Any).downcast_ref::<Parts<'static, R>>();
+        let parts: &'static MeshData<'static, N> = &self.parts;
+        // Whether N is R is known when this is compiled, so that no call remains.
+        let parts = (parts as &dyn Any).downcast_ref::<MeshData<'static, R>>();
         let prepared = parts.filter(|_| self.scale == scale.to_f32()).ok_or(Fault::BakedOtherwise)?;
         Ok(PreparedMesh(prepared))
     }
@@ -81,10 +83,10 @@ impl<N: Real> Geometry for &'static BakedMesh<N> {
 
 #[cfg(feature = "bake")]
 impl super::Mesh<'_> {
-    /// Prepares the mesh and tells its parts, for as long as `told` takes.
+    /// Prepares the mesh and calls `told` with its data.
     ///
     /// # Errors
-    /// What is wrong with the mesh.
+    /// The fault of the mesh.
     pub(crate) fn bake<N: Real, T>(
         &self,
         scale: Scale,
@@ -92,7 +94,7 @@ impl super::Mesh<'_> {
     ) -> Result<T, Fault> {
         let mut memory = std::vec![core::mem::MaybeUninit::uninit(); self.const_bytes::<N>()];
         let mesh = self.prepare::<N>(scale, &mut Arena::new(&mut memory))?;
-        let Parts { triangles, uvs, vertices, normals, hierarchy, bounds: Aabb { min, max } } = *mesh.0;
+        let MeshData { triangles, uvs, vertices, normals, hierarchy, bounds: Aabb { min, max } } = *mesh.0;
         let (nodes, order) = hierarchy.parts();
         let (bounds, scale, extent) = ([min, max], scale.to_f32(), self.extent().flat);
         Ok(told(BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent }))

@@ -1,41 +1,29 @@
-//! A mesh of triangles that share their vertices, with a hierarchy of boxes (see `hierarchy`) around them. How a ray meets a
-//! triangle: see [`sight`].
+//! A mesh of triangles that share their vertices, with a hierarchy of boxes around them (see `hierarchy`).
+//! The test of one triangle is in [`ray`].
 //!
 //! # Memory
 //! In `f32` and fixed point:
 //!
-//! | what | bytes |
+//! | data | bytes |
 //! |---|---|
-//! | the list of triangles, in the order of the boxes | 2 a triangle |
-//! | boxes, where there are more than [`FEW_TRIANGLES`] | up to 36 a triangle |
-//! | vertices, converted | 12 a vertex |
+//! | order of the triangles | 2 a triangle |
+//! | boxes, for more than [`FEW_TRIANGLES`] | up to 36 a triangle |
+//! | prepared vertices | 12 a vertex |
 //! | normals at vertices | 6 a vertex |
-//! | the mesh itself | 76, on processors of 64 bits 128 |
+//! | the mesh itself | 76; 128 on 64-bit processors |
 //!
-//! A closed mesh has half as many vertices as triangles: 48 bytes a triangle with normals, 45 without. As long as there are no
-//! more vertices than triangles it is 57 at most. Which vertices a triangle joins, and coordinates for textures, are read where
-//! the description has them, in flash. A [`BakedMesh`] takes nothing: all of this lies in flash.
-//!
-//! # Time
-//! A teapot of 240 smooth triangles on its floor, 96 by 96 pixels, on x86-64 (callgrind, without preparation):
-//!
-//! | | bytes | million instructions, `f32` | in fixed point |
-//! |---|---|---|---|
-//! | as single triangles, through whose edges rays slip | 40,037 | 42.0 | 108.2 |
-//! | as a mesh | 14,727 | 52.4 | 105.1 |
-//!
-//! A ray that may meet it takes 950 instructions in `f32`, and 2340 in fixed point. Rejected: leaves of 2, 3, 6 or 8 triangles in
-//! place of 4, which take 1 to 4 % more in `f32` and 1 to 9 % in fixed point; to look at the second coordinate of corners only
-//! where the first does not tell that they all lie on one side, 5 % more, as no four numbers are computed at once any longer; and a
-//! question of its own for shadows, that ends at the first hit, which saves 0.5 %.
+//! A closed mesh has half as many vertices as triangles: it takes 48 bytes a triangle with normals, and 45
+//! without. A mesh that has no more vertices than triangles takes at most 57. The indices of vertices and the
+//! coordinates for textures are read from the description, in flash. A [`BakedMesh`] takes no memory, as all
+//! of its data lies in flash.
 //!
 //! # Finding the triangle again
-//! [`Intersect::surface`] is told no more than the ray and the distance. Of the triangles whose boxes hold the point there it
-//! takes those that the ray meets at the very same distance, which is computed in the same way again, and of these the first.
-//! So it does not depend on the order in which boxes are visited.
+//! [`Intersect::surface`] gets only the ray and the distance, not the triangle. It tests the triangles whose
+//! boxes contain the hit once more, in the same way, and takes the first one in the list that the ray meets
+//! at exactly that distance. So the result does not depend on the order in which boxes are visited.
 
 mod baked;
-mod sight;
+mod ray;
 mod smooth;
 #[cfg(test)]
 mod tests;
@@ -43,19 +31,19 @@ mod tests;
 pub use baked::{BakedMesh, BakedParts};
 pub use smooth::SmallNormal;
 
-use super::{Bend, Geometry, Intersect, Rim, bounds_of};
+use super::{Bend, Geometry, Intersect, Rim, Silhouette, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_number, check_point, check_size};
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_COUNT;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
-use sight::{Meeting, Sight};
+use ray::{Meeting, MeshRay};
 
-/// A mesh of triangles that share their vertices: up to 65535 of each.
+/// A mesh of up to 65535 triangles, which share up to 65535 vertices.
 ///
-/// Rays do not slip through where triangles share an edge or a vertex, by its number. Triangles without area, which files often
-/// have at poles and seams, are never met.
+/// No ray slips through an edge or a vertex that triangles share by its index. Triangles without area, which
+/// files often have at poles and seams, are never met.
 ///
 /// ```
 /// use rayline::Vec3;
@@ -77,15 +65,17 @@ use sight::{Meeting, Sight};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mesh<'a> {
-    /// The corners of all triangles.
+    /// The vertices of all triangles.
     pub vertices: &'a [Vec3],
-    /// For each triangle the positions of its corners in `vertices`; its front is the side from which they run counterclockwise.
+    /// For each triangle the indices of its corners in `vertices`. Its front is the side from which they run
+    /// counterclockwise.
     pub triangles: &'a [[u16; 3]],
-    /// Normals at the vertices, interpolated for shading: as many as vertices, of any length. Where they cancel or are 0, and
-    /// where there are none (`None`), triangles are flat.
+    /// Normals at the vertices, interpolated for shading: one for each vertex, of any length. A triangle is
+    /// flat where they cancel or are 0; with `None`, all triangles are flat.
     pub normals: Option<&'a [Vec3]>,
-    /// For textures: u and v at the vertices, interpolated; as many as vertices, from -59 to 59 if they are to be held by all
-    /// number systems. `None`: those of each [`Triangle`](super::Triangle) by itself.
+    /// Coordinates u and v at the vertices, interpolated for textures: one pair for each vertex, from -59 to
+    /// 59 if all number systems are to hold them. With `None`, each triangle has those of a single
+    /// [`Triangle`](super::Triangle).
     pub uvs: Option<&'a [[f32; 2]]>,
 }
 
@@ -95,13 +85,13 @@ crate::read::read_struct! {
     may be named
 }
 
-/// The most triangles that are tested one by one.
+/// The most triangles that are tested one by one, without a hierarchy.
 const FEW_TRIANGLES: usize = 8;
 
 /// The most triangles in a leaf of the hierarchy.
 const LEAF: usize = 4;
 
-/// How many triangles lie in boxes, of so many.
+/// The number of triangles that the hierarchy has, for a mesh of so many.
 const fn in_boxes(triangles: usize) -> usize {
     if cfg!(feature = "hierarchy") && triangles > FEW_TRIANGLES { triangles } else { 0 }
 }
@@ -110,14 +100,14 @@ impl Mesh<'_> {
     pub(super) const fn const_bytes<R: Real>(&self) -> usize {
         let (vertices, triangles) = (self.vertices.len(), self.triangles.len());
         let normals = if self.normals.is_some() { vertices } else { 0 };
-        Arena::bytes::<Parts<'_, R>>(1)
+        Arena::bytes::<MeshData<'_, R>>(1)
             .saturating_add(Arena::bytes::<Vec3<R>>(vertices))
             .saturating_add(Arena::bytes::<SmallNormal>(normals))
             .saturating_add(Arena::bytes::<u16>(triangles))
             .saturating_add(Hierarchy::<R>::bytes(in_boxes(triangles), LEAF))
     }
 
-    /// Refuses what would not be a mesh.
+    /// Refuses a description with wrong counts, indices or numbers.
     fn check<R: Real>(&self) -> Result<(), Fault> {
         let (vertices, triangles) = (self.vertices.len(), self.triangles.len());
         for given in [vertices, triangles] {
@@ -182,8 +172,9 @@ impl Geometry for Mesh<'_> {
         let list = Hierarchy::list(&[]);
         let bounds = Aabb::point(Vec3::ZERO);
         let uvs = self.uvs.unwrap_or_default();
-        let mut parts = Parts { triangles: self.triangles, vertices, normals, uvs, hierarchy: list, bounds };
-        // Those without area are left out, here and for good.
+        let mut parts =
+            MeshData { triangles: self.triangles, vertices, normals, uvs, hierarchy: list, bounds };
+        // Leave out the triangles without area.
         let mut proper = 0;
         for i in 0..order.len() {
             let Some(triangle) = order.get(i).copied() else { break };
@@ -212,32 +203,33 @@ impl Geometry for Mesh<'_> {
 
 /// A [`Mesh`], prepared.
 #[derive(Clone, Copy, Debug)]
-pub struct PreparedMesh<'m, R>(&'m Parts<'m, R>);
+pub struct PreparedMesh<'m, R>(&'m MeshData<'m, R>);
 
-/// All of a mesh. It lies in the memory that was lent, or in flash, so that the set of all shapes stays small.
+/// The data of a prepared mesh. It lies in lent memory or in flash, so that the enum of all shapes stays
+/// small.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Parts<'m, R> {
+struct MeshData<'m, R> {
     triangles: &'m [[u16; 3]],
     vertices: &'m [Vec3<R>],
     /// One for each vertex, or none.
     normals: &'m [SmallNormal],
-    /// One for each vertex, where the description has it, or none.
+    /// One pair for each vertex, in the description's memory, or none.
     uvs: &'m [[f32; 2]],
-    /// Of the triangles that have an area.
+    /// The hierarchy of the triangles that have an area.
     hierarchy: Hierarchy<'m, R>,
     bounds: Aabb<R>,
 }
 
-impl<R: Real> Parts<'_, R> {
-    #[inline(always)]
+impl<R: Real> MeshData<'_, R> {
+    /// The corners of a triangle.
+    #[inline]
     fn corners(&self, triangle: u16) -> Option<[Vec3<R>; 3]> {
         let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
         let vertex = |index: u16| self.vertices.get(usize::from(index)).copied();
         Some([vertex(a)?, vertex(b)?, vertex(c)?])
     }
 
-    /// The longest edge of a triangle.
-    #[inline(never)]
+    /// The longest edge of a triangle, as a rim.
     fn rim(&self, triangle: u16) -> Option<Rim<R>> {
         let [a, b, c] = self.corners(triangle)?;
         let edges = [[a, b], [b, c], [c, a]];
@@ -252,19 +244,19 @@ impl<R: Real> Parts<'_, R> {
         Some(Rim { ends, bend })
     }
 
-    /// Half the normals of a triangle's corners, if the mesh has any.
+    /// Half of each unit normal at a triangle's corners, if the mesh has normals.
     fn half_normals(&self, triangle: u16) -> Option<[Vec3<R>; 3]> {
         let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
         let at = |index: u16| self.normals.get(usize::from(index)).map(|normal| normal.half());
         Some([at(a)?, at(b)?, at(c)?])
     }
 
-    #[inline(always)]
-    fn meet(&self, triangle: usize, sight: &Sight<R>) -> Option<Meeting<R>> {
-        sight.meet(self.corners(triangle as u16)?)
+    #[inline]
+    fn meet(&self, triangle: usize, mesh_ray: &MeshRay<R>) -> Option<Meeting<R>> {
+        mesh_ray.meet(self.corners(triangle as u16)?)
     }
 
-    /// The interpolated coordinates of a triangle, if the mesh has any.
+    /// The interpolated coordinates u and v of a triangle, if the mesh has any.
     fn interpolated_uv(&self, triangle: u16, weight_b: R, weight_c: R) -> Option<[R; 2]> {
         let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
         let at = |index: u16| self.uvs.get(usize::from(index)).map(|uv| uv.map(R::from_f32));
@@ -273,7 +265,7 @@ impl<R: Real> Parts<'_, R> {
         Some([between(a_u, b_u, c_u), between(a_v, b_v, c_v)])
     }
 
-    /// The interpolated normal of a triangle.
+    /// The interpolated normal of a triangle; `None` if it is flat or the normals cancel.
     fn shading_normal(&self, triangle: u16, meeting: Meeting<R>) -> Option<Vec3<R>> {
         let [a, b, c] = self.half_normals(triangle)?;
         let Meeting { b: weight_b, c: weight_c, .. } = meeting;
@@ -282,15 +274,14 @@ impl<R: Real> Parts<'_, R> {
     }
 }
 
-/// The weights of the second and the third corner at a point of the triangle's plane: the point that is the nearest, by the
-/// normal equations of least squares.
-#[inline(never)]
+/// The weights of the second and the third corner at the point of a triangle's plane that is nearest to
+/// `point`, by the normal equations of least squares.
 fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
     let (ab, ac, from_a) = (b - a, c - a, point - a);
-    // In units of the longer edge no digits are lost.
+    // Divide by the longest coordinate of the edges, so that squares keep their digits.
     let unit = ab.magnitude().larger(ac.magnitude());
     let [ab, ac, from_a] = [ab, ac, from_a].map(|v| Vec3::new(v.x / unit, v.y / unit, v.z / unit));
-    // The part of one edge that is across the other.
+    // The weight of an edge is found along its part at a right angle to the other edge.
     let weight = |edge: Vec3<R>, other: Vec3<R>| {
         let (along, length) = other.polar();
         let across = edge - along * edge.dot(along);
@@ -299,11 +290,10 @@ fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
     (weight(ab, ac), weight(ac, ab))
 }
 
-/// The unit normal of a triangle that has an area: one that is not thinner than a millionth of its length.
-#[inline(never)]
+/// The unit normal of a triangle; `None` if it has no area: if it is thinner than a millionth of its length.
 fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
     let (ab, bc, ca) = (b - a, c - b, a - c);
-    // The two shorter edges are the farthest from being parallel.
+    // Use the two shorter edges: their angle is the largest.
     let squared = |edge: Vec3<R>| edge.length_squared_wide();
     let (first, second) = if squared(ca) >= squared(ab) && squared(ca) >= squared(bc) {
         (ab, bc)
@@ -317,16 +307,14 @@ fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
 }
 
 impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
-    const HAS_RIMS: bool = true;
-
-    // Much code, and many rays never come here.
+    // Not inlined: the list of waiting boxes takes 488 bytes of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let sight = Sight::new(ray);
+        let mesh_ray = MeshRay::new(ray);
         let mut range = range;
         let mut nearest = None;
         self.0.hierarchy.walk(ray, range.max, |triangle| {
-            if let Some(Meeting { t, .. }) = self.0.meet(triangle, &sight)
+            if let Some(Meeting { t, .. }) = self.0.meet(triangle, &mesh_ray)
                 && range.contains(t)
             {
                 range.max = t;
@@ -341,19 +329,15 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         Some(self.0.bounds)
     }
 
-    fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
-        (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
-    }
-
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let sight = Sight::new(ray);
+        let mesh_ray = MeshRay::new(ray);
         let point = ray.at(t);
         let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
         let mut met: Option<(u16, Meeting<R>)> = None;
         self.0.hierarchy.visit(point, margin, |triangle| {
             let is_first = met.is_none_or(|(first, _)| triangle < usize::from(first));
             if is_first
-                && let Some(meeting) = self.0.meet(triangle, &sight)
+                && let Some(meeting) = self.0.meet(triangle, &mesh_ray)
                 && meeting.t == t
             {
                 met = Some((triangle as u16, meeting));
@@ -362,7 +346,7 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let back = -ray.direction;
         let flat =
             |normal| Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
-        // Where `intersect` gave `t`, there is a triangle and it has a normal.
+        // If `intersect` returned `t`, there is a triangle and it has a normal.
         let Some((triangle, meeting)) = met else { return flat(back) };
         let Some(corners) = self.0.corners(triangle) else { return flat(back) };
         let normal = normal(corners).unwrap_or(back);
@@ -376,21 +360,29 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        let triangle = surface.part as u16;
-        let beside = self.0.corners(triangle).and_then(|corners| {
-            // Of a small triangle, not from far away.
-            let (b, c) = weights(corners, surface.point + step);
-            let [b, c] = [b, c].map(|weight| weight.larger(-R::from_u16(4)).smaller(R::from_u16(4)));
-            self.0.shading_normal(triangle, Meeting { t: R::ZERO, b, c })
-        });
-        beside.unwrap_or(surface.shading_normal)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let triangle = surface.part as u16;
         let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };
         let (b, c) = weights(corners, surface.point);
         self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedMesh<'_, R> {
+    const HAS_RIMS: bool = true;
+
+    fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
+        (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
+    }
+
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        let triangle = surface.part as u16;
+        let beside = self.0.corners(triangle).and_then(|corners| {
+            // A small triangle may be many of its sizes away: limit the extrapolation.
+            let (b, c) = weights(corners, surface.point + step);
+            let [b, c] = [b, c].map(|weight| weight.larger(-R::from_u16(4)).smaller(R::from_u16(4)));
+            self.0.shading_normal(triangle, Meeting { t: R::ZERO, b, c })
+        });
+        beside.unwrap_or(surface.shading_normal)
     }
 }

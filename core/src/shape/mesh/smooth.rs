@@ -1,12 +1,14 @@
-//! Normals at vertices, in half the memory of vectors.
+//! Normals at vertices, in half of the memory of a vector.
 
 use crate::fault::{Fault, check_numbers, unit};
 use crate::math::{Real, Vec3};
 
-/// A unit vector in units of 2⁻¹⁵: off by 2⁻¹⁶ along each axis, a thousandth of a degree. Zero where there was none.
+/// A unit vector, rounded to 16 bits for each coordinate: its error is a thousandth of a degree. Zero if the
+/// normal was zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SmallNormal(pub [i16; 3]);
 
+/// The coordinates are in units of one over this.
 const UNITS: f32 = 32767.0;
 
 impl SmallNormal {
@@ -18,7 +20,7 @@ impl SmallNormal {
         Ok(Self([x, y, z].map(|share| (share * F::from_f32(UNITS) + half).floor_to_i32() as i16)))
     }
 
-    /// Half of the unit vector.
+    /// Half of the unit vector: exact in fixed point.
     pub(super) fn half<R: Real>(self) -> Vec3<R> {
         let [x, y, z] = self.0.map(|units| {
             let size = R::from_fraction(units.unsigned_abs());

@@ -1,4 +1,5 @@
-//! Closed forms, rays at edges and vertices of a closed mesh, and the same bytes with and without boxes.
+//! Tests of meshes: closed forms, rays at edges and vertices of a closed mesh, and the same bits with and
+//! without boxes.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
@@ -13,7 +14,7 @@ use crate::hierarchy::Node;
 use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::Fixed;
 
-/// In the plane z = 1, counterclockwise from above, cut from (0, 0) to (4, 3).
+/// A rectangle in the plane z = 1, counterclockwise as seen from above, cut from (0, 0) to (4, 3).
 const RECTANGLE: Mesh = Mesh {
     vertices: &[
         Vec3::new(0.0, 0.0, 1.0),
@@ -46,7 +47,7 @@ impl Owned {
     }
 }
 
-/// A ball of 20 · 4ⁿ triangles: an icosahedron, each triangle cut in four so many times.
+/// A ball of 20 · 4ⁿ triangles: an icosahedron, each of whose triangles is cut in four, n times.
 fn ball(cuts: u32, center: Vec3, radius: f32) -> Owned {
     let golden = (1.0 + 5f32.sqrt()) / 2.0;
     let mut points: Vec<Vec3> = Vec::new();
@@ -85,13 +86,13 @@ fn ball(cuts: u32, center: Vec3, radius: f32) -> Owned {
     }
 }
 
-/// A ray in the units of the kernel.
+/// A ray in scaled units.
 fn ray<R: Real>(scale: Scale, origin: Vec3, direction: Vec3) -> Ray<R> {
     let unit = direction.to::<R::Setup>().normalized().unwrap();
     Ray { origin: scale.point(origin.to()), direction: Vec3::from_setup(unit) }
 }
 
-/// Prepares a mesh as a scene that it is alone in, and lets a test look at it.
+/// Prepares a mesh for a scene that contains nothing else, and calls `look` with it.
 fn with_prepared<R: Real>(mesh: Mesh, eye: Vec3, look: impl FnOnce(Scale, PreparedMesh<'_, R>)) {
     let mut memory = vec![MaybeUninit::uninit(); mesh.bytes::<R>()];
     let scale = Scale::new::<R>(mesh.extent(), eye);
@@ -147,7 +148,7 @@ fn target(mesh: &Mesh, random: &mut Random) -> Vec3 {
     match (number() * 4.0) as u32 {
         0 => a,
         1 => a + (b - a) * share,
-        // A part of an edge that is exact in binary.
+        // A point of an edge whose share is exact in binary.
         2 => a + (b - a) * ((share * 8.0).floor() / 8.0),
         _ => a + (b - a) * share + (c - a) * ((1.0 - share) * number()),
     }
@@ -166,7 +167,7 @@ fn nothing_gets_through<R: Real>(center: Vec3, radius: f32) {
             let inside = random.next() < 0.0;
             let origin = center + random.direction() * (radius * if inside { 0.5 } else { 1.5 });
             let direction = (target - origin).normalized().unwrap();
-            // From outside, points on the front that no other triangle hides.
+            // From outside, only aim at points that no other triangle hides.
             if !inside && direction.dot(target - center) > -0.3 * radius {
                 continue;
             }
@@ -191,14 +192,14 @@ fn no_ray_gets_through_edges_and_vertices() {
     nothing_gets_through::<f32>(Vec3::new(1.0, 2.0, 3.0), 1e-2);
 }
 
-/// Of each ray, what is met and what it looks like there, with boxes and without.
+/// Each ray has the same hits and surfaces with boxes and without.
 fn boxes_change_no_byte<R: Real>(mesh: Mesh, extent: f32) {
     let mut random = Random(11);
     with_prepared::<R>(mesh, Vec3::new(9.0 * extent, 0.0, 0.0), |scale, boxed| {
         let mut order: Vec<u16> = (0..mesh.triangles.len() as u16).collect();
         order.retain(|triangle| boxed.0.corners(*triangle).and_then(normal).is_some());
         order.reverse();
-        let parts = Parts { hierarchy: Hierarchy::list(&order), ..*boxed.0 };
+        let parts = MeshData { hierarchy: Hierarchy::list(&order), ..*boxed.0 };
         let listed = PreparedMesh(&parts);
         let mut hits = 0;
         for i in 0..8000 {
@@ -224,7 +225,7 @@ fn boxes_change_no_byte<R: Real>(mesh: Mesh, extent: f32) {
 #[test]
 fn boxes_change_nothing() {
     let ball = ball(2, Vec3::new(0.1, -0.2, 0.0), 0.8);
-    // Triangles of all sizes through each other, some twice, some without area.
+    // Triangles of all sizes that cross each other, some of them twice, some without area.
     let mut random = Random(5);
     let vertices: Vec<Vec3> = (0..60).map(|_| random.vector()).collect();
     let mut index = || ((random.next() + 1.0) * 30.0) as u16;
@@ -243,7 +244,7 @@ fn normals_are_interpolated_and_give_way_where_they_cancel() {
     let up = Vec3::new(0.0, 0.0, 9.0);
     let (right, left) = (Vec3::new(1e-6, 0.0, 0.0), Vec3::new(-5.0, 0.0, 0.0));
     let origin = Vec3::new(3.0, 0.75, 6.0);
-    // Of the first triangle: weights 1/4 for its first corner, 1/2 and 1/4.
+    // In the first triangle, with the weights 1/4, 1/2 and 1/4 of its corners.
     let smooth = Mesh { normals: Some(&[up, right, up, up]), ..RECTANGLE };
     let got = shading_normal(smooth, origin, DOWN);
     let expected = core::f64::consts::FRAC_1_SQRT_2;
@@ -257,7 +258,7 @@ fn normals_are_interpolated_and_give_way_where_they_cancel() {
 }
 
 #[test]
-fn what_has_no_area_is_never_met() {
+fn triangles_without_area_are_never_met() {
     let vertices = [
         Vec3::new(0.0, 0.0, 0.0),
         Vec3::new(1.0, 1.0, 0.0),
@@ -303,8 +304,8 @@ fn at_most_64_bytes_a_triangle() {
     let corners = vec![[0; 3]; owned.vertices.len()];
     let open = Mesh { triangles: &corners, ..smooth };
     assert!(each(open, open.bytes::<f32>()) < 57.0, "{}", each(open, open.bytes::<f32>()));
-    // On 64 bits; addresses and lengths take half as much on 32.
-    assert!(size_of::<Parts<'_, f32>>() <= 128);
+    // On 64-bit processors; addresses and lengths take half as much on 32-bit ones.
+    assert!(size_of::<MeshData<'_, f32>>() <= 128);
 }
 
 #[test]
@@ -340,7 +341,7 @@ fn coordinates_are_weights_or_interpolated() {
 
 #[test]
 fn small_triangles_far_from_a_ray_are_not_met() {
-    // Its area is a 1e11th of the products whose differences tell sides.
+    // The area of this triangle is 1e-11 of the products whose differences determine the sides.
     let size = 1e-6;
     let vertices = [Vec3::ZERO, Vec3::new(size, 0.0, 0.0), Vec3::new(size, size, 0.3 * size)];
     let mesh = Mesh { vertices: &vertices, triangles: &[[0, 1, 2]], normals: None, uvs: None };
@@ -348,7 +349,7 @@ fn small_triangles_far_from_a_ray_are_not_met() {
     with_prepared::<f32>(mesh, Vec3::ZERO, |scale, mesh| {
         for _ in 0..100_000 {
             let (origin, direction) = (random.vector() * 3.0, random.direction());
-            // Past it by an eighth of the distance at least.
+            // Only test rays that pass at a distance of at least an eighth of the way.
             let aside = origin - direction * origin.dot(direction);
             if aside.length() > 0.125 * origin.length() {
                 let met = mesh.intersect(&ray(scale, origin, direction), Interval::AHEAD);
@@ -358,7 +359,7 @@ fn small_triangles_far_from_a_ray_are_not_met() {
     });
 }
 
-/// Boxes in boxes, so deep: each holds a triangle three times, and the next.
+/// Nodes in nodes, to this depth: each has a triangle in three boxes, and the next node in the fourth.
 fn nested(depth: u16) -> BakedMesh<f32> {
     let node = |index: u16| {
         let last = if index + 1 == depth { (Some(1), 0) } else { (None, index + 1) };
@@ -378,7 +379,7 @@ fn nested(depth: u16) -> BakedMesh<f32> {
     })
 }
 
-/// Rays left out what they had no room to remember.
+/// Rays once left out nodes that they had no room for.
 #[test]
 fn baked_meshes_are_no_deeper_than_rays_can_go() {
     let meet = |mesh: BakedMesh<f32>| {
@@ -391,7 +392,7 @@ fn baked_meshes_are_no_deeper_than_rays_can_go() {
     for depth in [MAX_HIERARCHY_DEPTH as u16 + 1, 60] {
         assert!(std::panic::catch_unwind(|| nested(depth)).is_err(), "{depth}");
     }
-    // Each twice in the one before: rays would visit the last a million times.
+    // Each node is twice in the one before: rays would visit the last one a million times.
     let leaf = (Some(1), 0);
     let twice = |index: u16| if index < 20 { (None, index) } else { leaf };
     let nodes = (1..21)

@@ -1,38 +1,42 @@
-//! A quadric: where a polynomial of second degree is 0, in a box (Heckbert in Glassner (ed.), "An Introduction to Ray
-//! Tracing", 1989, ch. 2), its roots without cancellation (Press et al., "Numerical Recipes", §5.6).
+//! A quadric in a box: all points where a polynomial of second degree is 0 (Heckbert in Glassner (ed.), "An
+//! Introduction to Ray Tracing", 1989, ch. 2). Its roots are found without cancellation (Press et al.,
+//! "Numerical Recipes", §5.6).
 
 mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::{Geometry, Intersect, Spans, beside, uv};
+use super::{Geometry, Intersect, Silhouette, Spans, beside, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// The part of a quadric in a box: of an ellipsoid, a hyperboloid, a paraboloid, a cone or a cylinder across any direction.
+/// The part of a quadric in a box: of an ellipsoid, a hyperboloid, a paraboloid, a cone or a cylinder, in any
+/// direction.
 ///
-/// It is where A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; its inside is where that is less than 0. The
-/// equation may be multiplied by any positive factor. A negative one turns the inside out.
+/// It is all points with A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; inside, this
+/// polynomial is less than
+/// 0. Multiplying the coefficients by a positive factor changes nothing; a negative factor exchanges inside
+///    and outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Quadric {
-    /// Where x, y and z are 0.
+    /// The point where x, y and z of the equation are 0.
     pub center: Vec3,
-    /// A to J.
+    /// The coefficients A to J.
     pub coefficients: [f32; 10],
-    /// The corner of the box with the smallest coordinates, as seen from the center.
+    /// The corner of the box with the smallest coordinates, relative to the center.
     pub min: Vec3,
-    /// The corner with the largest; the box must have room inside.
+    /// The corner with the largest coordinates, relative to the center. The box must have a volume.
     pub max: Vec3,
-    /// Whether the faces of the box close it; without, it is a surface without thickness.
+    /// Whether the faces of the box close the quadric. If not, it is a surface without thickness.
     pub capped: bool,
 }
 
 impl Quadric {
     pub(super) const fn const_bytes<R: Real>() -> usize {
-        Arena::bytes::<Body<R>>(1)
+        Arena::bytes::<BoxedQuadric<R>>(1)
     }
 }
 
@@ -77,7 +81,7 @@ impl Geometry for Quadric {
         let length = reach.length();
         let shortest = [reach.x, reach.y, reach.z].into_iter().fold(length, |a, b| if b < a { b } else { a });
         check_size(scale.length::<R>(shortest))?;
-        let body = Body {
+        let quadric = BoxedQuadric {
             middle: scale.point(middle),
             unit: scale.length(unit),
             polynomial: polynomial.rounded(),
@@ -87,58 +91,63 @@ impl Geometry for Quadric {
             magnitude: scale.length(middle.magnitude() + length),
             capped,
         };
-        memory.store(body).map(PreparedQuadric)
+        memory.store(quadric).map(PreparedQuadric)
     }
 }
 
 /// A [`Quadric`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedQuadric<'m, R>(&'m Body<R>);
+pub struct PreparedQuadric<'m, R>(&'m BoxedQuadric<R>);
 
+/// The data of a [`PreparedQuadric`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Body<R> {
-    /// Of the box.
+struct BoxedQuadric<R> {
+    /// The middle of the box.
     middle: Vec3<R>,
-    /// What is 1 in the polynomial: a power of two, in which half of the box's diagonal fits.
+    /// The length that is 1 in the polynomial: a power of two that is more than half of the box's diagonal.
     unit: R,
     polynomial: Polynomial<R>,
     /// Half the sides of the box, in that unit.
     half: Vec3<R>,
-    /// The same in the scene's.
+    /// Half the sides of the box, unscaled.
     reach: Vec3<R>,
-    /// Half the diagonal.
+    /// Half the diagonal of the box.
     length: R,
     magnitude: R,
     capped: bool,
 }
 
-/// A line's way through the box.
-struct Passage<R> {
-    /// Distance from the origin of the ray to where it is nearest to the middle of the box.
+/// A ray's line through the box. It is parametrized from its point nearest to the middle of the box.
+struct BoxPassage<R> {
+    /// The distance of that point from the ray's origin.
     advance: R,
-    /// The part that is in the box, from there.
+    /// The part of the line in the box, in units.
     inside: Interval<R>,
+    /// The roots of the polynomial along the line, in units.
     roots: Roots<R>,
 }
 
-impl<R: Real> Body<R> {
-    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+impl<R: Real> BoxedQuadric<R> {
+    /// `None` if the ray misses the box.
+    fn passage(&self, ray: &Ray<R>) -> Option<BoxPassage<R>> {
         let (from_middle, advance) = ray.nearest_to(self.middle);
         if from_middle.length_squared_wide() > self.length.times(self.length) {
             return None;
         }
         let start = self.in_units(from_middle);
         let inside = self.in_box(start, ray.direction)?;
-        Some(Passage { advance, inside, roots: self.polynomial.roots(start, ray.direction) })
+        Some(BoxPassage { advance, inside, roots: self.polynomial.roots(start, ray.direction) })
     }
 
+    /// A vector in units of the polynomial.
     fn in_units(&self, vector: Vec3<R>) -> Vec3<R> {
         Vec3::new(vector.x / self.unit, vector.y / self.unit, vector.z / self.unit)
     }
 
-    /// The part of a line that lies in the box (Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986).
+    /// The part of a line that lies in the box, in units (Kay and Kajiya, "Ray Tracing Complex Scenes",
+    /// SIGGRAPH 1986).
     fn in_box(&self, start: Vec3<R>, direction: Vec3<R>) -> Option<Interval<R>> {
-        // The line starts near the middle of a box that fits in the unit ball.
+        // The start lies in the ball around the box, whose radius is at most 1.
         let far = R::from_u16(2);
         let mut inside = Interval { min: -far, max: far };
         for (at, along, half) in [
@@ -160,14 +169,14 @@ impl<R: Real> Body<R> {
         (inside.min < inside.max).then_some(inside)
     }
 
-    /// The parts of a line inside quadric and box.
+    /// The parts of a line inside both the quadric and the box.
     fn spans(&self, ray: &Ray<R>) -> Spans<R> {
-        let Some(Passage { advance, inside: Interval { min, max }, roots }) = self.passage(ray) else {
+        let Some(BoxPassage { advance, inside: Interval { min, max }, roots }) = self.passage(ray) else {
             return Spans::NONE;
         };
         let mut spans = Spans::NONE;
         let mut push = |from: R, to: R| {
-            // Where the box leaves nothing, a root may be saturated, and a sum with it would wrap.
+            // If the box leaves nothing, a root may be saturated, and its sum with `advance` would wrap.
             if from < to {
                 spans.push(advance + from * self.unit, advance + to * self.unit);
             }
@@ -186,9 +195,9 @@ impl<R: Real> Body<R> {
         spans
     }
 
-    /// The first hit of the quadric itself.
+    /// The first hit of the quadric without the faces of the box.
     fn intersect_open(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let Passage { advance, inside, roots } = self.passage(ray)?;
+        let BoxPassage { advance, inside, roots } = self.passage(ray)?;
         let (near, far) = match roots {
             Roots::AllInside | Roots::AllOutside => return None,
             Roots::Enters(at) | Roots::Leaves(at) => (at, at),
@@ -223,19 +232,19 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
         let body = self.0;
         let at = body.in_units(ray.at(t) - body.middle);
         let (gradient, length) = body.polynomial.half_gradient(at).polar();
-        // At the apex of a cone there is no gradient.
+        // The gradient, which is 0 at the apex of a cone.
         let slope = length + length;
         let value = body.polynomial.at(at);
         let mut point = at;
         let mut normal = if length > R::ZERO { gradient } else { -ray.direction };
-        // The distance is the value over the slope. A step that is longer than the rounding of a hit would lead astray: it
-        // comes from a slope that is next to 0.
+        // The distance from the surface is the value over the slope. Only small steps are taken: a step
+        // longer than the rounding of a hit comes from a slope of almost 0, and would be wrong.
         let step = if value == R::ZERO { R::ZERO } else { value / slope };
         if value.abs() <= slope * R::from_fraction(1 << 8) {
             point = at - normal * step;
         }
         if body.capped {
-            // Of the quadric and the faces of the box, the hit belongs to the one that it is nearest to.
+            // The hit belongs to the quadric or to a face of the box, whichever is nearest.
             let mut nearest = step.abs();
             let half = body.half;
             let side = |at: R| if at < R::ZERO { -R::ONE } else { R::ONE };
@@ -254,12 +263,14 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
         Surface { point, normal, shading_normal: normal, magnitude: body.magnitude, part: 0 }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.0.middle)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }
 

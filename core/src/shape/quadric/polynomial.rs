@@ -1,19 +1,19 @@
-//! A polynomial of second degree, in units in which nothing is large.
+//! A polynomial of second degree, scaled so that no coefficient is larger than 1.
 
 use crate::fault::Fault;
 use crate::math::{Product, Real, Vec3};
 
-/// The power of two next above, so that dividing by it rounds nothing.
+/// The next power of two above `value`. Dividing by it rounds nothing.
 pub(super) fn power_of_two_above(value: f32) -> f32 {
     f32::from_bits(value.to_bits() & 0x7F80_0000) * 2.0
 }
 
-/// z · Q z + 2 g · z + k, for z in the unit ball: no coefficient is larger than 1.
+/// The polynomial z · Q z + 2 g · z + k of a vector z in the unit ball, with coefficients of at most 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Polynomial<R> {
-    /// The diagonal of Q.
+    /// The diagonal of the symmetric matrix Q.
     squares: Vec3<R>,
-    /// Beside it: yz, xz, xy.
+    /// The other elements of Q: yz, xz, xy.
     mixed: Vec3<R>,
     /// g
     linear: Vec3<R>,
@@ -22,14 +22,15 @@ pub(super) struct Polynomial<R> {
 }
 
 impl<N: Real<Setup = N>> Polynomial<N> {
-    /// The polynomial of `middle + unit · z`.
+    /// The polynomial of z with these coefficients at `middle + unit · z`.
     pub(super) fn new(coefficients: [f32; 10], middle: Vec3<N>, unit: N) -> Result<Self, Fault> {
         let largest = coefficients.iter().fold(0.0, |most: f32, one| most.larger(one.abs()));
-        // Also of what is too small for the exponent of its inverse.
+        // Refuse equations without x, y and z, and coefficients that are so small that their inverse is out
+        // of range.
         if coefficients.iter().take(9).all(|one| one.abs() < 1e-30) {
             return Err(Fault::NoSurface);
         }
-        // In two steps, since neither the largest nor the smallest may have an inverse.
+        // Divide by the root twice, since the inverse of the largest coefficient itself may be out of range.
         let (down, half) = (power_of_two_above(Real::sqrt(largest)).recip(), N::from_f32(0.5));
         let [a, b, c, d, e, f, g, h, i, j] = coefficients.map(|one| N::from_f32(one * down * down));
         let raw = Self {
@@ -57,6 +58,7 @@ impl<N: Real<Setup = N>> Polynomial<N> {
         })
     }
 
+    /// The polynomial in the number system `R`.
     pub(super) fn rounded<R: Real<Setup = N>>(self) -> Polynomial<R> {
         Polynomial {
             squares: Vec3::from_setup(self.squares),
@@ -68,7 +70,7 @@ impl<N: Real<Setup = N>> Polynomial<N> {
 }
 
 impl<R: Real> Polynomial<R> {
-    /// Q z
+    /// The product Q z.
     fn map(&self, z: Vec3<R>) -> Vec3<R> {
         let Self { squares: s, mixed: m, .. } = *self;
         Vec3::new(
@@ -78,19 +80,22 @@ impl<R: Real> Polynomial<R> {
         )
     }
 
+    /// Half the gradient at z.
     pub(super) fn half_gradient(&self, z: Vec3<R>) -> Vec3<R> {
         self.map(z) + self.linear
     }
 
+    /// The value at z, not yet rounded.
     fn at_wide(&self, z: Vec3<R>) -> R::Product {
         (self.half_gradient(z) + self.linear).dot_wide(z) + self.constant.times(R::ONE)
     }
 
+    /// The value at z.
     pub(super) fn at(&self, z: Vec3<R>) -> R {
         self.at_wide(z).over(R::ONE)
     }
 
-    /// Where it is 0 along `start + direction · t`.
+    /// The roots t of the polynomial along `start + direction · t`.
     pub(super) fn roots(&self, start: Vec3<R>, direction: Vec3<R>) -> Roots<R> {
         // a t² + 2 b t + c
         let a = self.map(direction).dot(direction);
@@ -102,7 +107,7 @@ impl<R: Real> Polynomial<R> {
         }
         let root = discriminant.sqrt();
         let q = if b > R::ZERO { -b - root } else { root - b };
-        // q is 0 only where the discriminant has no root that can be told from 0.
+        // q is 0 only if the root of the discriminant is rounded to 0.
         if q == R::ZERO {
             return if c < R::Product::ZERO { Roots::AllInside } else { Roots::AllOutside };
         }
@@ -116,16 +121,18 @@ impl<R: Real> Polynomial<R> {
     }
 }
 
-/// Where a line is inside a quadric.
+/// The places along a line at which the polynomial changes its sign.
 pub(super) enum Roots<R> {
+    /// The whole line is inside the quadric.
     AllInside,
+    /// The whole line is outside.
     AllOutside,
-    /// From here on.
+    /// The line is inside from here on.
     Enters(R),
-    /// Up to here.
+    /// The line is inside up to here.
     Leaves(R),
-    /// Between these.
+    /// The line is inside between these.
     Inside(R, R),
-    /// But between these.
+    /// The line is inside except between these.
     Outside(R, R),
 }

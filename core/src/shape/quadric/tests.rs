@@ -15,12 +15,12 @@ fn ball() -> Quadric {
     quadric([1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -4.0], [-3.0; 3], [3.0; 3])
 }
 
-/// y = x² + z², up to y = 4.
+/// The paraboloid y = x² + z², up to y = 4.
 fn bowl() -> Quadric {
     quadric([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0], [-3.0, -1.0, -3.0], [3.0, 4.0, 3.0])
 }
 
-/// x² + z² = y² + 1, of one sheet; with -1, of two.
+/// The hyperboloid x² + z² = y² + 1 of one sheet, or x² + z² = y² - 1 of two.
 fn hyperboloid(sheets: f32) -> Quadric {
     quadric([1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0 * sheets - 3.0], [-4.0; 3], [4.0, 3.0, 4.0])
 }
@@ -39,7 +39,7 @@ fn a_ball() {
 #[test]
 fn coordinates_are_longitude_and_latitude() {
     assert_uv(ball(), Vec3::new(1.0, 2.0, 10.0), AWAY, [0.75, 0.5]);
-    // 60 degrees from the equator, above the x axis.
+    // 60 degrees above the equator, on the side of the x axis.
     let up = 60f32.to_radians().tan();
     let inward = Vec3::new(-1.0, -up, 0.001);
     let u = 1e-3 / core::f64::consts::TAU;
@@ -52,7 +52,7 @@ fn the_equation_may_be_multiplied() {
         let ball = Quadric { coefficients: ball().coefficients.map(|one| one * factor), ..ball() };
         assert_meets(ball, Vec3::new(1.0, 2.0, 10.0), AWAY, 5.0, [0.0, 0.0, 1.0]);
         let outside_in = Quadric { coefficients: ball.coefficients.map(|one| -one), ..ball };
-        // First the box, then the cavity.
+        // The ray meets the box first, then the cavity.
         assert_meets(outside_in, Vec3::new(1.0, 2.0, 10.0), AWAY, 4.0, [0.0, 0.0, 1.0]);
         assert_spans(outside_in, Vec3::new(1.0, 2.0, 10.0), AWAY, &[(4.0, 5.0), (9.0, 10.0)]);
     }
@@ -95,7 +95,7 @@ fn a_cone_with_two_naps_and_its_apex() {
     let cone = quadric([1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [-2.0; 3], [2.0; 3]);
     assert_meets(cone, Vec3::new(6.0, 3.0, 3.0), LEFT, 4.0, [HALF, -HALF, 0.0]);
     assert_spans(cone, Vec3::new(2.0, 9.0, 3.0), DOWN, &[(5.0, 6.0), (8.0, 9.0)]);
-    // Along a line of the cone: only touched.
+    // A ray through the apex: whether it is met or not, a normal is a unit vector.
     let mut memory = Memory::new();
     let prepared = prepared::<_, f32>(cone, &mut memory).unwrap();
     let ray = Ray { origin: Vec3::new(6.0, 2.0, 3.0), direction: LEFT };
@@ -115,7 +115,7 @@ fn mixed_terms_turn_it() {
     assert_meets(pipe, origin, across, 1.0, [HALF, -HALF, 0.0]);
     let along = Vec3::new(1.0, 1.0, 0.0);
     assert_spans(pipe, origin, along, &[(-3.5 / HALF, 2.5 / HALF)]);
-    // With xz and yz as well: a slab between two planes, (x + y + z)² = 3.
+    // With xz and yz as well: the slab between two planes, (x + y + z)² = 3.
     let slab = quadric([1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.0, -3.0], [-3.0; 3], [3.0; 3]);
     let third = 1.0 / 3f64.sqrt();
     let diagonal = Vec3::new(1.0, 1.0, 1.0);
@@ -165,7 +165,7 @@ fn bad_quadrics_are_refused() {
 
 #[test]
 fn rays_almost_along_a_plane_pass_by() {
-    // y = 0 in a box, as an equation of first degree: below is inside.
+    // The plane y = 0 in a box, as an equation of first degree: below it is inside.
     let mut coefficients = [0.0; 10];
     coefficients[7] = 1.0;
     let unit = Vec3::new(1.0, 1.0, 1.0);

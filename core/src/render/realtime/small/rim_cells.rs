@@ -11,7 +11,7 @@ use super::stadium::place_of;
 use crate::light::Source;
 use crate::math::{Real, Vec3};
 use crate::render::Renderer;
-use crate::shape::{Bend, Geometry, Intersect, Rim};
+use crate::shape::{Bend, Geometry, Rim, Silhouette};
 
 /// A set of squares of the picture, each of one cell or several.
 #[derive(Clone, Copy, Debug)]

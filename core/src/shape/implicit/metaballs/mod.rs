@@ -1,16 +1,17 @@
-//! Metaballs: a level set of a sum of smooth kernels (Wyvill, McPheeters and Wyvill, "Data structure for soft objects", The Visual
-//! Computer, 1986; see [`kernel`]), found by sphere tracing (see [`sum`]).
+//! Metaballs: all points where a sum of smooth kernels has a given value (Wyvill, McPheeters and Wyvill,
+//! "Data structure for soft objects", The Visual Computer, 1986; see [`kernel`]). Rays find them by sphere
+//! tracing (see [`sum`]).
 
 mod kernel;
 mod sum;
 #[cfg(test)]
 mod tests;
 
-use super::super::{Geometry, Intersect, beside, uv};
-use super::Room;
-use super::trace::Line;
+use super::super::{Geometry, Intersect, Silhouette, beside, uv};
+use super::FieldBox;
+use super::trace::TracedLine;
 use kernel::{LEVEL, STEEPEST, reach_of};
-use sum::{Body, PreparedBlob};
+use sum::{BlobSum, PreparedBlob};
 
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_number, check_point, check_radius, check_size};
@@ -18,23 +19,25 @@ use crate::limits::MAX_BLOBS;
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// The box is so much larger than what it must hold: one that touched the surface would cut it open.
+/// The factor by which the box is larger than the surface: a box that touched the surface would cut it open.
 const MARGIN: f32 = 1.0 + 1.0 / 128.0;
 
-/// One of the blobs that [`Metaballs`] are the sum of.
+/// One of the blobs whose sum are [`Metaballs`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Blob {
-    /// Where it is strongest.
+    /// The point where the blob is strongest.
     pub center: Vec3,
-    /// How far it reaches: more than 0. By itself, with strength 1, it is a ball of half this radius.
+    /// How far the blob reaches: more than 0. Alone, with strength 1, it looks like a ball of half this
+    /// radius.
     pub radius: f32,
-    /// What it adds at its center: the surface is where the sum is 1/2. One that is negative takes away.
+    /// The value that the blob adds at its center; if negative, the blob subtracts. The surface is where the
+    /// sum of all blobs is 1/2.
     pub strength: f32,
 }
 
 impl Blob {
-    /// The blob that is, by itself, half as large as it reaches.
+    /// A blob of strength 1: alone, it looks like a ball of half this radius.
     pub const fn new(center: Vec3, radius: f32) -> Self {
         Self { center, radius, strength: 1.0 }
     }
@@ -42,10 +45,10 @@ impl Blob {
 
 /// Balls that flow into each other.
 ///
-/// What is thinner than a [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS)th of a ray's way through the box around them may be
-/// missed. The shape is not [solid](Geometry::is_solid).
+/// Parts that are thinner than a [`MAX_TRACE_STEPS`](crate::limits::MAX_TRACE_STEPS)th of a ray's way through
+/// the box around the blobs may be missed. The shape is not [solid](Geometry::is_solid).
 ///
-/// Its coordinates u and v are longitude and latitude, as seen from the middle of that box.
+/// The coordinates u and v are longitude and latitude, as seen from the middle of that box.
 ///
 /// ```
 /// use rayline::Vec3;
@@ -58,7 +61,7 @@ impl Blob {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Metaballs<'a> {
-    /// At most [`MAX_BLOBS`].
+    /// The blobs: at most [`MAX_BLOBS`].
     pub blobs: &'a [Blob],
 }
 
@@ -69,17 +72,20 @@ crate::read::plain!(Blob);
 crate::read::read_struct!([] Metaballs as Metaballs<'m> { blobs });
 
 impl<'a> Metaballs<'a> {
-    /// The sum of these blobs.
+    /// The surface of the sum of these blobs.
     pub const fn new(blobs: &'a [Blob]) -> Self {
         Self { blobs }
     }
 
     pub(in crate::shape) const fn const_bytes<R: Real>(&self) -> usize {
-        Arena::bytes::<PreparedBlob<R>>(self.blobs.len()).saturating_add(Arena::bytes::<Body<'_, R>>(1))
+        Arena::bytes::<PreparedBlob<R>>(self.blobs.len()).saturating_add(Arena::bytes::<BlobSum<'_, R>>(1))
     }
 
-    /// A box around the surface. At each of its points some blob adds at least its share of 1/2, of all that reach there: the
-    /// point is no farther from that blob than where the kernel is as large.
+    /// A box around the surface; `None` if there is no surface.
+    ///
+    /// At each point of the surface the sum is 1/2, so some blob there has a kernel of at least 1/2 divided
+    /// by the strengths of all positive blobs that reach the same place. The box contains, for each blob, the
+    /// ball in which the kernel is that large.
     fn bounds<S: Real>(&self) -> Option<Aabb<S>> {
         let ball = |blob: &Blob| {
             let (center, radius) = (blob.center.to::<S>(), S::from_f32(blob.radius));
@@ -106,7 +112,7 @@ impl Geometry for Metaballs<'_> {
     }
 
     fn extent(&self) -> Extent {
-        // Also of what takes away: it is computed with as well.
+        // Blobs that subtract count, too, as their numbers are computed with.
         let reach = |blob: &Blob| blob.center.magnitude() + blob.radius.abs();
         Extent::solid(self.blobs.iter().map(reach).fold(0.0, Real::larger))
     }
@@ -132,10 +138,11 @@ impl Geometry for Metaballs<'_> {
             sum = sum + R::Setup::from_f32(blob.strength).abs();
         }
         check_size(scale.length::<R>(unit))?;
-        // In fixed point slopes of 1.6 times as much are below 95, and so do their squares fit.
+        // In fixed point slopes, which are up to 1.6 times as large, then stay below 95, and their squares in
+        // range.
         check_held::<R>(sum)?;
         let bounds = self.bounds::<R::Setup>().ok_or(Fault::TooWeak)?;
-        let room = Room::new(bounds, scale)?;
+        let room = FieldBox::new(bounds, scale)?;
         let middle = bounds.center();
         let blobs = memory.try_store_with(self.blobs.len(), |index, _| {
             let blob = self.blobs.get(index).ok_or(Fault::TooWeak)?;
@@ -151,24 +158,25 @@ impl Geometry for Metaballs<'_> {
                 steepest: R::from_setup(slope.abs() * R::Setup::from_f32(STEEPEST)) + R::offset(R::ZERO),
             })
         })?;
-        memory.store(Body { blobs, room, unit: scale.length(unit) }).map(PreparedMetaballs)
+        memory.store(BlobSum { blobs, room, unit: scale.length(unit) }).map(PreparedMetaballs)
     }
 }
 
 /// [`Metaballs`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PreparedMetaballs<'m, R: Real>(&'m Body<'m, R>);
+pub struct PreparedMetaballs<'m, R: Real>(&'m BlobSum<'m, R>);
 
 impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
-    // What it meets of all blobs takes most of a kilobyte: on no stack but its own.
+    // Not inlined: the chords of all blobs take most of a kilobyte of stack, which other shapes should not
+    // pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let Self(body) = self;
-        let line = Line::new(ray, body.room.middle, body.room.radius)?;
-        let mut parts = [None; MAX_BLOBS];
-        let met = body.blobs.iter().filter_map(|blob| blob.part(&line));
-        parts.iter_mut().zip(met).for_each(|(slot, part)| *slot = Some(part));
-        line.first_crossing(body.room.half, range, body.room.tolerance(), |t| body.look(&parts, t))
+        let Self(sum) = self;
+        let line = TracedLine::new(ray, sum.room.middle, sum.room.radius)?;
+        let mut chords = [None; MAX_BLOBS];
+        let met = sum.blobs.iter().filter_map(|blob| blob.chord(&line));
+        chords.iter_mut().zip(met).for_each(|(slot, chord)| *slot = Some(chord));
+        line.first_crossing(sum.room.half, range, sum.room.tolerance(), |t| sum.look(&chords, t))
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
@@ -176,7 +184,7 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
-        let Body { room, unit, .. } = *self.0;
+        let BlobSum { room, unit, .. } = *self.0;
         let at = ray.at(t) - room.middle;
         let (value, gradient) = self.0.slope(at);
         let (normal, length) = gradient.polar();
@@ -192,11 +200,13 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
         }
     }
 
-    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
-    }
-
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         uv::globe(surface.point - self.0.room.middle)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedMetaballs<'_, R> {
+    fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+        beside(self, surface, step)
     }
 }

@@ -1,70 +1,78 @@
-//! The sum of all blobs along a ray, and how far it surely keeps its sign.
+//! The sum of all blobs along a ray, and the distance within which it keeps its sign.
 //!
-//! Along a ray the sum of what the blobs add changes no faster than the sum of their steepest slopes, over the blobs that the ray
-//! is in.
+//! Along a ray, the sum changes no faster than the sum of the steepest slopes of all blobs that the ray is
+//! in.
 
-use super::super::Room;
-use super::super::trace::Line;
+use super::super::FieldBox;
+use super::super::trace::TracedLine;
 use super::kernel::{LEVEL, kernel, slope};
 use crate::math::{Interval, Product, Real, Vec3};
 
-/// One of the blobs, prepared: all are taken from the middle of the box.
+/// A prepared blob. Its center is relative to the middle of the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PreparedBlob<R: Real> {
     pub(super) center: Vec3<R>,
     pub(super) radius: R,
     pub(super) radius_squared: R::Product,
     pub(super) strength: R,
-    /// Strength over radius, where the smallest radius is 1.
+    /// The strength divided by the radius, in units of the smallest radius of all blobs.
     pub(super) slope: R,
-    /// It adds no more than this along the smallest radius.
+    /// The most that the value of the blob changes along a way of the smallest radius.
     pub(super) steepest: R,
 }
 
-/// What a ray meets of a blob.
+/// The part of a line inside a blob.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part<'m, R: Real> {
+pub(super) struct BlobChord<'m, R: Real> {
     blob: &'m PreparedBlob<R>,
-    /// Where along the line it is nearest, and how near, squared.
+    /// The place along the line that is nearest to the center.
     middle: R,
+    /// The squared distance of that place from the center.
     distance: R::Product,
-    /// Where the line enters and leaves it.
+    /// The part of the line inside the blob.
     inside: Interval<R>,
 }
 
 impl<R: Real> PreparedBlob<R> {
-    pub(super) fn part(&self, line: &Line<R>) -> Option<Part<'_, R>> {
+    /// The part of a line inside the blob; `None` if the line misses it.
+    pub(super) fn chord(&self, line: &TracedLine<R>) -> Option<BlobChord<'_, R>> {
         let middle = line.along(self.center);
         let nearest = line.at(middle) - self.center;
         let distance = nearest.length_squared_wide();
         let rest = self.radius_squared - distance;
         (rest > R::Product::ZERO).then(|| {
             let half = rest.sqrt();
-            Part { blob: self, middle, distance, inside: Interval { min: middle - half, max: middle + half } }
+            BlobChord {
+                blob: self,
+                middle,
+                distance,
+                inside: Interval { min: middle - half, max: middle + half },
+            }
         })
     }
 
-    /// The squared share of its radius, at this squared distance; `None` beyond it.
+    /// The squared distance in radii, for a squared distance from the center; `None` beyond the radius.
     fn share(&self, distance: R::Product) -> Option<R> {
         (distance < self.radius_squared).then(|| distance.share(self.radius_squared))
     }
 }
 
-/// All of them.
+/// All blobs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Body<'m, R: Real> {
+pub(super) struct BlobSum<'m, R: Real> {
     pub(super) blobs: &'m [PreparedBlob<R>],
-    pub(super) room: Room<R>,
-    /// The smallest radius.
+    pub(super) room: FieldBox<R>,
+    /// The smallest radius of all blobs.
     pub(super) unit: R,
 }
 
-impl<R: Real> Body<'_, R> {
-    /// How much the sum is below that of the surface, and how far it surely remains so, or above.
-    pub(super) fn look(&self, parts: &[Option<Part<'_, R>>], t: R) -> (R, R) {
+impl<R: Real> BlobSum<'_, R> {
+    /// The level of the surface minus the sum at `t` along a line, which is negative inside, and a distance
+    /// within which this keeps its sign. `chords` has the chords of the line inside the blobs.
+    pub(super) fn look(&self, chords: &[Option<BlobChord<'_, R>>], t: R) -> (R, R) {
         let (mut value, mut steepest, mut next) = (R::from_f32(LEVEL), R::ZERO, R::FARTHEST);
-        for part in parts.iter().map_while(Option::as_ref) {
-            let Part { blob, middle, distance, inside } = part;
+        for chord in chords.iter().map_while(Option::as_ref) {
+            let BlobChord { blob, middle, distance, inside } = chord;
             if t < inside.min {
                 next = if inside.min - t < next { inside.min - t } else { next };
             } else if t < inside.max {
@@ -78,8 +86,9 @@ impl<R: Real> Body<'_, R> {
         let step = if steepest > R::ZERO { value.abs() / steepest * self.unit } else { next };
         (value, if step < next { step } else { next })
     }
-    /// How much the sum is below that of the surface at a point, from the middle of the box, and how it grows along the smallest
-    /// radius in each direction.
+
+    /// The level of the surface minus the sum at a point, which is relative to the middle of the box, and its
+    /// gradient for each smallest radius.
     pub(super) fn slope(&self, at: Vec3<R>) -> (R, Vec3<R>) {
         let (mut value, mut gradient) = (R::from_f32(LEVEL), Vec3::ZERO);
         for blob in self.blobs {
@@ -88,7 +97,7 @@ impl<R: Real> Body<'_, R> {
                 value = value - blob.strength * kernel(q);
                 let Vec3 { x, y, z } = from_center;
                 let out = Vec3::new(x / blob.radius, y / blob.radius, z / blob.radius);
-                // In this order: no product is larger than 1.6 times the strength.
+                // Multiply in this order: then no product is larger than 1.6 times the strength.
                 gradient = gradient + out * slope(q) * blob.slope;
             }
         }

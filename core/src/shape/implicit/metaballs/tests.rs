@@ -21,7 +21,7 @@ fn one_is_a_ball_of_half_its_radius() {
 
 #[test]
 fn several_in_one_place_add_up() {
-    // Four of 3/4 and one that takes away 1 are as one of strength 2.
+    // Four blobs of strength 3/4 and one of -1 look like one of strength 2.
     let blobs = [Blob { strength: 0.75, ..Blob::new(CENTER, 4.0) }; 4];
     let cut = [blobs[0], blobs[0], blobs[0], blobs[0], Blob { strength: -1.0, ..blobs[0] }];
     let radius = 4.0 * f64::from(reach_of(0.5f32 / 2.0).unwrap());
@@ -37,12 +37,13 @@ fn two_flow_together() {
     let one = Blob::new(Vec3::new(-1.0, 0.0, 0.0), 2.0);
     let blobs = [one, Blob { center: Vec3::new(1.0, 0.0, 0.0), ..one }];
     let pair = Metaballs::new(&blobs);
-    // Between them both add 1/2 where they would touch, so that there is a waist: r² = 1 + h², of which each gives 1/4.
+    // Between them both add 1/2 where single balls would touch, so there is a waist of radius h, where each
+    // adds 1/4. Its points have a distance of r from the centers, with r² = 1 + h².
     let waist = (4.0 * f64::from(reach_of(0.25f32).unwrap()).powi(2) - 1.0).sqrt();
     assert_meets(pair, Vec3::new(0.0, 0.0, 5.0), DOWN, 5.0 - waist, [0.0, 0.0, 1.0]);
     assert_meets(pair, Vec3::ZERO, DOWN, waist, [0.0, 0.0, -1.0]);
     assert_meets(pair, Vec3::new(5.0, 0.0, 0.0), LEFT, 3.0, [1.0, 0.0, 0.0]);
-    // One that takes away divides them.
+    // A blob that subtracts divides them.
     let blobs = [blobs[0], blobs[1], Blob { strength: -1.0, ..Blob::new(Vec3::ZERO, 1.0) }];
     assert_misses(Metaballs::new(&blobs), Vec3::new(0.0, 0.0, 5.0), DOWN);
     assert_meets(Metaballs::new(&blobs), Vec3::new(1.0, 0.0, 5.0), DOWN, 4.0, [0.0, 0.0, 1.0]);
@@ -89,7 +90,7 @@ fn every_first_hit_is_that_of_a_fine_search() {
         match (searched, found) {
             (Some(searched), Some(found)) => {
                 met += 1;
-                // The search may miss what is thinner than its steps.
+                // The fine search may miss parts that are thinner than its steps.
                 assert!(found <= searched && (found > searched - 1e-3 || is_inside(ray.at(found + 1e-5))));
                 assert!(
                     is_inside(ray.at(found + 1e-5)) && !is_inside(ray.at(found - 1e-5)),

@@ -1,0 +1,305 @@
+//! Guide: how to write a shape of your own, and how much memory to lend to a scene.
+//!
+//! # A shape of your own
+//!
+//! Write a type for the description and a type for the prepared form, implement the three traits, and name
+//! the description in a set of shapes. The kernel treats your shapes and the built-in ones alike. A bowl that
+//! is open above:
+//!
+//! ```
+//! use rayline::math::{Aabb, Extent, Interval, Ray, Scale};
+//! use rayline::shape::{Geometry, Intersect, Plane, PreparedSphere, Silhouette, Sphere};
+//! use rayline::{Arena, Fault, Object, Real, Surface, Vec3};
+//!
+//! /// The lower half of a sphere.
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! pub struct Bowl(Sphere);
+//!
+//! /// [`Bowl`], prepared.
+//! #[derive(Clone, Copy, Debug)]
+//! pub struct PreparedBowl<R: Real> {
+//!     sphere: PreparedSphere<R>,
+//!     /// The height at which the bowl ends.
+//!     rim: R,
+//! }
+//!
+//! impl Geometry for Bowl {
+//!     type Prepared<'m, R: Real> = PreparedBowl<R>;
+//!
+//!     fn extent(&self) -> Extent {
+//!         self.0.extent()
+//!     }
+//!
+//!     fn prepare<'m, R: Real>(&self, scale: Scale, memory: &mut Arena<'m>) -> Result<PreparedBowl<R>, Fault>
+//!     where
+//!         Self: 'm,
+//!     {
+//!         // The sphere checks all numbers.
+//!         let sphere = self.0.prepare(scale, memory)?;
+//!         Ok(PreparedBowl { sphere, rim: scale.length(R::Setup::from_f32(self.0.center.y)) })
+//!     }
+//! }
+//!
+//! impl<R: Real> Intersect<R> for PreparedBowl<R> {
+//!     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+//!         let inside = self.sphere.spans(ray);
+//!         let ends = inside.as_slice().iter().flat_map(|part| [part.min, part.max]);
+//!         ends.filter(|t| range.contains(*t)).find(|t| ray.at(*t).y < self.rim)
+//!     }
+//!
+//!     fn bounds(&self) -> Option<Aabb<R>> {
+//!         let Aabb { min, max } = self.sphere.bounds()?;
+//!         let rim = self.rim + R::offset(max.magnitude());
+//!         Some(Aabb { min, max: Vec3::new(max.x, rim, max.z) })
+//!     }
+//!
+//!     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+//!         self.sphere.surface(ray, t)
+//!     }
+//!
+//!     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+//!         self.sphere.uv(surface, scale)
+//!     }
+//! }
+//!
+//! // The defaults will do.
+//! impl<R: Real> Silhouette<R> for PreparedBowl<R> {}
+//!
+//! rayline::shape_set! {
+//!     /// Bowls on a table.
+//!     pub enum Table;
+//!     /// `Table`, prepared.
+//!     pub enum PreparedTable {
+//!         /// A bowl.
+//!         Bowl(Bowl),
+//!         /// The table.
+//!         Top(Plane),
+//!     }
+//! }
+//!
+//! // From here on, a scene is made as always.
+//! static OBJECTS: [Object<Table>; 2] = [
+//!     Object::new(Table::Bowl(Bowl(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0))), 0),
+//!     Object::new(Table::Top(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 1),
+//! ];
+//! // Memory for two objects, two materials, no lights, and nothing more: see below.
+//! let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
+//! # let camera = rayline::Camera {
+//! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! # };
+//! # let white = rayline::LinearRgb::WHITE;
+//! # let materials = [rayline::Material::matte(white); 2];
+//! # let background = white.into();
+//! # let objects = &OBJECTS;
+//! # let scene = rayline::Scene { camera, background, objects, materials: &materials, lights: &[] };
+//! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
+//! ```
+//!
+//! ## Rules
+//!
+//! - [`prepare`](super::Geometry::prepare) refuses every description that could fail later; [`Fault::Own`] is
+//!   for reasons that no other fault names. It stores large data in the [`Arena`], and
+//!   [`bytes`](super::Geometry::bytes) returns the size of that data, by [`Arena::bytes`].
+//! - [`intersect`](super::Intersect::intersect) takes a bounded number of steps, and returns the same
+//!   distance whatever the range is. To keep digits, it computes from the point of the ray that is nearest to
+//!   the shape ([`Ray::nearest_to`]).
+//! - [`bounds`](super::Intersect::bounds) contains every hit: a distance whose point lies outside must not be
+//!   returned.
+//! - [`surface`](super::Intersect::surface) moves the point of the ray back onto the shape, and reports the
+//!   largest number that the point was computed from: rays that leave the surface start at a distance that is
+//!   derived from this number, so that they do not meet the same surface at once.
+//! - With [`Fixed`], numbers lie between -128 and 128, and so must every sum and product. Scenes are scaled
+//!   so that curved shapes ([`Extent::solid`]) lie within 1/2 of the origin along each axis, and flat ones
+//!   ([`Extent::flat`]) within 8.
+//!
+//! # How much memory to lend
+//!
+//! For a scene of built-in shapes, [`Scene::bytes`] tells how many bytes
+//! [`PreparedScene::new`](crate::PreparedScene::new) takes. For another set `S` it is [`prepared_bytes::<R,
+//! S>(objects, materials, lights, more)`](crate::prepared_bytes). The first three arguments are the numbers
+//! of objects, materials and lights. The last, `more`, is the sum of what some of them need in addition; for
+//! most scenes it is 0:
+//!
+//! - Built-in shapes need more, except spheres, planes, discs, rectangles, cylinders, cones and tori. So do
+//!   materials with placed textures, optics or maps, lamps, and backgrounds that are no solid color. For
+//!   their sum, put all built-in shapes that your scene has into a constant [`Scene`] and call
+//!   [`Scene::part_bytes`].
+//! - A shape of your own that stores data in the [`Arena`] needs as many bytes as its
+//!   [`bytes`](super::Geometry::bytes) returns. Write the same function as a `const fn`, too.
+//!
+//! All of this is known when the program is built, so that the memory can be `static`. Here is a shape that
+//! stores a list:
+//!
+//! ```
+//! # use rayline::math::{Aabb, Extent, Interval, Ray, Scale};
+//! # use rayline::shape::{Intersect, Plane, Silhouette};
+//! # use rayline::{Falloff, Surface};
+//! use rayline::shape::{Geometry, Polygon, Shape};
+//! use rayline::{
+//!     Arena, Background, Camera, Fault, Lamp, Light, LinearRgb, Material, Object, PreparedScene, Real,
+//!     Scene, Vec3, Workspace, prepared_bytes,
+//! };
+//!
+//! /// Balls of one size, in a list.
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! pub struct Beads {
+//!     centers: &'static [Vec3],
+//!     radius: f32,
+//! }
+//!
+//! /// [`Beads`], prepared: the centers lie in the lent memory.
+//! #[derive(Clone, Copy, Debug)]
+//! pub struct PreparedBeads<'m, R: Real> {
+//!     centers: &'m [Vec3<R>],
+//!     radius: R,
+//! }
+//!
+//! impl Beads {
+//!     /// [`Geometry::bytes`], usable in constants.
+//!     const fn const_bytes<R: Real>(&self) -> usize {
+//!         Arena::bytes::<Vec3<R>>(self.centers.len())
+//!     }
+//! #
+//! #   fn reach(&self) -> f32 {
+//! #       self.centers.iter().fold(0.0, |most: f32, center| most.larger(center.magnitude())) + self.radius
+//! #   }
+//! }
+//!
+//! impl Geometry for Beads {
+//!     type Prepared<'m, R: Real> = PreparedBeads<'m, R>;
+//!
+//!     fn bytes<R: Real>(&self) -> usize {
+//!         self.const_bytes::<R>()
+//!     }
+//! #
+//! #   fn extent(&self) -> Extent {
+//! #       Extent::solid(self.reach())
+//! #   }
+//!
+//!     fn prepare<'m, R: Real>(
+//!         &self,
+//!         scale: Scale,
+//!         memory: &mut Arena<'m>,
+//!     ) -> Result<PreparedBeads<'m, R>, Fault>
+//!     where
+//!         Self: 'm,
+//!     {
+//! #       if !(self.radius > 0.0) {
+//! #           return Err(Fault::RadiusNotPositive);
+//! #       }
+//! #       if !self.reach().is_finite() {
+//! #           return Err(Fault::NotFinite);
+//! #       }
+//! #       let scaled = |center: &Vec3| scale.point(center.to());
+//! #       let center = |index| self.centers.get(index).map_or(Vec3::ZERO, scaled);
+//!         // Takes no more than `bytes` says.
+//!         let centers = memory.store_with(self.centers.len(), center)?;
+//!         Ok(PreparedBeads { centers, radius: scale.length(R::Setup::from_f32(self.radius)) })
+//!     }
+//! }
+//! #
+//! # impl<R: Real> Intersect<R> for PreparedBeads<'_, R> {
+//! #     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+//! #         let met = |center: &Vec3<R>| {
+//! #             let (from_center, advance) = ray.nearest_to(*center);
+//! #             let room = self.radius * self.radius - from_center.length_squared();
+//! #             let half = if room > R::ZERO { room.sqrt() } else { return None };
+//! #             [advance - half, advance + half].into_iter().find(|t| range.contains(*t))
+//! #         };
+//! #         self.centers.iter().filter_map(met).reduce(|a, b| if b < a { b } else { a })
+//! #     }
+//! #
+//! #     fn bounds(&self) -> Option<Aabb<R>> {
+//! #         None
+//! #     }
+//! #
+//! #     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+//! #         let point = ray.at(t);
+//! #         let outward = self.centers.iter().map(|center| point - *center);
+//! #         let shorter = |a: Vec3<R>, b: Vec3<R>| if b.length() < a.length() { b } else { a };
+//! #         let outward = outward.reduce(shorter);
+//! #         let normal = outward.and_then(Vec3::normalized).unwrap_or(Vec3::ZERO);
+//! #         Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 }
+//! #     }
+//! #
+//! #     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
+//! #         [surface.normal.x, surface.normal.y]
+//! #     }
+//! # }
+//! #
+//! # impl<R: Real> Silhouette<R> for PreparedBeads<'_, R> {}
+//!
+//! rayline::shape_set! {
+//!     /// The shapes in a shop's window.
+//!     pub enum Window<'a>;
+//!     /// `Window`, prepared.
+//!     pub enum PreparedWindow {
+//!         /// Beads.
+//!         Beads(Beads),
+//!         /// The price tag.
+//!         Tag(Polygon<'a>),
+//!         /// The table.
+//!         Top(Plane),
+//!     }
+//! }
+//!
+//! const BEADS: Beads =
+//!     Beads { centers: &[Vec3::new(-1.0, 0.5, 0.0), Vec3::new(0.0, 0.5, 0.0)], radius: 0.5 };
+//! const TAG: Polygon =
+//!     Polygon::new(&[Vec3::new(1.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0), Vec3::new(1.5, 1.0, 0.0)]);
+//! # const TOP: Plane = Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0));
+//! # const CAMERA: Camera = Camera {
+//! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! # };
+//! # const FALLOFF: Falloff = Falloff::inverse_square(4.0);
+//! # const LAMP: Lamp =
+//! #     Lamp { position: Vec3::new(0.0, 4.0, 0.0), color: LinearRgb::WHITE, falloff: FALLOFF, cone: None };
+//!
+//! static OBJECTS: [Object<Window>; 3] = [
+//!     Object::new(Window::Beads(BEADS), 0),
+//!     Object::new(Window::Tag(TAG), 0),
+//!     Object::new(Window::Top(TOP), 0),
+//! ];
+//! const MATERIALS: &[Material] = &[Material::matte(LinearRgb::WHITE)];
+//! const LIGHTS: &[Light] = &[Light::Lamp(LAMP)];
+//!
+//! /// The built-in things that need more: the tag and the lamp.
+//! const BUILT_IN: Scene = Scene {
+//!     camera: CAMERA,
+//!     background: Background::BLACK,
+//!     objects: &[Object::new(Shape::Polygon(TAG), 0)],
+//!     materials: MATERIALS,
+//!     lights: LIGHTS,
+//! };
+//! const MORE: usize = BUILT_IN.part_bytes::<f32>() + BEADS.const_bytes::<f32>();
+//! const BYTES: usize = prepared_bytes::<f32, Window>(OBJECTS.len(), MATERIALS.len(), LIGHTS.len(), MORE);
+//!
+//! let mut memory = Workspace::<BYTES>::new();
+//! let scene = Scene {
+//!     camera: CAMERA,
+//!     background: Background::BLACK,
+//!     objects: &OBJECTS,
+//!     materials: MATERIALS,
+//!     lights: LIGHTS,
+//! };
+//! # #[cfg(feature = "optics")]
+//! assert!(PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
+//! # let mut less = Workspace::<{ BYTES - 1 }>::new();
+//! # assert!(PreparedScene::<f32, _>::new(&scene, less.lend()).is_err());
+//! ```
+//!
+//! If a scene is put together at run time, lend memory for the largest one: with
+//! [`SceneBuf`](crate::SceneBuf), for its three capacities. Too little memory is refused with the number of
+//! bytes that were needed ([`Fault::Memory`]).
+//!
+//! [`Arena`]: crate::Arena
+//! [`Arena::bytes`]: crate::Arena::bytes
+//! [`Extent::flat`]: crate::math::Extent::flat
+//! [`Extent::solid`]: crate::math::Extent::solid
+//! [`Fault::Memory`]: crate::Fault::Memory
+//! [`Fault::Own`]: crate::Fault::Own
+//! [`Fixed`]: crate::math::Fixed
+//! [`Ray::nearest_to`]: crate::math::Ray::nearest_to
+//! [`Scene`]: crate::Scene
+//! [`Scene::bytes`]: crate::Scene::bytes
+//! [`Scene::part_bytes`]: crate::Scene::part_bytes
