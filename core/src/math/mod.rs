@@ -18,7 +18,6 @@ mod vec3;
 
 pub use aabb::Aabb;
 pub use cell::Cell;
-pub(crate) use fixed::trailing_zeros;
 pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct, FixedRadius};
 pub use four::FourRays;
 pub(crate) use four::{FOUR_AT_ONCE, choose, each};

@@ -15,7 +15,7 @@ use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
 use crate::limits::FEW_OBJECTS;
 use crate::material::Shininess;
-use crate::math::{Real, Vec3, trailing_zeros};
+use crate::math::{Real, Vec3};
 use crate::shape::{Form, Intersect};
 
 /// A set of up to [`ObjectSet::CAPACITY`] objects, by position.
@@ -57,7 +57,7 @@ impl ObjectSet {
     /// The lowest position.
     #[inline(always)]
     fn lowest(self) -> Option<usize> {
-        if self.0 == 0 { None } else { Some(trailing_zeros(self.0) as usize) }
+        if self.0 == 0 { None } else { Some(self.0.trailing_zeros() as usize) }
     }
 
     #[inline(always)]

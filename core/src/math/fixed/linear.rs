@@ -1,6 +1,6 @@
 //! Linear functions over space in fixed point.
 
-use super::product::product;
+use super::arch::product;
 use super::{FRACTION, Fixed};
 use crate::math::real::{Linear, Real};
 use crate::math::{Cell, Vec3};

@@ -39,7 +39,7 @@
 //! | square root, length | 2⁻²⁴ of the value, and 1 unit |
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
 //! | normal of a ball | 2 units in each coordinate of that place's direction, see [`radius`] |
-//! | direction to a light | an angle of 2⁻¹³, see [`coarse`] |
+//! | direction to a light | an angle of 2⁻¹³; length and cosine 2⁻¹² of the value, 2⁻¹³ more in the cosine, and 2 units |
 //! | power | see [`power`](self::power) |
 //! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
 //!
@@ -56,29 +56,22 @@
 //!
 //! All but 7 to 52 pixels, at edges of which one side or the other is met, are within 1 of 255.
 
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-mod armv6m;
-mod coarse;
+mod arch;
 mod linear;
 mod newton;
 mod power;
-mod product;
 mod radius;
 mod turn;
 mod wide;
-mod zeros;
 
 pub use linear::FixedLinear;
 pub use radius::FixedRadius;
 pub use wide::FixedProduct;
-pub(crate) use zeros::trailing_zeros;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Cell, Ray, Real, Vec3};
-use newton::{Root, recip, root};
-use product::{IS_ARMV6M, attenuated, product, scaled};
-use zeros::zeros;
+use arch::product;
 
 /// Bits after the point.
 const FRACTION: u32 = 24;
@@ -153,27 +146,6 @@ impl Fixed {
         self.0
     }
 
-    /// The nearest of these numbers to many units, shifted down by 1 to 63.
-    #[inline(always)]
-    fn shifted(bits: i64, down: u32) -> Self {
-        if IS_ARMV6M { Self::shifted_by_words(bits, down) } else { Self::saturated(bits >> (down & 63)) }
-    }
-
-    /// The same. On ARMv6-M, to shift two words together is a call.
-    #[inline(always)]
-    fn shifted_by_words(bits: i64, down: u32) -> Self {
-        let (high, low) = ((bits >> 32) as i32, bits as u32);
-        if down & 32 != 0 {
-            return Self(high >> (down & 31));
-        }
-        let down = down & 31;
-        // What is lost above must be copies of the sign.
-        let shifted = (high << 1 << (31 - down)) as u32 | low >> down;
-        let sign = high >> 31;
-        let is_held = high >> down == sign && (shifted as i32) >> 31 == sign;
-        Self(if is_held { shifted as i32 } else { sign ^ i32::MAX })
-    }
-
     /// The nearest of these numbers to many units of 2⁻²⁴.
     #[inline(always)]
     fn saturated(bits: i64) -> Self {
@@ -210,7 +182,7 @@ impl Mul for Fixed {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self(scaled(self.0, other.0))
+        Self(arch::scaled_product(self.0, other.0))
     }
 }
 
@@ -220,23 +192,11 @@ impl Div for Fixed {
         if other.0 == 0 {
             return Self(if self.0 < 0 { i32::MIN } else { i32::MAX });
         }
-        let (zeros, inverse) = inverse(other);
+        let (zeros, inverse) = arch::inverse(other.0);
         // The divisor is 2⁽⁸⁻ᶻᵉʳᵒˢ⁾ times a number in [1/2, 1), of which `inverse` holds the reciprocal in 30 bits.
-        let quotient = Self::shifted(product(self.0, inverse), 38u32.wrapping_sub(zeros));
+        let quotient = Self(arch::shifted(product(self.0, inverse), 38u32.wrapping_sub(zeros)));
         if other.0 < 0 { Self(quotient.0.saturating_neg()) } else { quotient }
     }
-}
-
-/// Leading zeros of the absolute value, and the reciprocal of the digits after them.
-#[inline(always)]
-fn inverse(divisor: Fixed) -> (u32, i32) {
-    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-    if IS_ARMV6M {
-        return armv6m::inverse(divisor.0);
-    }
-    let digits = divisor.0.unsigned_abs();
-    let zeros = zeros(digits) & 31;
-    (zeros, recip(digits << zeros) as i32)
 }
 
 impl Real for Fixed {
@@ -254,8 +214,8 @@ impl Real for Fixed {
     const REACH: Option<f32> = Some(59.0);
     const SEEKS_FACTORS: bool = true;
     const COARSE: f32 = 1.0 / 8192.0;
-    const ASTRAY: f32 = coarse::ASTRAY;
-    const SAVES_PRODUCTS: bool = IS_ARMV6M;
+    const ASTRAY: f32 = arch::TOWARD_LIGHT_ERROR;
+    const SAVES_PRODUCTS: bool = cfg!(armv6m);
 
     fn from_f32(value: f32) -> Self {
         // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
@@ -351,7 +311,7 @@ impl Real for Fixed {
     #[inline(always)]
     fn times_few(vector: [Self; 3], few: Self) -> [Self; 3] {
         // The same bits in fewer instructions, where the number is below 2 and has no digits but those that `attenuated` takes.
-        if IS_ARMV6M && few.0 as u32 >> (FRACTION + 1) == 0 && few.0 << 23 == 0 {
+        if cfg!(armv6m) && few.0 as u32 >> (FRACTION + 1) == 0 && few.0 << 23 == 0 {
             return vector.map(|coordinate| coordinate.attenuated(few));
         }
         vector.map(|coordinate| coordinate * few)
@@ -359,42 +319,33 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn attenuated(self, share: Self) -> Self {
-        Self(attenuated(self.0, share.0))
+        Self(arch::attenuated(self.0, share.0))
     }
 
     #[inline(always)]
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
-        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        {
-            Self(armv6m::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
-        }
-        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-        Self((FixedProduct::dot3(a, b).bits() >> FRACTION) as i32)
+        Self(arch::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
     }
 
     #[inline(always)]
     fn coarse(self) -> Self {
-        if IS_ARMV6M { Self(coarse::coordinate(self.0)) } else { self }
+        Self(arch::coarse_coordinate(self.0))
     }
 
     #[inline(always)]
     fn dot3_coarse(a: [Self; 3], b: [Self; 3]) -> Self {
-        if IS_ARMV6M {
-            Self(coarse::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
-        } else {
-            Self::dot3(a, b)
-        }
+        Self(arch::coarse_dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
     }
 
     #[inline(always)]
     fn is_central(Vec3 { x, y, z }: Vec3<Self>) -> bool {
-        Self::SAVES_PRODUCTS && coarse::is_central([x.0, y.0, z.0])
+        arch::is_central([x.0, y.0, z.0])
     }
 
     #[inline(always)]
     fn misses_ball(ray: &Ray<Self>, center: Vec3<Self>, radius: Self) -> bool {
         let bits = |vector: Vec3<Self>| [vector.x.0, vector.y.0, vector.z.0];
-        Self::SAVES_PRODUCTS && coarse::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
+        arch::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
     }
 
     fn times(self, other: Self) -> FixedProduct {
@@ -411,22 +362,14 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
-        let Root { length, inverse, up } = root(FixedProduct::length_squared(vector).bits() as u64);
-        // Each coordinate is shifted up as far as fits before it is scaled, and rounded afterwards.
-        let unit = |Self(x): Self| {
-            let upper = (product(x << up, inverse as i32) >> 32) as i32;
-            Self(upper.wrapping_add(1 << 4) >> 5)
-        };
-        (vector.map(unit), Self(length as i32))
+        let root = arch::root(FixedProduct::length_squared(vector).bits() as u64);
+        let unit = |Self(coordinate): Self| Self(root.unit_coordinate(coordinate, product));
+        (vector.map(unit), Self(root.length as i32))
     }
 
     #[inline(always)]
     fn unit(vector: [Self; 3]) -> [Self; 3] {
-        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        if IS_ARMV6M {
-            return armv6m::unit(vector.map(Self::to_bits)).map(Self);
-        }
-        Self::polar(vector).0
+        arch::unit(vector.map(Self::to_bits)).map(Self)
     }
 
     #[inline(always)]
@@ -436,7 +379,7 @@ impl Real for Fixed {
 
     #[inline(always)]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)> {
-        let (unit, length, cosine) = coarse::toward_light(way.map(Self::to_bits), normal.map(Self::to_bits))?;
+        let (unit, length, cosine) = arch::toward_light(way.map(Self::to_bits), normal.map(Self::to_bits))?;
         Some((unit.map(Self), Self(length), Self(cosine)))
     }
 

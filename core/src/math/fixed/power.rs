@@ -5,8 +5,7 @@
 //! 1e-5. Rejected: squarings for the whole part of the exponent and square roots for the rest, 20 products for a
 //! shininess of 1425 where this takes seven.
 
-use super::product::{product, unsigned_product, upper};
-use super::zeros::zeros;
+use super::arch::{leading_zeros, product, unsigned_product, upper_product};
 
 /// Around the middle c of each 64th part of [1/2, 1): 1/c in units of 2⁻³¹, and -log₂ c in units of 2⁻²⁷.
 static LOG: [(u32, u32); 64] = {
@@ -64,11 +63,11 @@ const fn log2(x: f64) -> f64 {
 /// -log₂ of a number below 1 that is given in units of 2⁻²⁴ and not 0; in units of 2⁻²⁷.
 #[inline]
 fn negative_log2(base: u32) -> u32 {
-    let zeros = zeros(base);
+    let zeros = leading_zeros(base);
     let x = base << (zeros & 31);
     let (inverse, log) = LOG.get((x >> 25 & 63) as usize).copied().unwrap_or((0, 0));
     // x = c (1 + z), |z| < 2⁻⁷, in units of 2⁻³¹; ln(1 + z) = z - z²/2 + z³/3.
-    let z = upper(x, inverse).wrapping_sub(1 << 31) as i32;
+    let z = upper_product(x, inverse).wrapping_sub(1 << 31) as i32;
     let short = z >> 9;
     let square = short.wrapping_mul(short);
     let cube = (square >> 15).wrapping_mul(short) >> 20;

@@ -69,20 +69,6 @@ fn quotients_keep_their_bound() {
 }
 
 #[test]
-fn shifts_saturate() {
-    let mut random = Random(3);
-    for _ in 0..1_000_000 {
-        let bits = (i64::from(random.bits()) << 32 | i64::from(random.bits() as u32)) >> (random.bits() & 63);
-        let down = (random.bits() & 63) as u32;
-        assert_eq!(
-            Fixed::shifted_by_words(bits, down),
-            Fixed::saturated(bits >> down),
-            "{bits:#x} >> {down}"
-        );
-    }
-}
-
-#[test]
 fn products_round_down() {
     let mut random = Random(2);
     for _ in 0..1_000_000 {
