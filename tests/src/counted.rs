@@ -168,7 +168,6 @@ impl Real for Counted {
     type Product = Self;
     type Factor = f32;
     type Linear = CountedLinear;
-    type Radius = Self;
 
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);

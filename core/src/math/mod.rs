@@ -18,7 +18,7 @@ mod vec3;
 
 pub use aabb::Aabb;
 pub use cell::Cell;
-pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct, FixedRadius};
+pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
 pub use four::FourRays;
 pub(crate) use four::{FOUR_AT_ONCE, choose, each};
 pub use interval::Interval;

@@ -36,8 +36,6 @@ pub trait Real:
     type Factor: Copy + Debug + PartialEq + Send + Sync + 'static;
     /// A linear function over space.
     type Linear: Linear<Self>;
-    /// The radius of a ball, with all that is to be known of it.
-    type Radius: Copy + Debug + PartialEq + From<Self> + Into<Self> + Send + Sync + 'static;
 
     /// 0.
     const ZERO: Self;
@@ -180,13 +178,6 @@ pub trait Real:
     #[inline(always)]
     fn unit(vector: [Self; 3]) -> [Self; 3] {
         Self::polar(vector).0
-    }
-
-    /// The normal of a ball, a unit vector, and the place there, where a place as seen from the middle is on the ball but for rounding.
-    #[inline(always)]
-    fn on_ball(place: [Self; 3], radius: &Self::Radius) -> ([Self; 3], [Self; 3]) {
-        let (normal, radius) = (Self::unit(place), (*radius).into());
-        (normal, normal.map(|coordinate| coordinate * radius))
     }
 
     /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` where the light
@@ -349,7 +340,6 @@ macro_rules! impl_real_for_float {
             type Product = Self;
             type Factor = Self;
             type Linear = FloatLinear<Self>;
-            type Radius = Self;
 
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;

@@ -143,14 +143,6 @@ impl<R: Real> Vec3<R> {
         Self::new(x, y, z)
     }
 
-    /// The normal of a ball, and the place there, where this place as seen from the middle is on the ball but for rounding.
-    #[inline(always)]
-    pub(crate) fn on_ball(self, radius: &R::Radius) -> (Self, Self) {
-        let (normal, place) = R::on_ball([self.x, self.y, self.z], radius);
-        let vector = |[x, y, z]: [R; 3]| Self::new(x, y, z);
-        (vector(normal), vector(place))
-    }
-
     /// The unit vector of the same direction, or `None` where the length is 0.
     pub fn normalized(self) -> Option<Self> {
         let (unit, length) = self.polar();

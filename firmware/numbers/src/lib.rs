@@ -107,10 +107,6 @@ impl<R: Real> Results<R> {
             let (toward, distance, cosine) = seen.unwrap_or(([R::ZERO; 3], R::ZERO, R::ZERO));
             toward.into_iter().chain([distance, cosine]).for_each(|number| self.take(number));
         }
-        if length > R::from_fraction(1) && length < R::ONE {
-            let (normal, place) = R::on_ball([a.x, a.y, a.z], &length.into());
-            normal.into_iter().chain(place).for_each(|number| self.take(number));
-        }
         if b.x != R::ZERO {
             self.take(a.x / b.x);
         }

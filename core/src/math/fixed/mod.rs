@@ -38,7 +38,6 @@
 //! | `/`, reciprocal | 2⁻²⁵ of the value, and 1 unit |
 //! | square root, length | 2⁻²⁴ of the value, and 1 unit |
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
-//! | normal of a ball | 2 units in each coordinate of that place's direction, see [`radius`] |
 //! | direction to a light | an angle of 2⁻¹³; length and cosine 2⁻¹² of the value, 2⁻¹³ more in the cosine, and 2 units |
 //! | power | see [`power`](self::power) |
 //! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
@@ -60,12 +59,10 @@ mod arch;
 mod linear;
 mod newton;
 mod power;
-mod radius;
 mod turn;
 mod wide;
 
 pub use linear::FixedLinear;
-pub use radius::FixedRadius;
 pub use wide::FixedProduct;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -204,7 +201,6 @@ impl Real for Fixed {
     type Product = FixedProduct;
     type Factor = Factor;
     type Linear = FixedLinear;
-    type Radius = FixedRadius;
 
     const ZERO: Self = Self(0);
     const ONE: Self = Self::ONE;
@@ -370,11 +366,6 @@ impl Real for Fixed {
     #[inline(always)]
     fn unit(vector: [Self; 3]) -> [Self; 3] {
         arch::unit(vector.map(Self::to_bits)).map(Self)
-    }
-
-    #[inline(always)]
-    fn on_ball(place: [Self; 3], radius: &FixedRadius) -> ([Self; 3], [Self; 3]) {
-        radius::on_ball(place, radius)
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@
 //! | `reciprocal_root` | 2⁻¹³ | 2⁻²⁵ of the value |
 //! | `square_root` | 2⁻¹² | 2⁻²⁴ of the value |
 //!
-//! This file has the tables and what all processors compute in the same way; [`arch`](super::arch) has the rest. 
+//! This file has the tables and what all processors compute in the same way; [`arch`](super::arch) has the rest.
 //! docs/experiments.md.
 
 /// A straight piece of a curve in one word, to be loaded at once. The upper half is the value at the left end in units of 2⁻¹⁵, the lower

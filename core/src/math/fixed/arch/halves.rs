@@ -54,15 +54,6 @@ pub(crate) fn upper_product(a: u32, b: u32, opaque: impl FnOnce(u32) -> u32) -> 
     a_high.wrapping_mul(b_high).wrapping_add(cross >> 16).wrapping_add(other >> 16)
 }
 
-/// No sum overflows: they are below 2³⁰ + 2²⁷ + 2¹⁶.
-#[inline(always)]
-pub(crate) fn upper_of_small(a: i32, b: i32) -> i32 {
-    let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
-    let low = (a_low as u32).wrapping_mul(b_low as u32) >> 16;
-    let cross = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high)).wrapping_add(low as i32);
-    a_high.wrapping_mul(b_high).wrapping_add(cross >> 16)
-}
-
 /// Leading zeros by a binary search: 16 cycles, where the library takes 42 and a call.
 #[inline(always)]
 pub(crate) fn leading_zeros(bits: u32) -> u32 {
@@ -110,8 +101,6 @@ mod tests {
             assert_eq!(scaled_product(a, b), portable::scaled_product(a, b), "{a} · {b}");
             assert_eq!(attenuated(a, share_digits(b)), portable::attenuated(a, b), "{a} · {b}");
             assert_eq!(leading_zeros(a as u32), portable::leading_zeros(a as u32), "{a}");
-            let (few, fewer) = (a >> 1, (b & i32::MAX) >> 4);
-            assert_eq!(upper_of_small(few, fewer), portable::upper_of_small(few, fewer), "{few} · {fewer}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(upper_product(a, b, |cross| cross), portable::upper_product(a, b), "{a} · {b}");
         }

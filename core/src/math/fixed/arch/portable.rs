@@ -189,11 +189,6 @@ pub(crate) fn misses_ball(_from_center: [i32; 3], _direction: [i32; 3], _radius:
     false
 }
 
-#[inline(always)]
-pub(crate) fn upper_of_small(a: i32, b: i32) -> i32 {
-    (product(a, b) >> 32) as i32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

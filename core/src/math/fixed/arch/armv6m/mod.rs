@@ -31,7 +31,7 @@ use super::{coarse, halves, share_digits};
 use crate::math::fixed::newton::{self, Root};
 
 pub(crate) use coarse::{coordinate as coarse_coordinate, dot3 as coarse_dot3, is_central, misses_ball};
-pub(crate) use halves::{leading_zeros, product, scaled_product, shifted, upper_of_small};
+pub(crate) use halves::{leading_zeros, product, scaled_product, shifted};
 
 /// Calls a function in assembly with the numbers in `r0` to `r5`, and gives what is in these registers afterwards. `$memory` is `nomem`, or
 /// `readonly` for a function with a table.
