@@ -30,4 +30,3 @@ pub use scale::{Extent, Scale};
 #[cfg(feature = "serde")]
 pub(crate) use triple::triple;
 pub use vec3::Vec3;
-pub(crate) use vec3::times;

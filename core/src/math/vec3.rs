@@ -27,18 +27,6 @@ impl<R> Vec3<R> {
     }
 }
 
-/// The product with a coordinate of a unit vector that may well be 1 or -1.
-#[inline(always)]
-pub(crate) fn times<R: Real>(unit: R, number: R) -> R {
-    if R::SAVES_PRODUCTS && unit == R::ONE {
-        number
-    } else if R::SAVES_PRODUCTS && unit == -R::ONE {
-        -number
-    } else {
-        unit * number
-    }
-}
-
 impl Vec3 {
     /// The same vector in another number system.
     pub fn to<R: Real>(self) -> Vec3<R> {
@@ -53,33 +41,6 @@ impl<R: Real> Vec3<R> {
     /// The scalar product.
     pub fn dot(self, other: Self) -> R {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
-    }
-
-    /// The scalar product, of a unit vector that may well lie along an axis, as floors and walls have their normals.
-    pub(crate) fn dot_of_few(self, other: Self) -> R {
-        if R::SEEKS_FACTORS {
-            let is_zero = |number: R| number == R::ZERO;
-            match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
-                (false, true, true) => return times(self.x, other.x),
-                (true, false, true) => return times(self.y, other.y),
-                (true, true, false) => return times(self.z, other.z),
-                _ => {}
-            }
-        }
-        self.dot(other)
-    }
-
-    /// Whether this is a unit vector along a coordinate axis, to the bit.
-    #[inline(always)]
-    pub(crate) fn is_along_axis(self) -> bool {
-        let (is_zero, is_one) =
-            (|number: R| number == R::ZERO, |number: R| number == R::ONE || number == -R::ONE);
-        match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
-            (false, true, true) => is_one(self.x),
-            (true, false, true) => is_one(self.y),
-            (true, true, false) => is_one(self.z),
-            _ => false,
-        }
     }
 
     /// A unit vector, as [`dot_coarse`](Self::dot_coarse) takes it.

@@ -3,7 +3,7 @@
 use super::{Form, Geometry, Intersect, Spans, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3, times};
+use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// An infinite plane. What lies behind it is its inside.
@@ -61,8 +61,8 @@ impl<R: Real> PreparedPlane<R> {
     /// The distance at which a ray meets the plane.
     #[inline]
     pub(super) fn meet(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let height = self.distance - self.normal.dot_of_few(ray.origin);
-        let slope = self.normal.dot_of_few(ray.direction);
+        let height = self.distance - self.normal.dot(ray.origin);
+        let slope = self.normal.dot(ray.direction);
         // Only a ray that goes toward the plane reaches it, and only then is there something to divide by.
         let toward = (height > R::ZERO && slope > R::ZERO) || (height < R::ZERO && slope < R::ZERO);
         if !toward {
@@ -97,24 +97,7 @@ impl<R: Real> PreparedPlane<R> {
     /// The point of the plane where a ray meets it.
     #[inline(always)]
     fn point_at(&self, ray: &Ray<R>, t: R) -> Vec3<R> {
-        if R::SAVES_PRODUCTS && self.normal.is_along_axis() {
-            self.point_across_axis(ray, t)
-        } else {
-            project_onto_plane(ray.at(t), self.normal, self.distance)
-        }
-    }
-
-    /// The same, to the bit in fixed point, of a plane across an axis: one coordinate is that of the plane.
-    #[inline(always)]
-    fn point_across_axis(&self, Ray { origin, direction }: &Ray<R>, t: R) -> Vec3<R> {
-        let coordinate = |unit, from, along| {
-            if unit == R::ZERO { from + along * t } else { times(unit, self.distance) }
-        };
-        Vec3::new(
-            coordinate(self.normal.x, origin.x, direction.x),
-            coordinate(self.normal.y, origin.y, direction.y),
-            coordinate(self.normal.z, origin.z, direction.z),
-        )
+        project_onto_plane(ray.at(t), self.normal, self.distance)
     }
 
     /// Whether a hit is at a place that can be computed with: the next ray begins there.
@@ -213,26 +196,6 @@ mod tests {
         for extent in EXTENTS {
             let point = Vec3::new(0.3, -0.7, 0.2) * extent;
             assert_no_self_hits(Plane::new(point, Vec3::new(0.3, 0.9, -0.2)), point, extent, 20_000);
-        }
-    }
-
-    #[test]
-    fn planes_across_axes_are_met_at_the_same_bits_without_a_product() {
-        let mut random = Random(1);
-        let fixed = |vector: Vec3| Vec3::<Fixed>::from_setup(vector.to());
-        let vectors = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
-        for normal in vectors.into_iter().flat_map(|axis| [axis, -axis]) {
-            for _ in 0..10_000 {
-                let plane = PreparedPlane { normal: fixed(normal), distance: Fixed::from_f32(random.next()) };
-                let ray = Ray { origin: fixed(random.vector()), direction: fixed(random.direction()) };
-                let t = Fixed::from_f32(3.0 * random.next());
-                assert!(plane.normal.is_along_axis());
-                let expected = project_onto_plane(ray.at(t), plane.normal, plane.distance);
-                assert_eq!(plane.point_across_axis(&ray, t), expected, "{plane:?} {ray:?} {t:?}");
-            }
-        }
-        for slant in [Vec3::new(0.6, 0.8, 0.0), Vec3::new(0.0, 0.999, 0.0), Vec3::ZERO] {
-            assert!(!fixed(slant).is_along_axis());
         }
     }
 
