@@ -184,7 +184,7 @@ impl<R: Real> Viewport<R> {
     pub(crate) fn ray(&self, (x, right): (u16, u16), (y, down): (u16, u16)) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
         let y = R::from_pixel(y, down, self.shift);
-        let direction = self.corner + self.right.times_few(x) + self.down.times_few(y);
+        let direction = self.corner + self.right * x + self.down * y;
         // The length is at least 1, the distance of the picture.
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }

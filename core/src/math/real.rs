@@ -149,12 +149,6 @@ pub trait Real:
         self * share
     }
 
-    /// The products with a number that most often has few digits, as the place of a pixel has.
-    #[inline(always)]
-    fn times_few(vector: [Self; 3], few: Self) -> [Self; 3] {
-        vector.map(|coordinate| coordinate * few)
-    }
-
     /// The product, not yet rounded.
     fn times(self, other: Self) -> Self::Product;
 

@@ -55,13 +55,6 @@ impl<R: Real> Vec3<R> {
         R::dot3_coarse([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
-    /// The product with a number that most often has few digits.
-    #[inline(always)]
-    pub(crate) fn times_few(self, few: R) -> Self {
-        let [x, y, z] = R::times_few([self.x, self.y, self.z], few);
-        Self::new(x, y, z)
-    }
-
     /// The vector product: perpendicular to both, by the right-hand rule.
     pub fn cross(self, other: Self) -> Self {
         Self::new(

@@ -305,15 +305,6 @@ impl Real for Fixed {
     }
 
     #[inline(always)]
-    fn times_few(vector: [Self; 3], few: Self) -> [Self; 3] {
-        // The same bits in fewer instructions, where the number is below 2 and has no digits but those that `attenuated` takes.
-        if cfg!(armv6m) && few.0 as u32 >> (FRACTION + 1) == 0 && few.0 << 23 == 0 {
-            return vector.map(|coordinate| coordinate.attenuated(few));
-        }
-        vector.map(|coordinate| coordinate * few)
-    }
-
-    #[inline(always)]
     fn attenuated(self, share: Self) -> Self {
         Self(arch::attenuated(self.0, share.0))
     }
