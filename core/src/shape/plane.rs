@@ -156,7 +156,6 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
 mod tests {
     use super::super::testing::*;
     use super::*;
-    use crate::math::Fixed;
 
     const FLOOR: Plane = Plane::new(Vec3::new(7.0, -1.0, 3.0), Vec3::new(0.0, 5.0, 0.0));
 
