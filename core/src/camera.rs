@@ -1,7 +1,7 @@
 //! Where the picture is taken from.
 
 use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
-use crate::math::{Aabb, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Kernel, Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +126,7 @@ impl<R: Real> Viewport<R> {
             camera.forward - camera.right * (half * number(width)) + camera.up * (half * number(height));
         let (right, down) = (camera.right * pixel, -(camera.up * pixel));
         // Only the direction of a ray counts. Where numbers have a fixed number of digits, all of them are used.
-        let (shift, unit) = if R::REACH.is_some() {
+        let (shift, unit) = if R::IS_FIXED_POINT {
             let shift = u16::BITS - width.max(height).leading_zeros();
             (shift, Self::unit(R::Setup::ONE + half * (number(width) + number(height)), shift))
         } else {
@@ -221,7 +221,7 @@ impl<R: Real> Viewport<R> {
         let (_, half_height) = self.middle;
         // As in `project`, multiplied by the depth.
         let below = |height: R::Setup| camera.forward * ((half_height - height) * self.pixel()) - camera.up;
-        [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.polar().0))
+        [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.unit_and_length().0))
     }
 
     /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.

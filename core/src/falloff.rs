@@ -57,7 +57,7 @@ impl Falloff {
         let (l, q) = (l * per_unit, q * per_unit * per_unit);
         // The largest is made 1, and so none is out of range; or less, where the brightness would be.
         let largest = c.larger(l).larger(q);
-        let unit = if R::holds(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
+        let unit = if R::fits(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
         let part = |coefficient: R::Setup| R::from_setup(coefficient / unit);
         let brightness = R::from_setup(unit.recip());
         Ok(Some(PreparedFalloff { constant: part(c), linear: part(l), quadratic: part(q), brightness }))

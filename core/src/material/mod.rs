@@ -192,7 +192,7 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
     /// Whether any ray may have to be followed from its surface.
     #[inline(always)]
     pub(crate) fn sends_rays(&self) -> bool {
-        self.reflectance.is_positive() || self.transmittance.is_positive() || self.optics().is_some()
+        self.reflectance > R::ZERO || self.transmittance > R::ZERO || self.optics().is_some()
     }
 
     /// What goes beyond Phong's and Whitted's models, if anything does. Without the feature, the compiler sees that nothing does

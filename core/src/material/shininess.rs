@@ -38,11 +38,11 @@ impl<R: Real> Shininess<R> {
         cosine > self.least
     }
 
-    /// Whether a highlight may be seen between these unit vectors, where that can be told faster than by their cosine.
+    /// `false` if a highlight is surely invisible between these unit vectors: a bound of their cosine may be faster than the cosine.
     #[inline(always)]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
-        !R::SAVES_PRODUCTS
-            || self.is_visible(mirrored.coarse().dot_coarse(toward.coarse()) + R::from_f32(R::COARSE))
+        let (_, most) = mirrored.dot_bounds(toward);
+        self.is_visible(most)
     }
 
     /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at

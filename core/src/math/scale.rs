@@ -49,7 +49,7 @@ impl Extent {
 
 /// From the units of a scene's description to those in which a number system traces it: a power of two.
 ///
-/// For floating point it is 1. A number system with little range ([`Real::REACH`]) gets the scene such that its solids
+/// For floating point it is 1. A number system with little range ([`Real::IS_FIXED_POINT`]) gets the scene such that its solids
 /// lie within 1/2 of the origin, and flat shapes, eye and lights within 8. Where there are infinite planes, these, eye and
 /// solids lie within 1/4, and the eye is no farther from any plane than 1/2: a plane is then seen 118 times as far as the
 /// eye is away from it, and most often more than 200 times.
@@ -72,7 +72,7 @@ impl Scale {
 
     /// The scale for a scene that is seen from `eye`.
     pub fn new<R: Real>(extent: Extent, eye: Vec3) -> Self {
-        if R::REACH.is_none() {
+        if !R::IS_FIXED_POINT {
             return Self::ONE;
         }
         let (from_origin, eye) = (eye.length(), eye.magnitude());
@@ -142,13 +142,13 @@ impl Scale {
 
     /// Whether an eye or light at this point is near enough.
     pub fn is_near<R: Real>(self, point: Vec3) -> bool {
-        R::REACH.is_none() || point.magnitude() * self.0 <= Self::NEAR
+        !R::IS_FIXED_POINT || point.magnitude() * self.0 <= Self::NEAR
     }
 
     /// Whether an eye so far from an infinite plane sees it up to the horizon.
     pub(crate) fn is_near_plane<R: Real>(height: R) -> bool {
         // The height of the eye that a scene was prepared with is rounded.
-        R::REACH.is_none() || height.abs() <= R::from_f32(Self::ABOVE_PLANE) + R::offset(R::ONE)
+        !R::IS_FIXED_POINT || height.abs() <= R::from_f32(Self::ABOVE_PLANE) + R::offset(R::ONE)
     }
 
     /// A power of two that brings a point, with coordinates of up to 10⁶ units, as near as [`is_near`](Self::is_near) asks.

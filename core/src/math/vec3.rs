@@ -2,9 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::Real;
-use super::real::Product;
-use super::{float, turned};
+use super::{Product, Real, float, turned};
 
 /// A point, a direction or a normal in space: right-handed, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,16 +41,10 @@ impl<R: Real> Vec3<R> {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
-    /// A unit vector, as [`dot_coarse`](Self::dot_coarse) takes it.
+    /// A lower and an upper bound of the scalar product of two unit vectors, see [`Kernel::dot3_bounds`].
     #[inline(always)]
-    pub(crate) fn coarse(self) -> Self {
-        Self::new(self.x.coarse(), self.y.coarse(), self.z.coarse())
-    }
-
-    /// The scalar product of two [coarse](Self::coarse) unit vectors, off by less than [`Real::COARSE`].
-    #[inline(always)]
-    pub(crate) fn dot_coarse(self, other: Self) -> R {
-        R::dot3_coarse([self.x, self.y, self.z], [other.x, other.y, other.z])
+    pub(crate) fn dot_bounds(self, other: Self) -> (R, R) {
+        R::dot3_bounds([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
     /// The vector product: perpendicular to both, by the right-hand rule.
@@ -85,8 +77,8 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.
-    pub fn polar(self) -> (Self, R) {
-        let ([x, y, z], length) = R::polar([self.x, self.y, self.z]);
+    pub fn unit_and_length(self) -> (Self, R) {
+        let ([x, y, z], length) = R::unit_and_length([self.x, self.y, self.z]);
         (Self::new(x, y, z), length)
     }
 
@@ -99,7 +91,7 @@ impl<R: Real> Vec3<R> {
 
     /// The unit vector of the same direction, or `None` where the length is 0.
     pub fn normalized(self) -> Option<Self> {
-        let (unit, length) = self.polar();
+        let (unit, length) = self.unit_and_length();
         (length > R::ZERO).then_some(unit)
     }
 
@@ -127,6 +119,12 @@ impl<R: Real> Vec3<R> {
     /// The largest absolute value among the coordinates.
     pub fn magnitude(self) -> R {
         self.x.abs().larger(self.y.abs()).larger(self.z.abs())
+    }
+
+    /// `true` if a ray may begin at this point: in fixed point the range of numbers is small.
+    #[inline(always)]
+    pub(crate) fn is_in_reach(self) -> bool {
+        !R::IS_FIXED_POINT || self.magnitude() < R::FARTHEST
     }
 
     /// This vector or its opposite, whichever points against `direction`, its product with the way back, which is 0 or more, and whether

@@ -24,7 +24,7 @@ impl<R: Real> End<R> {
     #[inline(always)]
     fn new(height: R, slope: R) -> Self {
         // The sum makes a negative zero a positive one, and the quotient infinite to the right side.
-        if R::REACH.is_some() { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
+        if R::IS_FIXED_POINT { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
     }
 
     #[inline(always)]
@@ -39,7 +39,7 @@ impl<R: Real> End<R> {
 
     #[inline(always)]
     fn distance(self) -> R {
-        if R::REACH.is_some() { self.height / self.slope } else { self.height }
+        if R::IS_FIXED_POINT { self.height / self.slope } else { self.height }
     }
 }
 

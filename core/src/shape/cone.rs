@@ -174,7 +174,7 @@ impl<R: Real> PreparedCone<R> {
     /// `None` where the ray passes by.
     #[inline(always)]
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
-        if R::REACH.is_none() {
+        if !R::IS_FIXED_POINT {
             let (distance, reach) = self.passing(ray);
             if distance > reach {
                 return None;
@@ -182,7 +182,7 @@ impl<R: Real> PreparedCone<R> {
         }
         let (from_base, advance) = ray.nearest_to(self.base);
         // Else coefficients would be out of range.
-        if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
+        if R::IS_FIXED_POINT && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
         let direction = ray.direction;

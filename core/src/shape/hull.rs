@@ -84,7 +84,7 @@ impl<R: Real> Tip<R> {
     /// Whether it is less wide than long, at less than 53°: of others there is little that is thin.
     #[inline(never)]
     pub(crate) fn is_sharp(&self) -> bool {
-        let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).polar());
+        let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).unit_and_length());
         // Where an end is the very point, its direction is anything.
         a.dot(b) > R::from_f32(0.6) && self.radius + self.radius < length
     }

@@ -84,7 +84,7 @@ impl<R: Real> PreparedPlane<R> {
         range: Interval<R>,
         inside: impl FnOnce(Vec3<R>) -> bool,
     ) -> Option<R> {
-        if FOUR_AT_ONCE && R::REACH.is_none() {
+        if FOUR_AT_ONCE && !R::IS_FIXED_POINT {
             // Positive and finite only toward the plane.
             let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.direction);
             let met = (t > R::ZERO) & (t > range.min) & (t < range.max) & inside(ray.at(t));
@@ -99,19 +99,14 @@ impl<R: Real> PreparedPlane<R> {
     fn point_at(&self, ray: &Ray<R>, t: R) -> Vec3<R> {
         project_onto_plane(ray.at(t), self.normal, self.distance)
     }
-
-    /// Whether a hit is at a place that can be computed with: the next ray begins there.
-    #[inline(always)]
-    fn is_held(ray: &Ray<R>, t: R) -> bool {
-        R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach))
-    }
 }
 
 impl<R: Real> Intersect<R> for PreparedPlane<R> {
     #[inline]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.meet(ray, range)?;
-        Self::is_held(ray, t).then_some(t)
+        // The next ray begins there.
+        ray.at(t).is_in_reach().then_some(t)
     }
 
     fn form(&self) -> Form<R> {
@@ -131,7 +126,7 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         }
         let t = height / slope;
         // What is met too far away is not met.
-        let t = if t.abs() < farthest && Self::is_held(ray, t) {
+        let t = if t.abs() < farthest && ray.at(t).is_in_reach() {
             t
         } else if t > R::ZERO {
             farthest

@@ -206,7 +206,7 @@ impl<R: Real> PreparedPolygon<'_, R> {
 /// Whether (u, v) lies on the left of an edge.
 #[inline]
 fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
-    if R::REACH.is_none() {
+    if !R::IS_FIXED_POINT {
         return u < edge.x + (v - edge.y) * edge.z;
     }
     // Slopes may be out of range; the comparison of exact products is right for all.

@@ -94,7 +94,7 @@ impl<R: Real> Results<R> {
         self.take_product(a.dot_wide(b) - a.x.times(b.x) - a.y.times(b.y) - a.z.times(b.z));
         self.take_product(a.length_squared_wide() - a.x.times(a.x) - a.y.times(a.y) - a.z.times(a.z));
         // What is divided by nothing may be anything.
-        let (unit, length) = a.polar();
+        let (unit, length) = a.unit_and_length();
         self.take(length);
         if length > R::ZERO {
             self.take_vector(unit);

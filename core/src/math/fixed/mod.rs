@@ -18,7 +18,7 @@
 //! (which has no saturating addition), and because none can overflow:
 //!
 //! - Along each axis solids lie within 1/2, flat shapes, eye and lights within 8 units of the origin, and rays start
-//!   within 59 ([`Real::REACH`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116. Infinite planes pass
+//!   within 59 ([`Real::FARTHEST`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116. Infinite planes pass
 //!   the origin within 1/4.
 //! - Rays are followed for 59 units, so that `origin + direction · t` is below 118, and its difference from a vertex below
 //!   126.
@@ -67,6 +67,7 @@ pub use wide::FixedProduct;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::real::Kernel;
 use super::{Cell, Ray, Real, Vec3};
 use arch::product;
 
@@ -207,11 +208,7 @@ impl Real for Fixed {
     const FARTHEST: Self = Self(59 << FRACTION);
     // A 2¹⁷th part for what grows with the number: directions and normals are off by 2⁻²⁴. See `offset`.
     const RAY_OFFSET: Self = Self(1 << (FRACTION - 17));
-    const REACH: Option<f32> = Some(59.0);
-    const SEEKS_FACTORS: bool = true;
-    const COARSE: f32 = 1.0 / 8192.0;
-    const ASTRAY: f32 = arch::TOWARD_LIGHT_ERROR;
-    const SAVES_PRODUCTS: bool = cfg!(armv6m);
+    const IS_FIXED_POINT: bool = true;
 
     fn from_f32(value: f32) -> Self {
         // Truncation after adding a half is rounding; large numbers saturate, and NaN is 0.
@@ -231,15 +228,6 @@ impl Real for Fixed {
         Self(i32::from(value) << (FRACTION - 16))
     }
 
-    fn from_pixel(pixel: u16, fraction: u16, shift: u32) -> Self {
-        let position = u32::from(pixel) << 16 | u32::from(fraction);
-        let down = shift.wrapping_sub(FRACTION - 16) & 31;
-        Self(
-            (if shift >= FRACTION - 16 { position >> down } else { position << (FRACTION - 16 - shift) })
-                as i32,
-        )
-    }
-
     fn from_setup(value: f32) -> Self {
         Self::from_f32(value)
     }
@@ -250,6 +238,59 @@ impl Real for Fixed {
 
     fn sqrt(self) -> Self {
         FixedProduct::new(i64::from(self.0) << FRACTION).root()
+    }
+
+    fn turn(y: Self, x: Self) -> Self {
+        Self(turn::turn(y.0, x.0) & ((1 << FRACTION) - 1))
+    }
+
+    fn split(self) -> Cell<Self> {
+        Cell { index: self.0 >> FRACTION, within: Self(self.0 & ((1 << FRACTION) - 1)) }
+    }
+
+    fn floor_to_i32(self) -> i32 {
+        self.0 >> FRACTION
+    }
+
+    #[inline(always)]
+    fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self(arch::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
+    }
+
+    fn times(self, other: Self) -> FixedProduct {
+        FixedProduct::new(product(self.0, other.0))
+    }
+
+    fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> FixedProduct {
+        FixedProduct::dot3(a, b)
+    }
+
+    #[inline(always)]
+    fn unit_and_length(vector: [Self; 3]) -> ([Self; 3], Self) {
+        let root = arch::root(FixedProduct::length_squared(vector).bits() as u64);
+        let unit = |Self(coordinate): Self| Self(root.unit_coordinate(coordinate, product));
+        (vector.map(unit), Self(root.length as i32))
+    }
+
+    #[inline(always)]
+    fn unit(vector: [Self; 3]) -> [Self; 3] {
+        arch::unit(vector.map(Self::to_bits)).map(Self)
+    }
+
+    fn offset(magnitude: Self) -> Self {
+        // A point that was computed is off by a few units; 16 of them are 4e-6 of the scene.
+        Self((magnitude.0 >> 17).wrapping_add(16))
+    }
+}
+
+impl Kernel for Fixed {
+    fn from_pixel(pixel: u16, fraction: u16, shift: u32) -> Self {
+        let position = u32::from(pixel) << 16 | u32::from(fraction);
+        let down = shift.wrapping_sub(FRACTION - 16) & 31;
+        Self(
+            (if shift >= FRACTION - 16 { position >> down } else { position << (FRACTION - 16 - shift) })
+                as i32,
+        )
     }
 
     fn tan(self) -> Self {
@@ -283,18 +324,6 @@ impl Real for Fixed {
         }
     }
 
-    fn turn(y: Self, x: Self) -> Self {
-        Self(turn::turn(y.0, x.0) & ((1 << FRACTION) - 1))
-    }
-
-    fn split(self) -> Cell<Self> {
-        Cell { index: self.0 >> FRACTION, within: Self(self.0 & ((1 << FRACTION) - 1)) }
-    }
-
-    fn floor_to_i32(self) -> i32 {
-        self.0 >> FRACTION
-    }
-
     fn to_q16(self) -> u32 {
         let bits = self.0.clamp(0, 1 << FRACTION) as u32;
         bits.wrapping_add(1 << (FRACTION - 17)) >> (FRACTION - 16)
@@ -310,23 +339,9 @@ impl Real for Fixed {
     }
 
     #[inline(always)]
-    fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
-        Self(arch::dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
-    }
-
-    #[inline(always)]
-    fn coarse(self) -> Self {
-        Self(arch::coarse_coordinate(self.0))
-    }
-
-    #[inline(always)]
-    fn dot3_coarse(a: [Self; 3], b: [Self; 3]) -> Self {
-        Self(arch::coarse_dot3(a.map(Self::to_bits), b.map(Self::to_bits)))
-    }
-
-    #[inline(always)]
-    fn is_central(Vec3 { x, y, z }: Vec3<Self>) -> bool {
-        arch::is_central([x.0, y.0, z.0])
+    fn dot3_bounds(a: [Self; 3], b: [Self; 3]) -> (Self, Self) {
+        let (lower, upper) = arch::dot3_bounds(a.map(Self::to_bits), b.map(Self::to_bits));
+        (Self(lower), Self(upper))
     }
 
     #[inline(always)]
@@ -335,28 +350,8 @@ impl Real for Fixed {
         arch::misses_ball(bits(ray.origin - center), bits(ray.direction), radius.0)
     }
 
-    fn times(self, other: Self) -> FixedProduct {
-        FixedProduct::new(product(self.0, other.0))
-    }
-
-    fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> FixedProduct {
-        FixedProduct::dot3(a, b)
-    }
-
     fn length_squared_wide(vector: [Self; 3]) -> FixedProduct {
         FixedProduct::length_squared(vector)
-    }
-
-    #[inline(always)]
-    fn polar(vector: [Self; 3]) -> ([Self; 3], Self) {
-        let root = arch::root(FixedProduct::length_squared(vector).bits() as u64);
-        let unit = |Self(coordinate): Self| Self(root.unit_coordinate(coordinate, product));
-        (vector.map(unit), Self(root.length as i32))
-    }
-
-    #[inline(always)]
-    fn unit(vector: [Self; 3]) -> [Self; 3] {
-        arch::unit(vector.map(Self::to_bits)).map(Self)
     }
 
     #[inline(always)]
@@ -365,9 +360,8 @@ impl Real for Fixed {
         Some((unit.map(Self), Self(length), Self(cosine)))
     }
 
-    fn offset(magnitude: Self) -> Self {
-        // A point that was computed is off by a few units; 16 of them are 4e-6 of the scene.
-        Self((magnitude.0 >> 17).wrapping_add(16))
+    fn toward_light_error(distance: f32) -> f32 {
+        distance * arch::TOWARD_LIGHT_ERROR
     }
 
     #[inline(always)]

@@ -121,14 +121,14 @@ fn unit_vectors_keep_their_bound() {
         if length == 0.0 {
             continue;
         }
-        let (unit, got) = Fixed::polar(vector);
+        let (unit, got) = Fixed::unit_and_length(vector);
         assert!((double(got) - length).abs() <= length * 2f64.powi(-24) + UNIT, "{vector:?}: {got:?}");
         for (unit, x) in unit.iter().zip(vector) {
             let error = (double(*unit) - double(x) / length).abs();
             assert!(error <= 2.0 * UNIT, "{vector:?}: {unit:?} is off by {}", error / UNIT);
         }
     }
-    assert_eq!(Fixed::polar([Fixed(0); 3]).1, Fixed(0));
+    assert_eq!(Fixed::unit_and_length([Fixed(0); 3]).1, Fixed(0));
 }
 
 #[test]

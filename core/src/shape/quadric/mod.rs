@@ -222,7 +222,7 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let body = self.0;
         let at = body.in_units(ray.at(t) - body.middle);
-        let (gradient, length) = body.polynomial.half_gradient(at).polar();
+        let (gradient, length) = body.polynomial.half_gradient(at).unit_and_length();
         // At the apex of a cone there is no gradient.
         let slope = length + length;
         let value = body.polynomial.at(at);

@@ -37,9 +37,9 @@ use armv6m as processor;
 use portable as processor;
 
 pub(super) use processor::{
-    attenuated, coarse_coordinate, coarse_dot3, dot3, dot3_wide, inverse, is_central, leading_zeros,
-    length_squared, misses_ball, product, reciprocal, root, scaled_product, shifted, square_root,
-    toward_light, unit, unsigned_product, upper_product,
+    attenuated, dot3, dot3_bounds, dot3_wide, inverse, leading_zeros, length_squared, misses_ball, product,
+    reciprocal, root, scaled_product, shifted, square_root, toward_light, unit, unsigned_product,
+    upper_product,
 };
 
 /// The most by which a direction of [`toward_light`] is off, as an angle in radians: each coordinate is off by less than one of at least 2¹⁴.

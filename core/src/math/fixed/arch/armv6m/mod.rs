@@ -30,7 +30,7 @@ use core::mem::MaybeUninit;
 use super::{coarse, halves, share_digits};
 use crate::math::fixed::newton::{self, Root};
 
-pub(crate) use coarse::{coordinate as coarse_coordinate, dot3 as coarse_dot3, is_central, misses_ball};
+pub(crate) use coarse::{dot3_bounds, misses_ball};
 pub(crate) use halves::{leading_zeros, product, scaled_product, shifted};
 
 /// Calls a function in assembly with the numbers in `r0` to `r5`, and gives what is in these registers afterwards. `$memory` is `nomem`, or
