@@ -195,6 +195,15 @@ pub trait Kernel:
         unit.map(|coordinate| coordinate * offset)
     }
 
+    /// The sum of three products, where the first vector often lies along an axis, as the normals of floors and walls do.
+    #[inline(always)]
+    fn dot3_sparse(sparse: [Self; 3], other: [Self; 3]) -> Self
+    where
+        Self: Real,
+    {
+        Self::dot3(sparse, other)
+    }
+
     /// A lower and an upper bound of the scalar product of two unit vectors: 2⁻¹² apart where products are slow, else both
     /// the exact product. A test against a bound may settle what the exact product would be computed for.
     #[inline(always)]

@@ -41,6 +41,12 @@ impl<R: Real> Vec3<R> {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
+    /// The scalar product of a vector that often lies along an axis, as the normals of floors and walls do.
+    #[inline(always)]
+    pub(crate) fn dot_sparse(self, other: Self) -> R {
+        R::dot3_sparse([self.x, self.y, self.z], [other.x, other.y, other.z])
+    }
+
     /// A lower and an upper bound of the scalar product of two unit vectors, see [`Kernel::dot3_bounds`].
     #[inline(always)]
     pub(crate) fn dot_bounds(self, other: Self) -> (R, R) {

@@ -552,7 +552,7 @@ fn beside<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, step: Vec3<R
 
 /// The point of a plane nearest to `point`, where `normal · p = distance` is the plane.
 fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
-    point - normal * (normal.dot(point) - distance)
+    point - normal * (normal.dot_sparse(point) - distance)
 }
 
 /// How far a disc of radius 1 reaches along each coordinate axis, across the unit vector `normal`.

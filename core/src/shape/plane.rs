@@ -61,8 +61,8 @@ impl<R: Real> PreparedPlane<R> {
     /// The distance at which a ray meets the plane.
     #[inline]
     pub(super) fn meet(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let height = self.distance - self.normal.dot(ray.origin);
-        let slope = self.normal.dot(ray.direction);
+        let height = self.distance - self.normal.dot_sparse(ray.origin);
+        let slope = self.normal.dot_sparse(ray.direction);
         // Only a ray that goes toward the plane reaches it, and only then is there something to divide by.
         let toward = (height > R::ZERO && slope > R::ZERO) || (height < R::ZERO && slope < R::ZERO);
         if !toward {

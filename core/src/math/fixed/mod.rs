@@ -339,6 +339,11 @@ impl Kernel for Fixed {
     }
 
     #[inline(always)]
+    fn dot3_sparse(sparse: [Self; 3], other: [Self; 3]) -> Self {
+        Self(arch::dot3_sparse(sparse.map(Self::to_bits), other.map(Self::to_bits)))
+    }
+
+    #[inline(always)]
     fn dot3_bounds(a: [Self; 3], b: [Self; 3]) -> (Self, Self) {
         let (lower, upper) = arch::dot3_bounds(a.map(Self::to_bits), b.map(Self::to_bits));
         (Self(lower), Self(upper))

@@ -36,6 +36,18 @@ pub(crate) fn scaled_product(a: i32, b: i32) -> i32 {
     high.wrapping_shl(8).wrapping_add(other >> 8)
 }
 
+/// The scalar product in units of 2²⁴, rounded down, if two coordinates of the first vector are 0. `classic` and `whitted`
+/// take an M0 1.04 times the instructions without it.
+#[inline(always)]
+pub(crate) fn product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Option<i32> {
+    match sparse {
+        [along, 0, 0] => Some(scaled_product(along, x)),
+        [0, along, 0] => Some(scaled_product(along, y)),
+        [0, 0, along] => Some(scaled_product(along, z)),
+        _ => None,
+    }
+}
+
 /// `light · digits` in units of 2¹⁵, rounded down, without the bits that do not fit, for `digits` of 16 bits.
 #[inline(always)]
 pub(crate) fn attenuated(light: i32, digits: i32) -> i32 {
@@ -104,6 +116,22 @@ mod tests {
             let (a, b) = (a as u32, b as u32);
             assert_eq!(upper_product(a, b, |cross| cross), portable::upper_product(a, b), "{a} · {b}");
         }
+    }
+
+    #[test]
+    fn products_along_axes_are_scalar_products() {
+        let mut random = Random(5);
+        for i in 0..100_000 {
+            let mut sparse = [0; 3];
+            sparse[i % 3] = if i & 8 == 0 { 1 << 24 } else { random.bits() >> 6 };
+            let other = [(); 3].map(|()| random.bits());
+            assert_eq!(
+                product_along_axis(sparse, other),
+                Some(portable::dot3(sparse, other)),
+                "{sparse:?} {other:?}"
+            );
+        }
+        assert_eq!(product_along_axis([1, 0, 1], [1; 3]), None);
     }
 
     #[test]

@@ -170,6 +170,11 @@ pub(crate) fn toward_light(way: [i32; 3], normal: [i32; 3]) -> Option<([i32; 3],
 }
 
 #[inline(always)]
+pub(crate) fn dot3_sparse(sparse: [i32; 3], other: [i32; 3]) -> i32 {
+    dot3(sparse, other)
+}
+
+#[inline(always)]
 pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
     let product = dot3(a, b);
     (product, product)

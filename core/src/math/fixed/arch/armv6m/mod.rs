@@ -107,6 +107,11 @@ pub(crate) fn dot3([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> i32 {
 }
 
 #[inline(always)]
+pub(crate) fn dot3_sparse(sparse: [i32; 3], other: [i32; 3]) -> i32 {
+    halves::product_along_axis(sparse, other).unwrap_or_else(|| dot3(sparse, other))
+}
+
+#[inline(always)]
 pub(crate) fn length_squared([x, y, z]: [i32; 3]) -> i64 {
     let [high, _, _, low, ..] = call!(dot::squares, nomem, [x, y, z, UNUSED, UNUSED, UNUSED]);
     i64::from(high) << 32 | i64::from(low as u32)
