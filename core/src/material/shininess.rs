@@ -38,15 +38,16 @@ impl<R: Real> Shininess<R> {
         cosine > self.least
     }
 
-    /// `false` if a highlight is surely invisible between these unit vectors: a bound of their cosine may be faster than the cosine.
+    /// `false` if a highlight is surely invisible between these unit vectors: a bound of their cosine may be
+    /// faster than the cosine.
     #[inline(always)]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
         let (_, most) = mirrored.dot_bounds(toward);
         self.is_visible(most)
     }
 
-    /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at
-    /// 1/4 about the fourth root of that, 2^-6.
+    /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its
+    /// strength, at 1/4 about the fourth root of that, 2^-6.
     pub(crate) fn shows(&self, cosine: R, share: R) -> bool {
         // Near 1, the logarithm of a cosine is as good as proportional to its distance from there.
         R::ONE - cosine < (R::ONE - self.least) * share

@@ -29,7 +29,10 @@ impl<R: Real<Setup = R>> Linear<R> for FloatLinear<R> {
 }
 
 macro_rules! impl_real_for_float {
-    ($Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path, $no_larger:path, $less:path) => {
+    (
+        $Float:ident, $offset:literal, $sqrt:path, $tan:path, $powf:path, $turn:path, $halved:path,
+        $no_larger:path, $less:path
+    ) => {
         impl Product<$Float> for $Float {
             const ZERO: Self = 0.0;
 
@@ -113,13 +116,15 @@ macro_rules! impl_real_for_float {
             fn split(self) -> Cell<Self> {
                 let index = self.floor_to_i32();
                 let within = self - index as $Float;
-                // What is far out has no digits left, and what is a little less than 0 is rounded to 1.
+                // Far out the difference has no digits left, and a number a little less than 0 is rounded to
+                // 1.
                 let within = if (0.0..1.0).contains(&within) { within } else { 0.0 };
                 Cell { index, within }
             }
 
             fn floor_to_i32(self) -> i32 {
-                // Truncate, then step down where truncation went up: 8 instructions, where libm's floorf takes 17.
+                // Truncate, then step down where truncation went up: 8 instructions, where libm's floorf
+                // takes 17.
                 let truncated = self as i32;
                 if (truncated as $Float) > self { truncated.saturating_sub(1) } else { truncated }
             }
@@ -157,7 +162,7 @@ macro_rules! impl_real_for_float {
             }
 
             fn to_q16(self) -> u32 {
-                // The conversion saturates, and makes 0 of what is negative or NaN.
+                // The conversion saturates, and makes 0 of negative numbers and NaN.
                 ((self * 65536.0 + 0.5) as u32).min(65536)
             }
         }

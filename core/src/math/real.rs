@@ -7,9 +7,10 @@ use super::{Cell, Ray, Vec3, float};
 
 /// A number system for the kernel: `f32`, `f64` or [`Fixed`](super::Fixed).
 ///
-/// A scene is always *described* in `f32`; `Real` is what it is prepared for and traced in. The trait demands nothing
-/// that only floating point has: no infinity, no NaN, no exponent. Sums of products and linear functions, which need
-/// more digits or more range, have types of their own; in floating point these are plain numbers.
+/// A scene is always *described* in `f32`; `Real` is what it is prepared for and traced in. The trait demands
+/// nothing that only floating point has: no infinity, no NaN, no exponent. Sums of products and linear
+/// functions, which need more digits or more range, have types of their own; in floating point these are
+/// plain numbers.
 ///
 /// This trait is sealed: it requires a hidden trait, which may change in any release.
 ///
@@ -30,15 +31,15 @@ pub trait Real: Kernel {
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// The length of a ray that meets nothing, in units of the traced scene. In fixed point also the largest coordinate
-    /// and the largest plain number.
+    /// The length of a ray that meets nothing, in units of the traced scene. In fixed point also the largest
+    /// coordinate and the largest plain number.
     const FARTHEST: Self;
     /// The distance by which a spawned ray leaves its surface, relative to the magnitude of the coordinates.
     /// The one number behind [`Ray::spawn`](super::Ray::spawn), see [`offset`](Self::offset).
     const RAY_OFFSET: Self;
-    /// `true` for numbers with a fixed point: their range is small, a quotient takes many instructions, and a product
-    /// that may overflow must be kept in a [`Product`](Self::Product). A scene is scaled into their range before it is
-    /// traced, see [`Scale`](super::Scale).
+    /// `true` for numbers with a fixed point: their range is small, a quotient takes many instructions, and a
+    /// product that may overflow must be kept in a [`Product`](Self::Product). A scene is scaled into their
+    /// range before it is traced, see [`Scale`](super::Scale).
     const IS_FIXED_POINT: bool = false;
 
     /// The nearest representable value.
@@ -55,8 +56,9 @@ pub trait Real: Kernel {
     fn to_setup(self) -> Self::Setup;
     /// The square root, correctly rounded in floating point. The root of a negative number is 0 or NaN.
     fn sqrt(self) -> Self;
-    /// The angle of the vector (x, y) from the x axis, counterclockwise, in turns: at least 0, less than 1, and 0 for the
-    /// vector of length 0. The error is at most 2⁻²³ in `f32`, 2⁻⁵¹ in `f64`, and 0.6 · 2⁻²⁴ in fixed point.
+    /// The angle of the vector (x, y) from the x axis, counterclockwise, in turns: at least 0, less than 1,
+    /// and 0 for the vector of length 0. The error is at most 2⁻²³ in `f32`, 2⁻⁵¹ in `f64`, and 0.6 · 2⁻²⁴ in
+    /// fixed point.
     fn turn(y: Self, x: Self) -> Self;
     /// The largest whole number not above `self`, and the rest.
     fn split(self) -> Cell<Self>;
@@ -74,7 +76,8 @@ pub trait Real: Kernel {
         ax * bx + ay * by + az * bz
     }
 
-    /// The unit vector along a vector, and the vector's length. If the length is 0, the unit vector has no meaning.
+    /// The unit vector along a vector, and the vector's length. If the length is 0, the unit vector has no
+    /// meaning.
     fn unit_and_length(vector: [Self; 3]) -> ([Self; 3], Self) {
         let length = Self::length_squared_wide(vector).sqrt();
         let scale = length.recip();
@@ -87,8 +90,8 @@ pub trait Real: Kernel {
         Self::unit_and_length(vector).0
     }
 
-    /// The distance by which a spawned ray leaves its surface, where the largest number in the computation of the point is
-    /// `magnitude`: above every rounding error.
+    /// The distance by which a spawned ray leaves its surface, where the largest number in the computation of
+    /// the point is `magnitude`: above every rounding error.
     fn offset(magnitude: Self) -> Self {
         Self::RAY_OFFSET * magnitude
     }
@@ -148,8 +151,8 @@ pub trait Kernel:
         Self: Real;
     /// 2 to the power `-self`, for `self ≥ 0`: the share that is left after `self` half-lives.
     fn halved(self) -> Self;
-    /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Beyond the range of the number system, cells
-    /// keep whether they are even, or all have the same number.
+    /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Beyond the range of the
+    /// number system, cells keep whether they are even, or all have the same number.
     fn cell(self, per_unit: Self::Factor) -> i32
     where
         Self: Real;
@@ -170,7 +173,8 @@ pub trait Kernel:
         self + other
     }
 
-    /// An amount of light times a share of 0 to 1. The share may be cut to 16 bits: a display shows fewer levels.
+    /// An amount of light times a share of 0 to 1. The share may be cut to 16 bits: a display shows fewer
+    /// levels.
     #[inline(always)]
     fn attenuated(self, share: Self) -> Self {
         self * share
@@ -195,7 +199,8 @@ pub trait Kernel:
         unit.map(|coordinate| coordinate * offset)
     }
 
-    /// The sum of three products, where the first vector often lies along an axis, as the normals of floors and walls do.
+    /// The sum of three products, where the first vector often lies along an axis, as the normals of floors
+    /// and walls do.
     #[inline(always)]
     fn dot3_sparse(sparse: [Self; 3], other: [Self; 3]) -> Self
     where
@@ -204,8 +209,9 @@ pub trait Kernel:
         Self::dot3(sparse, other)
     }
 
-    /// A lower and an upper bound of the scalar product of two unit vectors: 2⁻¹² apart where products are slow, else both
-    /// the exact product. A test against a bound may settle what the exact product would be computed for.
+    /// A lower and an upper bound of the scalar product of two unit vectors: 2⁻¹² apart where products are
+    /// slow, else both the exact product. A test against a bound may settle what the exact product would be
+    /// computed for.
     #[inline(always)]
     fn dot3_bounds(a: [Self; 3], b: [Self; 3]) -> (Self, Self)
     where
@@ -215,22 +221,23 @@ pub trait Kernel:
         (product, product)
     }
 
-    /// `true` if a ray surely misses a ball and this is known sooner than by intersecting it; `false` proves nothing.
+    /// `true` if a ray surely misses a ball and this is known sooner than by intersecting it; `false` proves
+    /// nothing.
     #[inline(always)]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
         false
     }
 
-    /// From the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal; `None` if
-    /// the light is not above the surface. The direction may have fewer digits than others, see
-    /// [`toward_light_error`](Self::toward_light_error).
+    /// From the way from a point to a light: the unit vector, the length, and the cosine of the angle with a
+    /// unit normal; `None` if the light is not above the surface. The direction may have fewer digits than
+    /// others, see [`toward_light_error`](Self::toward_light_error).
     #[inline(always)]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)>
     where
         Self: Real,
     {
-        // Lights behind a surface are the most frequent: find them before the root and the division. In floating point, a height
-        // below this has a square of 0, and so may the length.
+        // Lights behind a surface are the most frequent: find them before the root and the division. In
+        // floating point, a height below this has a square of 0, and so may the length.
         let height = Self::dot3(way, normal);
         if !(height >= Self::from_f32(1.0 / (1u64 << 61) as f32)) {
             return None;
@@ -240,7 +247,8 @@ pub trait Kernel:
         Some((way.map(|coordinate| coordinate * scale), length, height * scale))
     }
 
-    /// How far a ray in the direction of [`toward_light`](Self::toward_light) passes by the light at most, which is this far away.
+    /// How far a ray in the direction of [`toward_light`](Self::toward_light) passes by the light at most,
+    /// which is this far away.
     fn toward_light_error(_distance: Self::Setup) -> Self::Setup
     where
         Self: Real,
@@ -283,7 +291,8 @@ pub trait Linear<R: Real>: Copy + Debug + PartialEq + Send + Sync + 'static {
     fn new(gradient: Vec3<R::Setup>, zero: Vec3<R::Setup>) -> Self;
     /// The value at a point.
     fn at(&self, point: Vec3<R>) -> R;
-    /// The value at a point, as a cell and the place within it. The value may be beyond the range of the number system.
+    /// The value at a point, as a cell and the place within it. The value may be beyond the range of the
+    /// number system.
     fn cell(&self, point: Vec3<R>) -> Cell<R> {
         self.at(point).split()
     }

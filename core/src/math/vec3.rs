@@ -26,7 +26,7 @@ impl<R> Vec3<R> {
 }
 
 impl Vec3 {
-    /// The same vector in another number system.
+    /// The vector in another number system.
     pub fn to<R: Real>(self) -> Vec3<R> {
         Vec3::new(R::from_f32(self.x), R::from_f32(self.y), R::from_f32(self.z))
     }
@@ -82,13 +82,14 @@ impl<R: Real> Vec3<R> {
         self.length_squared_wide().sqrt()
     }
 
-    /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.
+    /// The unit vector of the same direction, and the length. If the length is 0, the unit vector has no
+    /// meaning.
     pub fn unit_and_length(self) -> (Self, R) {
         let ([x, y, z], length) = R::unit_and_length([self.x, self.y, self.z]);
         (Self::new(x, y, z), length)
     }
 
-    /// The unit vector of the same direction. Of one of length 0 it is anything.
+    /// The unit vector of the same direction. If the length is 0, it has no meaning.
     #[inline(always)]
     pub(crate) fn unit(self) -> Self {
         let [x, y, z] = R::unit([self.x, self.y, self.z]);
@@ -101,8 +102,8 @@ impl<R: Real> Vec3<R> {
         (length > R::ZERO).then_some(unit)
     }
 
-    /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the axis' end. For what is
-    /// turned while a scene is prepared.
+    /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the
+    /// axis' end. Slow: for the preparation of a scene.
     pub(crate) fn rotated(self, angles: Vec3) -> Self {
         let Vec3 { x, y, z } = angles;
         let cosine_and_sine = |angle: f32| {
@@ -112,8 +113,9 @@ impl<R: Real> Vec3<R> {
         turned(self, [x, y, z].map(cosine_and_sine))
     }
 
-    /// Of a unit vector: two unit vectors across it and across each other, so that the three are right-handed in the order
-    /// first, second, this. The first leans toward the x axis; if this lies along that, toward y.
+    /// Two unit vectors perpendicular to this unit vector and to each other: first, second and this vector
+    /// are right-handed in this order. The first leans toward the x axis, or toward y if this vector lies
+    /// almost along x.
     pub(crate) fn around(self) -> (Self, Self) {
         let (one, none) = (R::ONE, R::ZERO);
         let lies_along_x = self.x.abs() > R::from_f32(0.9);
@@ -133,19 +135,19 @@ impl<R: Real> Vec3<R> {
         !R::IS_FIXED_POINT || self.magnitude() < R::FARTHEST
     }
 
-    /// This vector or its opposite, whichever points against `direction`, its product with the way back, which is 0 or more, and whether
-    /// it is the opposite.
+    /// This vector or its opposite, whichever points against `direction`; its scalar product with
+    /// `-direction`, which is at least 0; and `true` if it is the opposite.
     pub fn facing(self, direction: Self) -> (Self, R, bool) {
         let along = self.dot(direction);
         if along > R::ZERO { (-self, along, true) } else { (self, -along, false) }
     }
 
-    /// The vector that was computed before the first ray, rounded.
+    /// A vector from the preparation, rounded.
     pub fn from_setup(vector: Vec3<R::Setup>) -> Self {
         Self::new(R::from_setup(vector.x), R::from_setup(vector.y), R::from_setup(vector.z))
     }
 
-    /// The same vector before the first ray.
+    /// The vector as the preparation has it.
     pub fn to_setup(self) -> Vec3<R::Setup> {
         Vec3::new(self.x.to_setup(), self.y.to_setup(), self.z.to_setup())
     }

@@ -72,11 +72,12 @@ impl<R: Real> PreparedPlane<R> {
         range.contains(t).then_some(t)
     }
 
-    /// The distance at which a ray meets the part of the plane whose points are `inside`, which takes no longer to tell than where the
-    /// plane is met.
+    /// The distance at which a ray meets the part of the plane whose points are `inside`, which takes no
+    /// longer to tell than where the plane is met.
     ///
-    /// What a ray is tested for lies near it, so that nobody can guess which of the conditions fails: a processor that guesses takes
-    /// 0.96 of the time for teapot_s2 where they are all computed. Those of boards stop at the first.
+    /// What a ray is tested for lies near it, so that nobody can guess which of the conditions fails: a
+    /// processor that guesses takes 0.96 of the time for teapot_s2 where they are all computed. Those of
+    /// boards stop at the first.
     #[inline(always)]
     pub(super) fn meet_where(
         &self,

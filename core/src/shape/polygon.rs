@@ -9,8 +9,9 @@ use crate::surface::Surface;
 
 /// A planar polygon; its front is the side from which the vertices run counterclockwise.
 ///
-/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule). Where it runs one way as much as the
-/// other, as a bow tie does, three vertices tell its front: the first, and the two in turn that span the largest triangle with it.
+/// Where an outline crosses itself, the parts that it winds around twice are holes (even-odd rule). Where it
+/// runs one way as much as the other, as a bow tie does, three vertices tell its front: the first, and the
+/// two in turn that span the largest triangle with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Polygon<'a> {
@@ -82,7 +83,8 @@ impl Geometry for Polygon<'_> {
         let is_normal = |normal: Vec3<R::Setup>| {
             self.vertices.iter().all(|vertex| !(normal.dot(vertex.to() - corner).abs() > tolerance))
         };
-        // Of an outline that crosses itself little or nothing of the area may be left, or what that was rounded by.
+        // Of an outline that crosses itself little or nothing of the area may be left, or what that was
+        // rounded by.
         let mut found = Err(Fault::NoArea);
         for area in [doubled_area, largest] {
             if area.length() > least
@@ -181,8 +183,8 @@ impl<R: Real> PreparedPolygon<'_, R> {
         self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane))
     }
 
-    /// Whether a point of the plane is inside the outline: the half-line from it toward +u crosses an odd number of
-    /// edges. A vertex belongs to the edge above it, so that no vertex counts twice.
+    /// Whether a point of the plane is inside the outline: the half-line from it toward +u crosses an odd
+    /// number of edges. A vertex belongs to the edge above it, so that no vertex counts twice.
     fn encloses(&self, point: Vec3<R>) -> bool {
         let (u, v) = self.dropped.flatten(point);
         if let Some([least_u, most_u, least_v, most_v]) = self.rectangle {
@@ -248,14 +250,16 @@ impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
         let Aabb { min, max } = bounds_of(self.vertices().map(place))?;
         let size = max - min;
         if size.x < size.y * R::from_u16(SLENDER) {
-            // Most often a face of something, narrow only where the next face begins: to trace all of these takes `prism` a tenth more rays.
+            // Most often a face of something, narrow only where the next face begins: to trace all of these
+            // takes `prism` a tenth more rays.
             return self.bounds().map(Hull::aligned);
         }
         let edges = [along * size.x, across * size.y, Vec3::ZERO];
         Some(Hull::edges(corner + along * min.x + across * min.y, edges))
     }
 
-    /// At each vertex: one that is turned inward is the tip of a notch. An outline of many is taken for a round one.
+    /// At each vertex: one that is turned inward is the tip of a notch. An outline of many is taken for a
+    /// round one.
     #[inline(never)]
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         let count = self.edges.len();

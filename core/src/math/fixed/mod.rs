@@ -1,33 +1,31 @@
 //! Numbers with a fixed point, for processors without a floating-point unit.
 //!
 //! # The format
-//! A [`Fixed`] is an `i32` in units of 2⁻²⁴: ±128, and a unit vector is as exact as in `f32`. Positions have no share in that
-//! choice, because [`Scale`](crate::math::Scale) multiplies the scene by a power of two first: its solids then lie within half a unit of the origin, so
-//! that they keep 22 bits, and rays are followed 118 times as far. No infinite plane is farther from the eye than that half,
-//! so that a floor ends within half a degree of its horizon, and most often within a quarter: one line of the picture. Everything else that is a plain number (light, shares, squares of refractive indices) stays below 59
-//! or is refused.
+//! A [`Fixed`] is an `i32` in units of 2⁻²⁴: ±128, and a unit vector is as exact as in `f32`. Positions have
+//! no share in that choice, because [`Scale`](crate::math::Scale) multiplies the scene by a power of two
+//! first: its solids then lie within half a unit of the origin, so that they keep 22 bits, and rays are
+//! followed 118 times as far. No infinite plane is farther from the eye than half a unit, so that a floor
+//! ends within half a degree of its horizon, and most often within a quarter: one line of the picture. All
+//! other plain numbers (light, shares, squares of refractive indices) stay below 59 or are refused.
 //!
-//! Rejected: Q16.16, on which the first prototypes ran. Its unit vectors are off by 2⁻¹⁷, 5e-4 units at a distance of
-//! 60, and squares end at 181 units, so that it needs wide products all the same. Rejected as well: a block exponent
-//! for each vector, which costs a normalization for each sum. Rejected as well: that a plane which is met too far away is met at the end
-//! of the ray. It would be seen up to the horizon from any height, but with shadows of other places than those that the outlines of
-//! shadows tell a line of the picture: the same scene without acceleration would be another picture.
+//! Rejected formats: docs/experiments.md.
 //!
 //! # No overflow
-//! Plain sums and products wrap, because testing each would cost a third of a sphere's intersection on Cortex-M3
-//! (which has no saturating addition), and because none can overflow:
+//! Plain sums and products wrap, because testing each would cost a third of a sphere's intersection on
+//! Cortex-M3 (which has no saturating addition), and because none can overflow:
 //!
-//! - Along each axis solids lie within 1/2, flat shapes, eye and lights within 8 units of the origin, and rays start
-//!   within 59 ([`Real::FARTHEST`]): a plane is not met beyond. No two of them are farther apart than 67 √3 = 116. Infinite planes pass
-//!   the origin within 1/4.
-//! - Rays are followed for 59 units, so that `origin + direction · t` is below 118, and its difference from a vertex below
-//!   126.
-//! - Instances take a ray to where their model is, within 1/2 of its origin. It starts within 59 √3 + 1/2 = 103 there. What is 59 units
-//!   on may wrap, to a place that is 93 units or more from the origin: no model is there.
-//! - Squares, and what they are compared with, stay 64 bits wide ([`FixedProduct`]): the square of 116 units is
-//!   below 2⁶².
-//! - What can be large is saturated: quotients, light that is added up ([`Real::add_saturating`]), and numbers that
-//!   come from floating point.
+//! - Along each axis solids lie within 1/2, flat shapes, eye and lights within 8 units of the origin, and
+//!   rays start within 59 ([`Real::FARTHEST`]): a plane is not met beyond. No two of them are farther apart
+//!   than 67 √3 = 116. Infinite planes pass the origin within 1/4.
+//! - Rays are followed for 59 units, so that `origin + direction · t` is below 118, and its difference from a
+//!   vertex below 126.
+//! - Instances move a ray into the space of their model, which lies within 1/2 of its origin. The ray starts
+//!   within 59 √3 + 1/2 = 103 units there. A point 59 units on may wrap, to a place 93 units or more from the
+//!   origin, where no model is.
+//! - Squares, and the numbers they are compared with, stay 64 bits wide ([`FixedProduct`]): the square of 116
+//!   units is below 2⁶².
+//! - Numbers that can be large saturate: quotients, sums of light (`Kernel::add_saturating`), and numbers
+//!   from floating point.
 //!
 //! # Roundings
 //! | function | off by at most |
@@ -38,12 +36,13 @@
 //! | `/`, reciprocal | 2⁻²⁵ of the value, and 1 unit |
 //! | square root, length | 2⁻²⁴ of the value, and 1 unit |
 //! | unit vector | 2 units in each coordinate, if the vector is longer than 2⁻¹ |
-//! | direction to a light | an angle of 2⁻¹³; length and cosine 2⁻¹² of the value, 2⁻¹³ more in the cosine, and 2 units |
+//! | direction to a light | an angle of 2⁻¹³; length and cosine: 2⁻¹², and 2⁻¹³ for the cosine |
 //! | power | see [`power`](self::power) |
 //! | angle | 0.6 units of a turn, see [`turn`](self::turn) |
 //!
 //! # Pictures
-//! Beside those in `f64`, at 320×240 in 8 bits of linear light (tests/tests/all/fixed.rs prints this table):
+//! Compared with pictures in `f64`, at 320×240 in 8 bits of linear light (tests/tests/all/fixed.rs prints
+//! this table):
 //!
 //! | scene | fixed point | `f32` |
 //! |---|---|---|
@@ -53,7 +52,7 @@
 //! | prism | 57.9 dB | 59.7 dB |
 //! | table | 60.3 dB | 60.6 dB |
 //!
-//! All but 7 to 52 pixels, at edges of which one side or the other is met, are within 1 of 255.
+//! All pixels are within 1 of 255, but for 7 to 52 at edges, where a ray meets one side or the other.
 
 mod arch;
 mod linear;
@@ -74,11 +73,13 @@ use arch::product;
 /// Bits after the point.
 const FRACTION: u32 = 24;
 
-/// A number in units of 2⁻²⁴, for processors without a floating-point unit; and what it asks of a scene.
+/// A number in units of 2⁻²⁴, for processors without a floating-point unit. A scene must keep the limits
+/// below.
 ///
 /// # Sizes
-/// A scene may be described in any unit: it is scaled by a power of two before it is traced ([`PreparedScene::scale`]). What matters is
-/// how large its parts are beside how far it *extends* from the origin. That is the largest of these:
+/// A scene may be described in any unit: it is scaled by a power of two before it is traced
+/// ([`PreparedScene::scale`]). Its parts must not be too small compared with its *extent*, the largest of
+/// these distances from the origin:
 ///
 /// | part | counts with |
 /// |---|---|
@@ -90,44 +91,50 @@ const FRACTION: u32 = 24;
 /// | the eye | its farthest coordinate, and half of the distance from the origin to it and on to the plane |
 /// | flat shapes, boxes, polyhedra, meshes | 1/32 of the farthest coordinate |
 ///
-/// - Lay the scene around the origin: it extends less, and all of it is more exact.
-/// - Radii (of a torus that of its tube, of a cone the wider end) and half the thickness of boxes and polyhedra are a 65,536th of that or
-///   more, a 32,768th where there are infinite planes. What is smaller may be refused.
-/// - What a picture shows may be much smaller than the scene: 32 times costs few digits (44 dB or more), 256 times more (36 dB), and
-///   1,024 times shows in mirrors and glass (30 dB).
-/// - The eye sees infinite planes up to about half a degree from the horizon, and most often to a quarter: about a line of the picture.
-/// - [`PreparedScene::set_camera`] takes eyes with coordinates of up to 8 divided by the scale, and no farther than 1/2 divided by the
-///   scale from an infinite plane. Prepare the scene with the camera that is farthest from the origin, and all others are near enough.
+/// - Lay the scene around the origin: its extent is smaller, and all of it is more exact.
+/// - Radii (of the tube of a torus, of the wider end of a cone) and half the thickness of boxes and polyhedra
+///   must be a 65,536th of the extent or more, a 32,768th in a scene with infinite planes. Smaller parts may
+///   be refused.
+/// - A picture may show a small part of the scene: a 32nd costs few digits (44 dB or more), a 256th more (36
+///   dB), and a 1,024th shows in mirrors and glass (30 dB).
+/// - The eye sees infinite planes up to about half a degree from the horizon, and most often to a quarter:
+///   about a line of the picture.
+/// - [`PreparedScene::set_camera`] takes eyes with coordinates of up to 8 divided by the scale, and no
+///   farther than 1/2 divided by the scale from an infinite plane. Prepare the scene with the camera that is
+///   farthest from the origin, and all others are near enough.
 ///
 /// # Numbers
-/// - Light is 59 or less: that of lights, of all ambient lights together, of backgrounds, and a material's own. What a pixel gets is
-///   added up to 128 and no further.
+/// - The light of each light, of all ambient lights together, of the background, and of a glowing material is
+///   59 or less. The sum for a pixel saturates at 128.
 /// - Indices of refraction lie between 0.14 and 7.6.
 /// - The radii of a cone differ by 7.6 times its length or less. An ellipsoid is at most 59 times as long as
-///   it is thick. A bump is at most 59 times as high as its step is wide. The strengths of blobs add up to 59 or less, whatever their sign.
-/// - Coordinates of textures that the vertices of a mesh have, and origins of patterns on a surface, are within ±59; origins of patterns
-///   in the scene ([`Space::Scene`](crate::Space::Scene)) within ±59 divided by the scale.
+///   it is thick. A bump is at most 59 times as high as its step is wide. The strengths of blobs add up to 59
+///   or less, whatever their sign.
+/// - Coordinates of textures that the vertices of a mesh have, and origins of patterns on a surface, are
+///   within ±59; origins of patterns in the scene ([`Space::Scene`](crate::Space::Scene)) within ±59 divided
+///   by the scale.
 ///
 /// # Accuracy
-/// The built-in scenes are 43 to 60 dB from `f64`, as `f32` is: all but a few pixels, at edges, are within 1 of 255. Directions are
-/// about as exact as in `f32`; positions have 22 bits of how far the scene extends, or 21 where there are infinite planes.
+/// The built-in scenes are 43 to 60 dB from `f64`, as `f32` is: all but a few pixels, at edges, are within 1
+/// of 255. Directions are about as exact as in `f32`; positions have 22 bits of the extent, or 21 in a scene
+/// with infinite planes.
 ///
 /// # Errors
-/// | fault | what does not fit | what to do |
+/// | fault | cause | what to do |
 /// |---|---|---|
-/// | [`TooSmall`](crate::Fault::TooSmall) | a size | enlarge it, or bring what extends farthest nearer to the origin |
-/// | [`OutOfRange`](crate::Fault::OutOfRange) | a number | keep it in the limits above |
-/// | [`BeyondReach`](crate::Fault::BeyondReach) | an eye in `set_camera` | prepare the scene with that camera |
-/// | [`BakedOtherwise`](crate::Fault::BakedOtherwise) | a mesh that was baked for another number system or scale | bake the scene again |
+/// | [`TooSmall`](crate::Fault::TooSmall) | a size is too small | enlarge it, or reduce the extent |
+/// | [`OutOfRange`](crate::Fault::OutOfRange) | a number is too large | keep it in the limits above |
+/// | [`BeyondReach`](crate::Fault::BeyondReach) | an eye is too far | prepare the scene with that camera |
+/// | [`BakedOtherwise`](crate::Fault::BakedOtherwise) | other baked numbers | bake the scene again |
 ///
-/// In `f32` all of these are legal, but for the last.
+/// In `f32` the last fault alone occurs.
 ///
 /// [`PreparedScene::scale`]: crate::PreparedScene::scale
 /// [`PreparedScene::set_camera`]: crate::PreparedScene::set_camera
 ///
 /// # Guarantees
-/// All operations are defined for all values, and give the same bits on every processor: sums and products wrap,
-/// quotients and conversions saturate.
+/// All operations are defined for all values, and give the same bits on every processor: sums and products
+/// wrap, quotients and conversions saturate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fixed(i32);
 
@@ -191,7 +198,8 @@ impl Div for Fixed {
             return Self(if self.0 < 0 { i32::MIN } else { i32::MAX });
         }
         let (zeros, inverse) = arch::inverse(other.0);
-        // The divisor is 2⁽⁸⁻ᶻᵉʳᵒˢ⁾ times a number in [1/2, 1), of which `inverse` holds the reciprocal in 30 bits.
+        // The divisor is 2⁽⁸⁻ᶻᵉʳᵒˢ⁾ times a number in [1/2, 1), of which `inverse` holds the reciprocal in 30
+        // bits.
         let quotient = Self(arch::shifted(product(self.0, inverse), 38u32.wrapping_sub(zeros)));
         if other.0 < 0 { Self(quotient.0.saturating_neg()) } else { quotient }
     }
@@ -278,7 +286,7 @@ impl Real for Fixed {
     }
 
     fn offset(magnitude: Self) -> Self {
-        // A point that was computed is off by a few units; 16 of them are 4e-6 of the scene.
+        // A computed point is off by a few units; 16 units are 4e-6 of the scene.
         Self((magnitude.0 >> 17).wrapping_add(16))
     }
 }
@@ -317,7 +325,7 @@ impl Kernel for Fixed {
             return 0;
         }
         let product = product(self.0, per_unit.mantissa);
-        // Of most factors the upper half alone counts. A shift of 64 bits is a call on some processors.
+        // For most factors the upper word suffices. A shift of 64 bits is a call on some processors.
         match (per_unit.shift + FRACTION).checked_sub(32) {
             Some(shift) => ((product >> 32) as i32) >> shift.min(31),
             None => (product >> (per_unit.shift + FRACTION)) as i32,
@@ -380,7 +388,7 @@ impl Kernel for Fixed {
     }
 }
 
-/// A number of any magnitude, for what is multiplied but never added: `mantissa / 2^shift`.
+/// A number of any magnitude, which is multiplied but never added: `mantissa / 2^shift`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
     mantissa: i32,
@@ -388,7 +396,7 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// The nearest factor with 30 digits after the point or fewer; what is larger than 2³⁰ saturates.
+    /// The nearest factor with 30 digits after the point or fewer; values beyond ±10⁹ saturate.
     fn new(value: f32) -> Self {
         let mut mantissa = if value.abs() < 1e9 { value } else { 1e9f32.copysign(value) };
         let mut shift = 0;

@@ -1,6 +1,7 @@
-//! Reciprocals and square roots: a straight line from a table, then one step of Newton's method (Ito, Takagi and Yajima, "Efficient
-//! Initial Approximation for Multiplicative Division and Square Root by a Multiplication with Operand Modification", IEEE Trans.
-//! Computers 1997, for the line; any numerics text for the step).
+//! Reciprocals and square roots: a straight line from a table, then one step of Newton's method (Ito, Takagi
+//! and Yajima, "Efficient Initial Approximation for Multiplicative Division and Square Root by a
+//! Multiplication with Operand Modification", IEEE Trans. Computers 1997, for the line; any numerics text for
+//! the step).
 //!
 //! | function | error of the line | error after the step |
 //! |---|---|---|
@@ -8,11 +9,11 @@
 //! | `reciprocal_root` | 2⁻¹³ | 2⁻²⁵ of the value |
 //! | `square_root` | 2⁻¹² | 2⁻²⁴ of the value |
 //!
-//! This file has the tables and what all processors compute in the same way; [`arch`](super::arch) has the rest.
-//! docs/experiments.md.
+//! This file has the tables and what all processors compute in the same way; [`arch`](super::arch) has the
+//! rest. docs/experiments.md.
 
-/// A straight piece of a curve in one word, to be loaded at once. The upper half is the value at the left end in units of 2⁻¹⁵, the lower
-/// half is how much the curve falls to the right end.
+/// A straight piece of a curve in one word, to be loaded at once. The upper half is the value at the left end
+/// in units of 2⁻¹⁵, the lower half is how much the curve falls to the right end.
 type Line = u32;
 
 /// The curve 1/x over [1/2, 1) in 64 pieces.
@@ -30,7 +31,8 @@ pub(super) static RECIPROCALS: [Line; 64] = {
     lines
 };
 
-/// The curve 1/√x over [1/4, 1) in pieces of 1/128. The first 32 entries fill the table up, so that every index of 7 bits is in it.
+/// The curve 1/√x over [1/4, 1) in pieces of 1/128. The first 32 entries fill the table up, so that every
+/// index of 7 bits is in it.
 pub(super) static RECIPROCAL_ROOTS: [Line; 128] = {
     let mut lines = [0; 128];
     let mut i = 32;
@@ -73,8 +75,8 @@ pub(super) fn at(line: Line, x: u32) -> u32 {
     line.wrapping_sub((line & 0xFFFF).wrapping_mul(along)) >> 16
 }
 
-/// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³². `upper_product` gives the upper 32 bits of a product. The result is below 2³¹,
-/// because a step of Newton's method ends below the exact value.
+/// 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³². `upper_product` gives the upper 32 bits of a
+/// product. The result is below 2³¹, because a step of Newton's method ends below the exact value.
 #[inline]
 #[allow(clippy::indexing_slicing)] // There are 64 pieces.
 pub(super) fn reciprocal(x: u32, upper_product: impl FnOnce(u32, u32) -> u32) -> u32 {
@@ -97,7 +99,8 @@ pub(super) struct Root {
 }
 
 impl Root {
-    /// The coordinate of a unit vector, from that of a vector of this length, in units of 2⁻²⁴. `product` gives a product exactly.
+    /// The coordinate of a unit vector, from that of a vector of this length, in units of 2⁻²⁴. `product`
+    /// gives a product exactly.
     #[inline(always)]
     pub(super) fn unit_coordinate(self, coordinate: i32, product: impl FnOnce(i32, i32) -> i64) -> i32 {
         // The coordinate is shifted up as far as it fits before it is scaled, and rounded afterwards.

@@ -5,7 +5,8 @@ use crate::math::real::Product;
 
 pub(super) const UNIT: f64 = 1.0 / (1u32 << FRACTION) as f64;
 
-/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants), the same on every run.
+/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants), the same on
+/// every run.
 pub(super) struct Random(pub(super) u64);
 
 impl Random {

@@ -1,5 +1,6 @@
-//! Angles in fixed point: a ratio that is small in one of eight directions, and a polynomial of the arc tangent there (Hart et
-//! al., "Computer Approximations", 1968, for the reduction; the coefficients interpolate at Chebyshev's points).
+//! Angles in fixed point: a rotation by a multiple of an eighth of a turn, and a polynomial of the arc
+//! tangent for the rest (Hart et al., "Computer Approximations", 1968, for the reduction; the coefficients
+//! interpolate at Chebyshev's points).
 //!
 //! | source of error | in units of 2⁻²⁴ of a turn |
 //! |---|---|
@@ -9,13 +10,15 @@
 
 use super::arch::{leading_zeros, reciprocal, upper_product};
 
-/// The arc tangent in turns, divided by its argument r, as a polynomial in r² up to tan²(π/8); in units of 2⁻³².
+/// The arc tangent in turns, divided by its argument r, as a polynomial in r² up to tan²(π/8); in units of
+/// 2⁻³².
 const SERIES: [i32; 5] = [683_565_263, -227_851_349, 136_535_892, -94_663_470, 54_523_161];
 
 /// tan(π/8) in units of 2⁻³².
 const TAN_EIGHTH: u32 = 1_779_033_704;
 
-/// The angle of the vector (x, y) from the x axis, counterclockwise, in units of 2⁻²⁴ of a turn; 0 of no vector.
+/// The angle of the vector (x, y) from the x axis, counterclockwise, in units of 2⁻²⁴ of a turn; 0 for the
+/// vector of length 0.
 pub(super) fn turn(y: i32, x: i32) -> i32 {
     let (long, short) = {
         let (across, up) = (x.unsigned_abs(), y.unsigned_abs());

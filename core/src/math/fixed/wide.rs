@@ -1,4 +1,4 @@
-//! Sums of products of fixed-point numbers that were not rounded yet.
+//! Sums of products of fixed-point numbers, not yet rounded.
 
 use core::ops::{Add, Sub};
 
@@ -8,8 +8,8 @@ use crate::math::real::Product;
 
 /// A sum of products of two [`Fixed`]: exact, in units of 2⁻⁴⁸.
 ///
-/// Multiply-and-accumulate is one instruction on processors from ARMv7-M on, and nothing is lost of the small differences of
-/// squares that tell whether a sphere is met.
+/// Multiply-and-accumulate is one instruction on processors from ARMv7-M on, and small differences of
+/// squares, which decide whether a ray meets a sphere, keep all their digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FixedProduct(i64);
 
@@ -82,7 +82,7 @@ impl Product<Fixed> for FixedProduct {
         if divisor.0 == 0 {
             return Fixed(if self.0 < 0 { i32::MIN } else { i32::MAX });
         }
-        // As many digits as fit in 31 bits, for a product of 31 by 31.
+        // Shift up as far as fits in 31 bits, for a product of 31 by 31 bits.
         let up = self.0.unsigned_abs().leading_zeros().saturating_sub(1) & 63;
         let digits = ((self.0 << up) >> 32) as i32;
         let (zeros, inverse) = arch::inverse(divisor.0);
@@ -95,7 +95,7 @@ impl Product<Fixed> for FixedProduct {
 
     fn share(self, whole: Self) -> Fixed {
         let (part, whole) = (self.0.unsigned_abs(), whole.0.unsigned_abs());
-        // The upper 31 digits of the whole, and as many digits of the part as fit.
+        // The upper 31 digits of the whole, and the digits of the part down to the same place.
         let up = whole.leading_zeros().saturating_sub(1) & 63;
         let digits = ((whole << up) >> 32) as i32;
         Self(((part << up) >> 8) as i64).over(Fixed(digits))

@@ -1,28 +1,31 @@
-//! Answers from 14 or 15 digits of each number, for ARMv6-M: a product of two such numbers is one instruction there, in place of
-//! seventeen. Where an answer is not certain, the caller computes with all digits, so that no byte of a picture changes.
+//! Answers from 14 or 15 digits of each number, for ARMv6-M: a product of two such numbers is one instruction
+//! there, in place of seventeen. Where an answer is not certain, the caller computes with all digits, so that
+//! no byte of a picture changes.
 
 /// Digits of a coordinate below 1; the product of two coordinates has twice as many.
 const DIGITS: u32 = 14;
 
-/// The most by which a squared distance is too small, in units of 2⁻²⁸, rounded up. Truncation takes less than 2⁻¹⁴ from each number. So the
-/// product of the distance (below √3) and the direction is off by 4.8 · 2⁻¹⁴, and by 2⁻¹⁴ more where it is rounded; the square of that
-/// product is off by 5.8 · 2 · √3 · 2⁻¹⁴, and the squared distance by 6 · 2⁻¹⁴.
+/// The most by which a squared distance is too small, in units of 2⁻²⁸, rounded up. Truncation takes less
+/// than 2⁻¹⁴ from each number. So the product of the distance (below √3) and the direction is off by 4.8 ·
+/// 2⁻¹⁴, and by 2⁻¹⁴ more where it is rounded; the square of that product is off by 5.8 · 2 · √3 · 2⁻¹⁴, and
+/// the squared distance by 6 · 2⁻¹⁴.
 const OFF: i32 = 27 << DIGITS;
 
-/// A lower and an upper bound of the scalar product of two unit vectors, in units of 2⁻²⁴, from 15 digits of each coordinate.
+/// A lower and an upper bound of the scalar product of two unit vectors, in units of 2⁻²⁴, from 15 digits of
+/// each coordinate.
 #[inline(always)]
 pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
     let digits = |number: i32| number >> 9;
     let ([ax, ay, az], [bx, by, bz]) = (a.map(digits), b.map(digits));
-    // In units of 2⁻³⁰. Each factor is off by less than 2⁻¹⁵, and coordinates of a unit vector add up to √3 at most: the sum is off by less
-    // than 2⁻¹³.
+    // In units of 2⁻³⁰. Each factor is off by less than 2⁻¹⁵, and coordinates of a unit vector add up to √3
+    // at most: the sum is off by less than 2⁻¹³.
     let product =
         ax.wrapping_mul(bx).wrapping_add(ay.wrapping_mul(by)).wrapping_add(az.wrapping_mul(bz)) >> 6;
     (product.wrapping_sub(1 << 11), product.wrapping_add(1 << 11))
 }
 
-/// `true` if a ray surely misses a ball: its origin is given as seen from the middle of the ball, its direction is a unit vector. Sees no miss
-/// from an origin with a coordinate of 1 or more.
+/// `true` if a ray surely misses a ball: its origin is given as seen from the middle of the ball, its
+/// direction is a unit vector. Sees no miss from an origin with a coordinate of 1 or more.
 #[inline(always)]
 pub(crate) fn misses_ball(from_center: [i32; 3], direction: [i32; 3], radius: i32) -> bool {
     let [x, y, z] = from_center.map(|number| number ^ number >> 31);

@@ -1,6 +1,7 @@
-//! Products of 32 by 32 bits from products of 16 by 16 bits (Warren, "Hacker's Delight", 2nd ed. 2012, §8-2), leading zeros and shifts, for
-//! processors whose compiler calls a library for them. The bits are those of [`portable`](super::portable), where the functions are
-//! described; ARMv6-M takes a quarter of the instructions of its compiler's library for a product.
+//! Products of 32 by 32 bits from products of 16 by 16 bits (Warren, "Hacker's Delight", 2nd ed. 2012, §8-2),
+//! leading zeros and shifts, for processors whose compiler calls a library for them. The bits are those of
+//! [`portable`](super::portable), where the functions are described; ARMv6-M takes a quarter of the
+//! instructions of its compiler's library for a product.
 
 #[inline(always)]
 fn halves(number: i32) -> (i32, i32) {
@@ -24,8 +25,8 @@ pub(crate) fn product(a: i32, b: i32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// `a · b` in units of 2²⁴, rounded down, without the bits that do not fit: three instructions fewer than [`product`] and a shift, which the
-/// compiler does not join.
+/// `a · b` in units of 2²⁴, rounded down, without the bits that do not fit: three instructions fewer than
+/// [`product`] and a shift, which the compiler does not join.
 #[inline(always)]
 pub(crate) fn scaled_product(a: i32, b: i32) -> i32 {
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
@@ -36,8 +37,8 @@ pub(crate) fn scaled_product(a: i32, b: i32) -> i32 {
     high.wrapping_shl(8).wrapping_add(other >> 8)
 }
 
-/// The scalar product in units of 2²⁴, rounded down, if two coordinates of the first vector are 0. `classic` and `whitted`
-/// take an M0 1.04 times the instructions without it.
+/// The scalar product in units of 2²⁴, rounded down, if two coordinates of the first vector are 0. `classic`
+/// and `whitted` take an M0 1.04 times the instructions without it.
 #[inline(always)]
 pub(crate) fn product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Option<i32> {
     match sparse {
@@ -56,8 +57,8 @@ pub(crate) fn attenuated(light: i32, digits: i32) -> i32 {
     high.wrapping_mul(digits).wrapping_shl(1).wrapping_add((low >> 15) as i32)
 }
 
-/// The upper 32 bits of `a · b`. `opaque` gives back its argument and hides where it comes from: where the compiler recognizes a product of
-/// 64 bits, it calls its library, which takes four times as long.
+/// The upper 32 bits of `a · b`. `opaque` gives back its argument and hides where it comes from: where the
+/// compiler recognizes a product of 64 bits, it calls its library, which takes four times as long.
 #[inline(always)]
 pub(crate) fn upper_product(a: u32, b: u32, opaque: impl FnOnce(u32) -> u32) -> u32 {
     let ((a_high, a_low), (b_high, b_low)) = (unsigned_halves(a), unsigned_halves(b));
@@ -81,7 +82,8 @@ pub(crate) fn leading_zeros(bits: u32) -> u32 {
     zeros + odd + none
 }
 
-/// A number shifted down by 1 to 63, saturated, a word at a time: a shift of two words is a call of the library.
+/// A number shifted down by 1 to 63, saturated, a word at a time: a shift of two words is a call of the
+/// library.
 #[inline(always)]
 pub(crate) fn shifted(bits: i64, down: u32) -> i32 {
     let (high, low) = ((bits >> 32) as i32, bits as u32);

@@ -1,8 +1,10 @@
-//! The arithmetic that depends on the processor: one list of functions, with the same bits on every processor.
+//! The arithmetic that depends on the processor: one list of functions, with the same bits on every
+//! processor.
 //!
-//! [`portable`] holds the list in plain Rust, for processors that multiply 32 by 32 bits to 64 in an instruction or two. ARMv6-M keeps the
-//! lower 32 bits of a product alone: [`armv6m`] holds the same list for it, partly in assembly. This file has the only `cfg` for a
-//! processor. The numbers of a [`Fixed`](super::Fixed) are `i32` in units of 2⁻²⁴ here.
+//! [`portable`] holds the list in plain Rust, for processors that multiply 32 by 32 bits to 64 in an
+//! instruction or two. ARMv6-M keeps the lower 32 bits of a product alone: [`armv6m`] holds the same list for
+//! it, partly in assembly. This file has the only `cfg` for a processor. The numbers of a
+//! [`Fixed`](super::Fixed) are `i32` in units of 2⁻²⁴ here.
 //!
 //! | function | result |
 //! |---|---|
@@ -16,8 +18,8 @@
 //! | `leading_zeros` | leading zeros |
 //! | `shifted` | a number shifted down by 1 to 63, saturated |
 //! | `reciprocal` | 1/x in units of 2⁻³⁰, for x from 2³¹ up in units of 2⁻³² |
-//! | `inverse` | of a number that is not 0: the leading zeros of its absolute value, and the reciprocal of the digits after them |
-//! | `root`, `square_root` | the square root of a number below 2⁶²: with its reciprocal as a [`Root`](super::newton::Root); alone |
+//! | `inverse` | leading zeros of the absolute value (not 0), and the reciprocal of the digits after them |
+//! | `root`, `square_root` | the square root of a number below 2⁶²: with its reciprocal; alone |
 //! | `unit` | the unit vector along a vector |
 //! | `toward_light` | see [`Real::toward_light`](crate::math::Real::toward_light) |
 //! | `dot3_bounds` | two bounds of the scalar product of unit vectors |
@@ -43,11 +45,13 @@ pub(super) use processor::{
     unsigned_product, upper_product,
 };
 
-/// The most by which a direction of [`toward_light`] is off, as an angle in radians: each coordinate is off by less than one of at least 2¹⁴.
+/// The most by which a direction of [`toward_light`] is off, as an angle in radians: each coordinate is off
+/// by less than one of at least 2¹⁴.
 pub(super) const TOWARD_LIGHT_ERROR: f32 = 1.0 / 8192.0;
 
-/// The 16 bits of a share below 2 that [`attenuated`] uses: those from 1 to 2⁻¹⁵. A display shows so few levels that light is off by 1/128 of
-/// a step of 255 at most, and ARMv6-M takes two products of 16 bits in place of four.
+/// The 16 bits of a share below 2 that [`attenuated`] uses: those from 1 to 2⁻¹⁵. A display shows so few
+/// levels that light is off by 1/128 of a step of 255 at most, and ARMv6-M takes two products of 16 bits in
+/// place of four.
 #[inline(always)]
 fn share_digits(share: i32) -> i32 {
     share >> 9 & 0xFFFF

@@ -80,8 +80,8 @@ fn line_of_reciprocal_root(x: u32) -> u32 {
     newton::at(RECIPROCAL_ROOTS[(x >> 25) as usize], x)
 }
 
-/// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³². The result is below 2³¹, because a step of Newton's method ends below the
-/// exact value.
+/// 1/√x in units of 2⁻³⁰, for x from 2³⁰ up in units of 2⁻³². The result is below 2³¹, because a step of
+/// Newton's method ends below the exact value.
 #[inline]
 fn reciprocal_root(x: u32) -> u32 {
     let y = line_of_reciprocal_root(x);
@@ -121,8 +121,8 @@ pub(crate) fn unit(vector: [i32; 3]) -> [i32; 3] {
 /// With the digits in units of 2⁻³², a number that is not 0 is digits · 2⁶⁴⁻ᶻᵉʳᵒˢ with digits in [1/4, 1).
 #[inline(always)]
 fn even_zeros(bits: u64) -> (u32, u32) {
-    // A word at a time: processors of 32 bits take 10 instructions so, in place of 14. The lowest bit is set so that 0 has 30 zeros; it
-    // changes no other result.
+    // A word at a time: processors of 32 bits take 10 instructions so, in place of 14. The lowest bit is set
+    // so that 0 has 30 zeros; it changes no other result.
     let even = |word: u32| (word | 1).leading_zeros() & 30;
     let (high, low) = ((bits >> 32) as u32, bits as u32);
     if high == 0 {
@@ -140,8 +140,9 @@ fn shift_of_root(zeros: u32) -> u32 {
     zeros.saturating_sub(1) >> 1 & 31
 }
 
-// On every processor: the direction has 15 digits of each coordinate of the way, which moves shadows by a small part of a pixel. It is
-// divided by the exact length of those digits: it must be as long as any unit vector, or rays would meet the surface that they leave.
+// On every processor: the direction has 15 digits of each coordinate of the way, which moves shadows by a
+// small part of a pixel. It is divided by the exact length of those digits: it must be as long as any unit
+// vector, or rays would meet the surface that they leave.
 #[inline(always)]
 pub(crate) fn toward_light(way: [i32; 3], normal: [i32; 3]) -> Option<([i32; 3], i32, i32)> {
     // Lights behind a surface are frequent: find them first.

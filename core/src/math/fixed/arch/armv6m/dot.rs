@@ -1,12 +1,14 @@
 //! Scalar products and squared lengths.
 //!
-//! The six products in the middle of a scalar product are added up before they are shifted. Where that sum leaves 32 bits, as it does for
-//! coordinates far from the origin, the lost 2³² is added to the upper word. All six coordinates come in registers: through the stack, as
-//! the procedure call standard has it, a product takes 10 cycles more. A square has its middle product twice.
+//! The six products in the middle of a scalar product are added up before they are shifted. Where that sum
+//! leaves 32 bits, as it does for coordinates far from the origin, the lost 2³² is added to the upper word.
+//! All six coordinates come in registers: through the stack, as the procedure call standard has it, a product
+//! takes 10 cycles more. A square has its middle product twice.
 
 use core::arch::naked_asm;
 
-/// Adds the product of `r0` and `r1` to the sum in `r3:r4`, and its middle products to the sum in `r6`. Overwrites `r0` to `r2`, `r5`, `r7`.
+/// Adds the product of `r0` and `r1` to the sum in `r3:r4`, and its middle products to the sum in `r6`.
+/// Overwrites `r0` to `r2`, `r5`, `r7`.
 macro_rules! add_product {
     ($overflow:literal, $other:literal) => {
         concat!(
@@ -27,8 +29,8 @@ macro_rules! add_product {
     };
 }
 
-/// A function of two vectors, in `r0` to `r2` and `r3` to `r5`, whose scalar product is in `r3:r4` before `$end`. Overwrites `r0` to `r5`,
-/// `r12` and `lr`.
+/// A function of two vectors, in `r0` to `r2` and `r3` to `r5`, whose scalar product is in `r3:r4` before
+/// `$end`. Overwrites `r0` to `r5`, `r12` and `lr`.
 macro_rules! scalar_product {
     ($(#[$doc:meta])* $name:ident $(, $end:literal)*) => {
         $(#[$doc])*

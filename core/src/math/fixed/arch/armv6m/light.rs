@@ -4,8 +4,8 @@ use core::arch::naked_asm;
 
 use crate::math::fixed::newton::RECIPROCAL_ROOTS;
 
-/// `$number`, of 16 bits, times a number in units of 2⁻²¹ whose halves are in `r5` and `r6`; the product is in `$result`. `$shift` is `asrs`
-/// if `$number` has a sign, else `lsrs`. Overwrites `$number` and `r4`.
+/// `$number`, of 16 bits, times a number in units of 2⁻²¹ whose halves are in `r5` and `r6`; the product is
+/// in `$result`. `$shift` is `asrs` if `$number` has a sign, else `lsrs`. Overwrites `$number` and `r4`.
 macro_rules! scale {
     ($number:literal, $shift:literal, $result:literal) => {
         concat!(
@@ -16,8 +16,9 @@ macro_rules! scale {
     };
 }
 
-/// From the way in `r0` to `r2` and the unit normal in `r3` to `r5`: the unit vector along the way in `r0` to `r2`, the length in `r3`, and the
-/// cosine in `r4`. Where the light is not above the surface, `r4` is -1 and the other registers mean nothing. Overwrites `r5` and `r12`.
+/// From the way in `r0` to `r2` and the unit normal in `r3` to `r5`: the unit vector along the way in `r0` to
+/// `r2`, the length in `r3`, and the cosine in `r4`. Where the light is not above the surface, `r4` is -1 and
+/// the other registers mean nothing. Overwrites `r5` and `r12`.
 #[allow(unsafe_code)]
 #[unsafe(naked)]
 pub(super) extern "C" fn toward_light() {

@@ -1,8 +1,9 @@
-//! The functions of [`arch`](super) for ARMv6-M, which multiplies 32 by 32 bits for the lower half of the result alone.
+//! The functions of [`arch`](super) for ARMv6-M, which multiplies 32 by 32 bits for the lower half of the
+//! result alone.
 //!
-//! A number is split into halves, a = a₁ 2¹⁶ + a₀, so that a · b = a₁ b₁ 2³² + (a₁ b₀ + a₀ b₁) 2¹⁶ + a₀ b₀. Single products are in Rust,
-//! see [`halves`]. Scalar products, roots and unit vectors are in assembly: the compiler has eight registers for them, and keeps half of
-//! the numbers on the stack.
+//! A number is split into halves, a = a₁ 2¹⁶ + a₀, so that a · b = a₁ b₁ 2³² + (a₁ b₀ + a₀ b₁) 2¹⁶ + a₀ b₀.
+//! Single products are in Rust, see [`halves`]. Scalar products, roots and unit vectors are in assembly: the
+//! compiler has eight registers for them, and keeps half of the numbers on the stack.
 //!
 //! | function | instructions | of the compiler's code |
 //! |---|---:|---:|
@@ -14,7 +15,8 @@
 //! | unit vector | 160 | 205 |
 //! | direction to a light | 145 | 270 |
 //!
-//! The functions do not follow the procedure call standard: they take and return up to six numbers in `r0` to `r5`, which [`call!`] states.
+//! The functions do not follow the procedure call standard: they take and return up to six numbers in `r0` to
+//! `r5`, which [`call!`] states.
 
 #[macro_use]
 mod steps;
@@ -33,12 +35,13 @@ use crate::math::fixed::newton::{self, Root};
 pub(crate) use coarse::{dot3_bounds, misses_ball};
 pub(crate) use halves::{leading_zeros, product, scaled_product, shifted};
 
-/// Calls a function in assembly with the numbers in `r0` to `r5`, and gives what is in these registers afterwards. `$memory` is `nomem`, or
-/// `readonly` for a function with a table.
+/// Calls a function in assembly with the numbers in `r0` to `r5`, and gives what is in these registers
+/// afterwards. `$memory` is `nomem`, or `readonly` for a function with a table.
 macro_rules! call {
     ($function:path, $memory:ident, [$a:expr, $b:expr, $c:expr, $d:expr, $e:expr, $f:expr]) => {{
         let (a, b, c, d, e, f): (i32, i32, i32, i32, i32, i32);
-        // SAFETY: the function changes `r0` to `r5`, `r12`, `lr` and the flags alone, and memory only below the stack pointer.
+        // SAFETY: the function changes `r0` to `r5`, `r12`, `lr` and the flags alone, and memory only below
+        // the stack pointer.
         #[allow(unsafe_code)]
         unsafe {
             asm!(

@@ -4,8 +4,8 @@ use core::arch::naked_asm;
 
 use crate::math::fixed::newton::{RECIPROCAL_ROOTS, RECIPROCALS};
 
-/// From the number in `r0:r3`: the root in `r0`, its reciprocal in `r1`, and how far the root was shifted down in `r2`. Overwrites `r3` to
-/// `r5`.
+/// From the number in `r0:r3`: the root in `r0`, its reciprocal in `r1`, and how far the root was shifted
+/// down in `r2`. Overwrites `r3` to `r5`.
 #[allow(unsafe_code)]
 #[unsafe(naked)]
 pub(super) extern "C" fn root() {
@@ -53,8 +53,8 @@ pub(super) extern "C" fn square_root() {
     )
 }
 
-/// From the number in `r0`, which is not 0: the leading zeros of its absolute value in `r2`, and the reciprocal of the digits after them in
-/// `r0`. Overwrites `r1` and `r3` to `r5`.
+/// From the number in `r0`, which is not 0: the leading zeros of its absolute value in `r2`, and the
+/// reciprocal of the digits after them in `r0`. Overwrites `r1` and `r3` to `r5`.
 #[allow(unsafe_code)]
 #[unsafe(naked)]
 pub(super) extern "C" fn inverse() {
