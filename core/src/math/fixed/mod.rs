@@ -370,7 +370,13 @@ impl Kernel for Fixed {
     #[inline(always)]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)> {
         let (unit, length, cosine) = arch::toward_light(way.map(Self::to_bits), normal.map(Self::to_bits))?;
-        Some((unit.map(Self), Self(length), Self(cosine)))
+        let unit = unit.map(Self);
+        // A ray along a direction that points below the surface would meet the surface itself: there is no
+        // light then.
+        if cosine < arch::LOW_COSINE && Self::dot3(unit, normal) <= Self::ZERO {
+            return None;
+        }
+        Some((unit, Self(length), Self(cosine)))
     }
 
     fn toward_light_error(distance: f32) -> f32 {

@@ -49,6 +49,10 @@ pub(super) use processor::{
 /// by less than one of at least 2¹⁴.
 pub(super) const TOWARD_LIGHT_ERROR: f32 = 1.0 / 8192.0;
 
+/// 2⁻¹¹: a cosine from [`toward_light`] that is larger is above 0 for certain. Its error and that of the
+/// direction together are smaller.
+pub(super) const LOW_COSINE: i32 = 1 << 13;
+
 /// The 16 bits of a share below 2 that [`attenuated`] uses: those from 1 to 2⁻¹⁵. A display shows so few
 /// levels that light is off by 1/128 of a step of 255 at most, and ARMv6-M takes two products of 16 bits in
 /// place of four.
