@@ -45,12 +45,13 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> Self {
         let incoming = ray.direction;
         let (normal, cosine, is_turned) = shading_normal.facing(incoming);
-        let is_geometric = shading_normal == hit.surface.normal;
+        let is_geometric = R::IS_FIXED_POINT && shading_normal == hit.surface.normal;
         let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
         // Nobody asks what is neither shiny nor mirrors where that way goes, unless it is beside a place that does; to tell takes time as well.
-        let is_asked = probe.asks_mirrored()
+        let is_asked = !R::IS_FIXED_POINT
+            || probe.asks_mirrored()
             || material.specular > R::ZERO
             || material.sends_rays()
             || probe.is_watching() && !material.maps.is_empty();
@@ -106,7 +107,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> LinearRgb<R> {
         let (material, optics) = (self.material, self.material.optics());
         let mut ambient = LinearRgb::BLACK;
-        if material.ambient > R::ZERO {
+        if !R::IS_FIXED_POINT || material.ambient > R::ZERO {
             ambient = self.color * material.ambient;
             if let Some(light) = scene.ambient() {
                 ambient = light * ambient;
