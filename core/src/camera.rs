@@ -1,7 +1,7 @@
 //! The camera of a scene, and the mapping between pixels and rays.
 
 use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
-use crate::math::{Aabb, Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Kernel, Ray, Real, Scale, Vec3};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +124,7 @@ impl<R: Real> Viewport<R> {
         let (right, down) = (camera.right * pixel, -(camera.up * pixel));
         // The length of these vectors does not matter. In fixed point they are scaled up, so that as many
         // digits as possible are used.
-        let (shift, unit) = if R::REACH.is_some() {
+        let (shift, unit) = if R::IS_FIXED_POINT {
             let shift = u16::BITS - width.max(height).leading_zeros();
             (shift, Self::unit(R::Setup::ONE + half * (number(width) + number(height)), shift))
         } else {
@@ -183,7 +183,7 @@ impl<R: Real> Viewport<R> {
     pub(crate) fn ray(&self, (x, right): (u16, u16), (y, down): (u16, u16)) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
         let y = R::from_pixel(y, down, self.shift);
-        let direction = self.corner + self.right.times_few(x) + self.down.times_few(y);
+        let direction = self.corner + self.right * x + self.down * y;
         // The length is at least 1, the distance of the picture from the eye.
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }
@@ -223,7 +223,7 @@ impl<R: Real> Viewport<R> {
         let (_, half_height) = self.middle;
         // The formula of `project`, multiplied by the depth.
         let below = |height: R::Setup| camera.forward * ((half_height - height) * self.pixel()) - camera.up;
-        [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.polar().0))
+        [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.unit_and_length().0))
     }
 
     /// The position in the picture, in pixels from the left and the top, where a point is seen; `None` where

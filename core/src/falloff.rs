@@ -62,7 +62,7 @@ impl Falloff {
         // Divide by the largest coefficient, so that none is above 1. Where the inverse of the largest would
         // be out of range, divide by 1 / `BRIGHTEST`.
         let largest = c.larger(l).larger(q);
-        let unit = if R::holds(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
+        let unit = if R::fits(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
         let part = |coefficient: R::Setup| R::from_setup(coefficient / unit);
         let brightness = R::from_setup(unit.recip());
         Ok(Some(PreparedFalloff { constant: part(c), linear: part(l), quadratic: part(q), brightness }))

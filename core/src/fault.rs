@@ -504,7 +504,7 @@ pub(crate) fn unit<R: Real>(vector: Vec3) -> Result<Vec3<R>, Fault> {
 
 /// Refuses a number that is too large for the number system.
 pub(crate) fn check_held<R: Real>(value: R::Setup) -> Result<(), Fault> {
-    if R::holds(value) { Ok(()) } else { Err(Fault::OutOfRange) }
+    if R::fits(value) { Ok(()) } else { Err(Fault::OutOfRange) }
 }
 
 /// Refuses a radius that is not much larger than the rounding error of a point.

@@ -60,7 +60,7 @@ impl<R: Real> Share<R> {
     /// The same of light that may well be gray.
     #[inline(always)]
     pub(crate) fn of_gray(self, light: LinearRgb<R>) -> LinearRgb<R> {
-        if R::SEEKS_FACTORS && !cfg!(feature = "optics") && light.g == light.r && light.b == light.r {
+        if R::IS_FIXED_POINT && !cfg!(feature = "optics") && light.g == light.r && light.b == light.r {
             return LinearRgb::even((light * self.0).r);
         }
         self.of(light)

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rayline::Vec3;
-use rayline::math::{self, Linear, Product, Real};
+use rayline::math::{self, Kernel, Linear, Product, Real};
 
 /// An `f32` that counts operations, separately for each thread.
 #[derive(Clone, Copy, Debug)]
@@ -168,7 +168,6 @@ impl Real for Counted {
     type Product = Self;
     type Factor = f32;
     type Linear = CountedLinear;
-    type Radius = Self;
 
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
@@ -203,26 +202,6 @@ impl Real for Counted {
         slow(Real::sqrt(self.0))
     }
 
-    fn tan(self) -> Self {
-        slow(Real::tan(self.0))
-    }
-
-    fn factor(value: f32) -> f32 {
-        value
-    }
-
-    fn powf(self, exponent: f32) -> Self {
-        slow(Real::powf(self.0, exponent))
-    }
-
-    fn halved(self) -> Self {
-        slow(Real::halved(self.0))
-    }
-
-    fn cell(self, per_unit: f32) -> i32 {
-        self.0.cell(per_unit)
-    }
-
     fn turn(y: Self, x: Self) -> Self {
         slow(Real::turn(y.0, x.0))
     }
@@ -236,15 +215,37 @@ impl Real for Counted {
         self.0.floor_to_i32()
     }
 
-    fn to_q16(self) -> u32 {
-        self.0.to_q16()
-    }
-
     fn times(self, other: Self) -> Self {
         self * other
     }
 
     fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> Self {
         Self::dot3(a, b)
+    }
+}
+
+impl Kernel for Counted {
+    fn tan(self) -> Self {
+        slow(Kernel::tan(self.0))
+    }
+
+    fn factor(value: f32) -> f32 {
+        value
+    }
+
+    fn powf(self, exponent: f32) -> Self {
+        slow(Kernel::powf(self.0, exponent))
+    }
+
+    fn halved(self) -> Self {
+        slow(Kernel::halved(self.0))
+    }
+
+    fn cell(self, per_unit: f32) -> i32 {
+        self.0.cell(per_unit)
+    }
+
+    fn to_q16(self) -> u32 {
+        self.0.to_q16()
     }
 }

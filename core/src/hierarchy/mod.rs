@@ -274,10 +274,10 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     /// roughly in order of their distance. `test` returns the new largest distance.
     #[inline]
     pub(crate) fn walk(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> R) {
-        if R::REACH.is_none() {
-            self.walk_boxes(Slabs::new(ray, max), test)
-        } else {
+        if R::IS_FIXED_POINT {
             self.walk_boxes(Segment::new(ray, max), test)
+        } else {
+            self.walk_boxes(Slabs::new(ray, max), test)
         }
     }
 
@@ -285,10 +285,10 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     /// any order, until it returns `true`. Returns whether it did.
     #[inline]
     pub(crate) fn any(&self, ray: &Ray<R>, max: R, test: impl FnMut(usize) -> bool) -> bool {
-        if R::REACH.is_none() {
-            self.any_in_boxes(&Slabs::new(ray, max), test)
-        } else {
+        if R::IS_FIXED_POINT {
             self.any_in_boxes(&Segment::new(ray, max), test)
+        } else {
+            self.any_in_boxes(&Slabs::new(ray, max), test)
         }
     }
 
@@ -303,10 +303,10 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         test: impl FnMut(usize) -> bool,
     ) -> bool {
         let margin = R::offset(ray.origin.magnitude()) + beside;
-        if R::REACH.is_none() {
-            self.any_in_boxes(&Slabs::inflated(ray, max, margin), test)
-        } else {
+        if R::IS_FIXED_POINT {
             self.any_in_boxes(&Segment::inflated(ray, max, margin), test)
+        } else {
+            self.any_in_boxes(&Slabs::inflated(ray, max, margin), test)
         }
     }
 

@@ -142,7 +142,7 @@ fn meets<R: Real>(ray: &Ray<R>, max: R, node: &Node<R>) -> bool {
         assert_eq!(met, key_there.is_some());
         key_there.is_some_and(|key| test.reaches(key))
     }
-    if R::REACH.is_none() { found(Slabs::new(ray, max), node) } else { found(Segment::new(ray, max), node) }
+    if R::IS_FIXED_POINT { found(Segment::new(ray, max), node) } else { found(Slabs::new(ray, max), node) }
 }
 
 /// Rays that meet a box find it, however flat the box is: rays along axes, along diagonals and from far away.
@@ -252,7 +252,7 @@ fn boxes_are_met_alone_as_they_are_together() {
                 node.enclose(slot, Aabb::point(point()).union(Aabb::point(point())));
             }
             let (origin, target) = (point(), point());
-            let (direction, distance) = (target - origin).polar();
+            let (direction, distance) = (target - origin).unit_and_length();
             let max = if round % 2 == 0 { distance } else { R::FARTHEST };
             let slabs = Slabs::new(&Ray { origin, direction }, max);
             let (bits, keys) = slabs.meet(&node);
@@ -332,7 +332,7 @@ fn bundle(
         }
         1 => {
             let rays = origins.iter().map(|origin| {
-                let (direction, distance) = (target - *origin).polar();
+                let (direction, distance) = (target - *origin).unit_and_length();
                 (Ray { origin: *origin, direction }, distance)
             });
             (Beam::toward_point(around, 0.0, target), rays.collect())

@@ -161,7 +161,7 @@ impl<R: Real> Path<R> {
     /// Adds this share of light from where the ray at hand ends; all of it reaches the eye by the camera ray, before which nothing was there.
     #[inline(always)]
     fn receive(&mut self, throughput: Share<R>, light: LinearRgb<R>) {
-        let is_first = R::SEEKS_FACTORS && self.next.kind == RayKind::Camera;
+        let is_first = R::IS_FIXED_POINT && self.next.kind == RayKind::Camera;
         self.light = if is_first { light } else { self.light + throughput.of(light) };
     }
 
@@ -232,7 +232,7 @@ impl<R: Real> Path<R> {
         }
         // What is left of the throughput for a ray with this share of it; 0 where it is not to be followed.
         let mut followed = |share: Share<R>| {
-            if R::SEEKS_FACTORS && !(share.largest() > R::ZERO) {
+            if R::IS_FIXED_POINT && !(share.largest() > R::ZERO) {
                 return None;
             }
             let throughput = throughput * share;

@@ -144,7 +144,7 @@ fn take_run<'l, 'm, R: Real, K: PartialEq>(
 impl<'p, 'm, R: Real, S: Geometry + 'm> Stream<'p, 'm, R, S> {
     /// `None` where nothing would be gained.
     pub(crate) fn new(scene: &'p PreparedScene<'m, R, S>) -> Option<Self> {
-        if !cfg!(feature = "hierarchy") || R::REACH.is_some() {
+        if !cfg!(feature = "hierarchy") || R::IS_FIXED_POINT {
             return None;
         }
         Some(Self { scene, hierarchy: scene.hierarchy()?, blockers: [NOTHING; LIGHTS] })

@@ -45,12 +45,12 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> Self {
         let incoming = ray.direction;
         let (normal, cosine, is_turned) = shading_normal.facing(incoming);
-        let is_geometric = R::SEEKS_FACTORS && shading_normal == hit.surface.normal;
+        let is_geometric = R::IS_FIXED_POINT && shading_normal == hit.surface.normal;
         let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         let shown = Hit { surface: Surface { shading_normal, ..hit.surface }, ..*hit };
         // Nobody asks what is neither shiny nor mirrors where that way goes, unless it is beside a place that does; to tell takes time as well.
-        let is_asked = !R::SEEKS_FACTORS
+        let is_asked = !R::IS_FIXED_POINT
             || probe.asks_mirrored()
             || material.specular > R::ZERO
             || material.sends_rays()
@@ -107,7 +107,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     ) -> LinearRgb<R> {
         let (material, optics) = (self.material, self.material.optics());
         let mut ambient = LinearRgb::BLACK;
-        if !R::SEEKS_FACTORS || material.ambient > R::ZERO {
+        if !R::IS_FIXED_POINT || material.ambient > R::ZERO {
             ambient = self.color * material.ambient;
             if let Some(light) = scene.ambient() {
                 ambient = light * ambient;
@@ -198,7 +198,7 @@ impl<'s, R: Real> Vertex<'s, R> {
     pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
         let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
         let optics = self.material.optics();
-        let is_glass = transmittance.is_positive();
+        let is_glass = transmittance > R::ZERO;
         let refraction = if is_glass { self.refracted() } else { None };
         let Some(optics) = optics else {
             // Total internal reflection: what cannot leave is mirrored.

@@ -156,7 +156,7 @@ impl<'m, R: Real> PreparedLight<'m, R> {
             }
             Source::Far(position, shrink) => {
                 // Scaling does not change the direction. The quotient saturates.
-                let (direction, distance) = (position - point * shrink).polar();
+                let (direction, distance) = (position - point * shrink).unit_and_length();
                 let cosine = direction.dot(normal);
                 (cosine > R::ZERO).then_some((direction, (distance / shrink).smaller(R::FARTHEST), cosine))
             }

@@ -195,7 +195,7 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
     /// Whether mirrored or refracted rays may start at its surface.
     #[inline(always)]
     pub(crate) fn sends_rays(&self) -> bool {
-        self.reflectance.is_positive() || self.transmittance.is_positive() || self.optics().is_some()
+        self.reflectance > R::ZERO || self.transmittance > R::ZERO || self.optics().is_some()
     }
 
     /// The extensions of the models of Phong and Whitted, if the material has any. Without the feature

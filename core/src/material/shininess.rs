@@ -38,12 +38,12 @@ impl<R: Real> Shininess<R> {
         cosine > self.least
     }
 
-    /// Whether a highlight may be visible between these unit vectors. The test uses coarse products where the
-    /// number system has them, and may be true for an invisible highlight.
+    /// Whether a highlight may be visible between these unit vectors. The test is against a bound of their
+    /// cosine, and may be true for an invisible highlight.
     #[inline(always)]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
-        !R::SAVES_PRODUCTS
-            || self.is_visible(mirrored.coarse().dot_coarse(toward.coarse()) + R::from_f32(R::COARSE))
+        let (_, most) = mirrored.dot_bounds(toward);
+        self.is_visible(most)
     }
 
     /// Whether a cosine lies within this share of a small highlight's visible range of cosines. At a share of

@@ -12,7 +12,7 @@ pub struct Aabb<R> {
 }
 
 impl<R: Real> Aabb<R> {
-    /// The box that holds nothing but this point.
+    /// The box that holds this point alone.
     pub fn point(point: Vec3<R>) -> Self {
         Self { min: point, max: point }
     }
@@ -22,14 +22,14 @@ impl<R: Real> Aabb<R> {
         Self { min: center - reach, max: center + reach }
     }
 
-    /// The smallest box that holds both.
-    // Not inlined: in preparation size counts more than time.
+    /// The smallest box that holds both boxes.
+    // Not inlined: during preparation, size matters more than time.
     #[inline(never)]
     pub fn union(self, other: Self) -> Self {
         self.joined(other)
     }
 
-    /// The same, where time counts.
+    /// [`union`](Self::union), inlined: for loops over many boxes.
     #[inline(always)]
     pub(crate) fn joined(self, other: Self) -> Self {
         let (a, b) = (self, other);
@@ -57,7 +57,7 @@ impl<R: Real> Aabb<R> {
         (self.min + self.max) * R::from_f32(0.5)
     }
 
-    /// The same box before the first ray.
+    /// The box as the preparation has it.
     pub fn to_setup(self) -> Aabb<R::Setup> {
         Aabb { min: self.min.to_setup(), max: self.max.to_setup() }
     }

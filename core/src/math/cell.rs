@@ -2,13 +2,13 @@
 
 use super::Real;
 
-/// A coordinate, as the whole number below it and what is left: however far out, no digit of the one is lost to the
-/// other.
+/// A coordinate, as the whole number below it and the rest. Both keep all their digits, however far out the
+/// coordinate is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell<R> {
-    /// The largest whole number not above the coordinate; very far out it wraps or stays.
+    /// The largest whole number not above the coordinate. Beyond the range of `i32` it wraps or saturates.
     pub index: i32,
-    /// From there to the coordinate: 0 or more, and less than 1.
+    /// The distance from there to the coordinate: at least 0, less than 1.
     pub within: R,
 }
 
@@ -25,7 +25,7 @@ impl<R: Real> Cell<R> {
         Self { index: self.index.wrapping_mul(2).wrapping_add(doubled.index), ..doubled }
     }
 
-    /// The coordinate as a number; what is beyond ±60 is ±60.
+    /// The coordinate as a number, clamped to ±60.
     pub fn number(self) -> R {
         if self.index < -60 {
             -R::from_u16(60)
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_digits_left_is_at_the_beginning_of_its_cell() {
+    fn a_coordinate_without_digits_is_at_the_beginning_of_its_cell() {
         for value in [1e30f32, -1e30, f32::INFINITY, f32::NAN, -1e-10] {
             let within = value.split().within;
             assert!((0.0..1.0).contains(&within), "{value}: {within}");

@@ -1,4 +1,4 @@
-//! The door to the floating-point backends: which crate computes a root or an angle, and how well.
+//! The floating-point backends: the crate that computes each function, and its error bound.
 //!
 //! | function | backend, the first that applies | error bound |
 //! |---|---|---|
@@ -8,8 +8,9 @@
 //! | | libm | correctly rounded |
 //! | `turn` | libm | 2⁻²³ of a turn, 2⁻⁵¹ in `f64` |
 //!
-//! Nothing else comes from the standard library: its functions are the platform's, and differ between platforms. Powers in `f32` are
-//! our own, see [`power`](super::power). Tangents, needed once per picture, always come from libm.
+//! The standard library gives nothing else: its other functions are the platform's and differ between
+//! platforms. Powers in `f32` are in this crate, see [`power`](super::power). Tangents, needed once per
+//! picture, always come from libm.
 
 /// The square root.
 #[allow(unreachable_code)]
@@ -23,22 +24,23 @@ pub(crate) fn sqrt(value: f32) -> f32 {
     libm::sqrtf(value)
 }
 
-/// The angle of the vector (x, y) as a share of a turn, see [`Real::turn`](super::Real::turn): never the platform's arc tangent.
+/// The angle of the vector (x, y) as a share of a turn, see [`Real::turn`](super::Real::turn): never the
+/// platform's arc tangent.
 pub(crate) fn turn(y: f32, x: f32) -> f32 {
     let turn = libm::atan2f(y, x) * (0.5 * core::f32::consts::FRAC_1_PI);
     let turn = if turn < 0.0 { turn + 1.0 } else { turn };
-    // What is a little less than 0 is rounded to 1; so is what is no number.
+    // A number a little less than 0 was rounded to 1. The comparison also makes 0 of NaN.
     if turn < 1.0 { turn } else { 0.0 }
 }
 
-/// The same for the reference build.
+/// [`turn`] for the reference build.
 pub(crate) fn turn_f64(y: f64, x: f64) -> f64 {
     let turn = libm::atan2(y, x) * (0.5 * core::f64::consts::FRAC_1_PI);
     let turn = if turn < 0.0 { turn + 1.0 } else { turn };
     if turn < 1.0 { turn } else { 0.0 }
 }
 
-/// 1, halved so often, in the reference build.
+/// 2 to the power `-times`, in the reference build.
 pub(crate) fn halved_f64(times: f64) -> f64 {
     libm::exp2(-times)
 }
@@ -61,8 +63,9 @@ pub(crate) fn sqrt_f64(value: f64) -> f64 {
     libm::sqrt(value)
 }
 
-/// Comparisons of some numbers with as many others, up to 32: a bit for each. The second is for processors that compare four numbers
-/// at once and hand out the bits: the compiler does not find that instruction by itself.
+/// Two functions that compare up to 32 numbers with as many others and give a bit for each pair. The second
+/// is for `f32` on processors that compare four numbers at once and give the bits: the compiler does not find
+/// that instruction by itself.
 macro_rules! compare {
     ($what:literal, $compare:ident, $compare_f32:ident, $operator:tt, $instruction:ident) => {
         #[doc = $what]
@@ -134,7 +137,8 @@ mod micro {
         if !(value > 0.0) {
             return 0.0;
         }
-        // The estimate is off by up to 6 %; each of Heron's steps squares the error: 1.8e-3, then 1.7e-6, then 1.4e-12.
+        // The estimate is off by up to 6 %; each of Heron's steps squares the error: 1.8e-3, then 1.7e-6,
+        // then 1.4e-12.
         let mut root = F32Ext::sqrt(value);
         for _ in 0..3 {
             root = 0.5 * (root + value / root);

@@ -1,8 +1,9 @@
 //! Four rays at once, for processors that compute four numbers at once.
 //!
-//! Numbers stand by column, [`each`] computes one step for all four, and what is met is a bit for each ray: no step waits for the outcome
-//! of another ray, and the compiler makes one instruction of four. So a test of four rays takes little longer than one of a
-//! single ray (Wald, Slusallek, Benthin and Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001).
+//! The rays are stored coordinate by coordinate, [`each`] computes one step for all four, and a hit is a bit
+//! for each ray: no step depends on the outcome of another ray, and the compiler makes one instruction of
+//! four. So a test of four rays takes little longer than one of a single ray (Wald, Slusallek, Benthin and
+//! Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001).
 
 use super::{Interval, Ray, Real, Vec3};
 
@@ -17,7 +18,7 @@ pub struct FourRays<R> {
 }
 
 impl<R: Real> FourRays<R> {
-    /// These rays.
+    /// Groups four rays.
     #[inline(always)]
     pub fn new(rays: [&Ray<R>; 4]) -> Self {
         Self {
@@ -32,7 +33,8 @@ impl<R: Real> FourRays<R> {
         Ray { origin: row(&self.origins, place), direction: row(&self.directions, place) }
     }
 
-    /// What a test of single rays says of the four: a bit for each that is met nearer than its `max`, and where.
+    /// Tests the four rays one by one: a bit for each ray with a hit nearer than its `max`, and the distances
+    /// of the hits.
     #[inline(always)]
     pub fn one_by_one(
         &self,
@@ -68,7 +70,7 @@ pub(crate) fn each<T>(value: impl Fn(usize) -> T) -> [T; 4] {
     [value(0), value(1), value(2), value(3)]
 }
 
-/// The first where a bit is set, else the second.
+/// For each place, the first value if its bit is set, else the second.
 #[inline(always)]
 pub(crate) fn choose<T: Copy>(bits: u32, [a, b, c, d]: [T; 4], [e, f, g, h]: [T; 4]) -> [T; 4] {
     let one = |place: u32, set: T, unset: T| if bits >> place & 1 != 0 { set } else { unset };

@@ -20,7 +20,7 @@ impl<R: Real> Interval<R> {
         t > self.min && t < self.max
     }
 
-    /// The smaller of two distances, `near` and what is no nearer, that lies inside.
+    /// The first of two distances, `near` and `far` in this order, that lies inside.
     #[inline(always)]
     pub fn first(self, near: R, far: R) -> Option<R> {
         let first = if near > self.min { near } else { far };

@@ -4,6 +4,7 @@ mod aabb;
 mod cell;
 mod fixed;
 pub(crate) mod float;
+mod float_real;
 mod four;
 mod interval;
 pub(crate) mod power;
@@ -18,17 +19,18 @@ mod vec3;
 
 pub use aabb::Aabb;
 pub use cell::Cell;
-pub(crate) use fixed::trailing_zeros;
-pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct, FixedRadius};
+pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
+pub use float_real::FloatLinear;
 pub use four::FourRays;
 pub(crate) use four::{FOUR_AT_ONCE, choose, each};
 pub use interval::Interval;
 pub use ray::Ray;
-pub use real::{FloatLinear, Linear, Product, Real};
+#[doc(hidden)]
+pub use real::Kernel;
+pub use real::{Linear, Product, Real};
 pub(crate) use roots::{cubic_roots, root_between};
 pub(crate) use rotation::{Rotation, turned};
 pub use scale::{Extent, Scale};
 #[cfg(feature = "serde")]
 pub(crate) use triple::triple;
 pub use vec3::Vec3;
-pub(crate) use vec3::times;

@@ -1,10 +1,11 @@
-//! Powers in `f32`, for highlights and for light that is absorbed: 2 to the exponent times the binary logarithm, each from a
-//! polynomial that is as near as one of its degree can be (Remez's exchange; see Muller, "Elementary Functions", ch. 3).
+//! Powers in `f32`, for highlights and for light that is absorbed: 2 to the exponent times the binary
+//! logarithm, each from a polynomial that is as near as one of its degree can be (Remez's exchange; see
+//! Muller, "Elementary Functions", ch. 3).
 //!
-//! The logarithm of a power is off by a part in 2²², and where it is large the power is small: so no power is off by more than 2e-7,
-//! whatever the exponent. libm's `powf` has all digits, which no display shows: in 4 times the instructions, and 1 KB of flash. Its
-//! `exp2f` computes in `f64`, which an M4F has no FPU for. Rejected: squarings for whole exponents, whose error grows with the exponent.
-//! Sums are in pairs (Estrin's scheme), so that a processor need not wait for each: 0.985 times the time of teapot_s2 on x86-64.
+//! The logarithm of a power is off by a part in 2²², and where it is large the power is small: no power is
+//! off by more than 2e-7, for any exponent. libm's `powf` has all digits, of which a display shows few, and
+//! takes 4 times the instructions and 1 KB of flash. Its `exp2f` computes in `f64`, for which an M4F has no
+//! FPU. Sums are in pairs (Estrin's scheme), so that a processor need not wait for each.
 
 use core::f32::consts::LN_2;
 
@@ -19,13 +20,14 @@ pub(crate) fn powf(base: f32, exponent: f32) -> f32 {
     }
 }
 
-/// 1, halved so often: any number of times from 0 on.
+/// 2 to the power `-times`, for `times` of 0 or more.
 pub(crate) fn halved(times: f32) -> f32 {
-    // Less is not told from nothing. What is no number ends here too.
+    // Smaller powers count as 0. So does the power of NaN.
     if !(times < 126.0) {
         return 0.0;
     }
-    // A whole number is rounded to by a sum of which it has the last digits, faster than by a conversion there and back.
+    // Round to a whole number by adding a number whose last digit is 1: this is faster than a conversion and
+    // back.
     const ROUNDER: f32 = 12_582_912.0;
     let rounded = times + ROUNDER;
     let rest = times - (rounded - ROUNDER);
@@ -37,7 +39,7 @@ pub(crate) fn halved(times: f32) -> f32 {
     power * f32::from_bits((127u32 << 23).wrapping_sub(rounded.to_bits() << 23))
 }
 
-/// The binary logarithm of a number above 0; of what is less than 2⁻¹²⁶, about that of 2⁻¹²⁶.
+/// The binary logarithm of a number above 0. Below 2⁻¹²⁶, about -126.
 #[inline(always)]
 fn log2(x: f32) -> f32 {
     // x = m · 2^e, with m between the roots of 1/2 and 2.

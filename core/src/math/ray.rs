@@ -1,13 +1,13 @@
-//! A half-line, and the one place where rays leave a surface.
+//! A ray, and the one way in which rays leave a surface.
 
 use super::{Real, Vec3};
 
 /// A half-line from `origin` along `direction`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<R> {
-    /// Where the ray starts.
+    /// The point where the ray starts.
     pub origin: Vec3<R>,
-    /// Where it goes: a unit vector.
+    /// The direction: a unit vector.
     pub direction: Vec3<R>,
 }
 
@@ -17,15 +17,17 @@ impl<R: Real> Ray<R> {
         self.origin + self.direction * t
     }
 
-    /// The point of the whole line that is nearest to a place, as seen from there, and how far along the ray it is. What a shape computes
-    /// from that point stays of the shape's own size, however far away the ray begins.
+    /// The point of the ray's whole line that is nearest to `place`, relative to `place`, and its distance
+    /// along the ray. Numbers that a shape computes from this point are of the size of the shape, however far
+    /// away the ray begins.
     #[inline(always)]
     pub fn nearest_to(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let advance = (place - self.origin).dot(self.direction);
         (self.at(advance) - place, advance)
     }
 
-    /// The same, for squares of what is near: once more, as what a long way was rounded by would be missing in them.
+    /// [`nearest_to`](Self::nearest_to) with a second step, which takes back the rounding of a long ray. For
+    /// squares of small distances.
     #[inline(always)]
     pub(crate) fn nearest_to_twice(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let (from_place, advance) = self.nearest_to(place);
@@ -43,13 +45,13 @@ impl<R: Real> Ray<R> {
         Self::spawn_to(Self::is_outward(normal, direction), point, normal, direction, magnitude)
     }
 
-    /// To which side of a surface a ray leaves it: to that which the normal is on.
+    /// `true` if a ray leaves a surface to the side of the normal.
     #[inline(always)]
     pub(crate) fn is_outward(normal: Vec3<R>, direction: Vec3<R>) -> bool {
         !(normal.dot(direction) < R::ZERO)
     }
 
-    /// [`spawn`](Self::spawn), where the side is known.
+    /// [`spawn`](Self::spawn) for a known side: `outward` is the side of the normal.
     #[inline(always)]
     pub(crate) fn spawn_to(
         outward: bool,

@@ -1,14 +1,15 @@
-//! Roots of a function where it changes its sign: Newton's steps, and halves of the interval where those lead astray (Press et
-//! al., "Numerical Recipes", §9.4).
+//! Roots of a function where it changes its sign: Newton's steps, and halves of the interval where a step
+//! does not converge (Press et al., "Numerical Recipes", §9.4).
 
 use super::Real;
 
-/// The most steps. Where Newton's do not even halve each other, every second one halves the interval: to a 2¹⁶th of it at
-/// least. Most often five are taken.
+/// The most steps. Where a step of Newton's method is not half as long as the one before, the interval is
+/// halved instead: every second step at least, so that a 2¹⁶th of it is left. Five steps are usual.
 const MOST_STEPS: u8 = 32;
 
-/// The root between `from` and `to`, where the function has different signs. `look` tells whether it is negative at a place,
-/// and Newton's step from there: minus its value, divided by its slope.
+/// The root between `from` and `to`, where the function has different signs. `look` gives for an argument
+/// whether the function is negative there, and Newton's step from there: minus the value, divided by the
+/// slope.
 pub(crate) fn root_between<R: Real>(
     mut from: R,
     mut to: R,
@@ -42,7 +43,8 @@ pub(crate) fn root_between<R: Real>(
     at
 }
 
-/// The real roots of t³ + a t + b between `from` and `to`, in order: each lies alone between places where the slope is 0.
+/// The real roots of t³ + a t + b between `from` and `to`, in order. Between two arguments with slope 0 lies
+/// one root at most.
 pub(crate) fn cubic_roots<R: Real>(a: R, b: R, from: R, to: R) -> impl Iterator<Item = R> {
     let value = move |t: R| (t * t + a) * t + b;
     let look = move |t: R| {

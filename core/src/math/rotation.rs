@@ -14,7 +14,8 @@ impl<R: Real> Rotation<R> {
         let cosine_and_sine = |angle: f32| {
             let (sine, cosine) = float::set_up_sin_cos(angle);
             let (sine, cosine) = (R::from_f32(sine), R::from_f32(cosine));
-            // They come in the digits of `f32`. In more of them, they are those of another angle, next to it.
+            // Sine and cosine have the digits of `f32`. Scale them so that their squares add up to 1 in all
+            // digits of `R`.
             let length = (sine * sine + cosine * cosine).sqrt();
             (cosine / length, sine / length)
         };
@@ -31,14 +32,14 @@ impl<R: Real> Rotation<R> {
         self.rows
     }
 
-    /// A vector, turned.
+    /// The vector, turned.
     #[inline(always)]
     pub(crate) fn turn(&self, vector: Vec3<R>) -> Vec3<R> {
         let [x, y, z] = self.rows;
         Vec3::new(x.dot(vector), y.dot(vector), z.dot(vector))
     }
 
-    /// A vector, turned back.
+    /// The vector, turned by the opposite rotation.
     #[inline(always)]
     pub(crate) fn back(&self, vector: Vec3<R>) -> Vec3<R> {
         let [x, y, z] = self.rows;
@@ -46,7 +47,7 @@ impl<R: Real> Rotation<R> {
         Vec3::new(column(x.x, y.x, z.x), column(x.y, y.y, z.y), column(x.z, y.z, z.z))
     }
 
-    /// The same, rounded.
+    /// The rotation, rounded to another number system.
     pub(crate) fn rounded<T: Real<Setup = R>>(&self) -> Rotation<T> {
         Rotation { rows: self.rows.map(Vec3::from_setup) }
     }

@@ -2,39 +2,39 @@
 
 use super::{Real, Vec3};
 
-/// How far the parts of a scene extend: the largest absolute coordinates, by what they mean for [`Scale`].
+/// How far the parts of a scene extend: the largest absolute coordinates, by kind of shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extent {
-    /// Of what is curved. Its squares and slopes need the most room.
+    /// The largest coordinate of curved shapes. Their squares and slopes need the most room.
     pub solid: f32,
-    /// Of what is flat and bounded.
+    /// The largest coordinate of bounded flat shapes.
     pub flat: f32,
-    /// Distance from the origin of what is flat and has no bounds; `None` where there is nothing such.
+    /// The distance of the farthest infinite plane from the origin; `None` if there is no such plane.
     pub plane: Option<f32>,
 }
 
 impl Extent {
-    /// Something curved, in a box around the origin.
+    /// The extent of a curved shape whose coordinates are within ±`magnitude`.
     pub const fn solid(magnitude: f32) -> Self {
         Self { solid: magnitude, flat: 0.0, plane: None }
     }
 
-    /// Something flat, in a box around the origin.
+    /// The extent of a bounded flat shape whose coordinates are within ±`magnitude`.
     pub const fn flat(magnitude: f32) -> Self {
         Self { solid: 0.0, flat: magnitude, plane: None }
     }
 
-    /// Something flat between these points.
+    /// The extent of a flat shape between these points.
     pub(crate) fn flat_between(points: impl IntoIterator<Item = Vec3>) -> Self {
         Self::flat(points.into_iter().fold(0.0, |most: f32, point| most.larger(point.magnitude())))
     }
 
-    /// An infinite plane, at a distance from the origin.
+    /// The extent of an infinite plane at this distance from the origin.
     pub const fn plane(distance: f32) -> Self {
         Self { solid: 0.0, flat: 0.0, plane: Some(distance) }
     }
 
-    /// What holds both.
+    /// The extent of both together.
     pub fn union(self, other: Self) -> Self {
         Self {
             solid: self.solid.larger(other.solid),
@@ -49,10 +49,10 @@ impl Extent {
 
 /// From the units of a scene's description to those in which a number system traces it: a power of two.
 ///
-/// For floating point it is 1. A number system with little range ([`Real::REACH`]) gets the scene such that its solids
-/// lie within 1/2 of the origin, and flat shapes, eye and lights within 8. Where there are infinite planes, these, eye and
-/// solids lie within 1/4, and the eye is no farther from any plane than 1/2: a plane is then seen 118 times as far as the
-/// eye is away from it, and most often more than 200 times.
+/// For floating point it is 1. A number system with little range ([`Real::IS_FIXED_POINT`]) gets the scene
+/// such that its solids lie within 1/2 of the origin, and flat shapes, eye and lights within 8. Where there
+/// are infinite planes, these, eye and solids lie within 1/4, and the eye is no farther from any plane than
+/// 1/2: a plane is then seen 118 times as far as the eye is away from it, and most often more than 200 times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale(f32);
 
@@ -62,17 +62,17 @@ impl Scale {
 
     /// How far solids may extend, after scaling.
     const SOLID: f32 = 0.5;
-    /// How far solids, the eye and planes may, where there is a plane: its last line before the horizon is then nearer
-    /// than a ray is followed, in pictures of 240 lines.
+    /// How far solids, the eye and planes may extend in a scene with a plane: the last line before the
+    /// horizon of a picture of 240 lines is then nearer than the end of a ray.
     const ON_PLANE: f32 = 0.25;
-    /// How far from a plane the eye may be: what is not seen of it ends half a degree below the horizon.
+    /// How far from a plane the eye may be: the plane is then seen up to half a degree below the horizon.
     const ABOVE_PLANE: f32 = 0.5;
-    /// How far flat shapes may, and how far eye and lights may be from the origin.
+    /// How far flat shapes may extend, and how far eye and lights may be from the origin.
     const NEAR: f32 = 8.0;
 
     /// The scale for a scene that is seen from `eye`.
     pub fn new<R: Real>(extent: Extent, eye: Vec3) -> Self {
-        if R::REACH.is_none() {
+        if !R::IS_FIXED_POINT {
             return Self::ONE;
         }
         let (from_origin, eye) = (eye.length(), eye.magnitude());
@@ -88,7 +88,8 @@ impl Scale {
                 // All eyes that are no farther from the origin are then near.
                 && from_origin * scale <= Self::NEAR
         };
-        // The largest that fits, from 2⁻³⁰ to 2³⁰: descriptions end at 10⁶, and what is smaller than 10⁻⁹ is a point.
+        // The largest scale that fits, from 2⁻³⁰ to 2³⁰: coordinates end at 10⁶, and a scene smaller than
+        // 10⁻⁹ is a point.
         let mut scale = (1u32 << 30) as f32;
         for _ in 0..60 {
             if fits(scale) {
@@ -104,33 +105,33 @@ impl Scale {
         self.0
     }
 
-    /// For what is larger by this factor.
+    /// The scale for a scene that is larger by this factor.
     pub(crate) fn enlarged(self, factor: f32) -> Self {
         Self(self.0 * factor)
     }
 
-    /// A length or coordinate.
+    /// A length or coordinate, scaled.
     pub fn length<R: Real>(self, length: R::Setup) -> R {
         R::from_setup(self.setup::<R>(length))
     }
 
-    /// A point.
+    /// A point, scaled.
     pub fn point<R: Real>(self, point: Vec3<R::Setup>) -> Vec3<R> {
         Vec3::from_setup(self.setup_point::<R>(point))
     }
 
-    /// A length or coordinate, not yet rounded.
+    /// A length or coordinate, scaled but not yet rounded.
     pub fn setup<R: Real>(self, length: R::Setup) -> R::Setup {
         length * R::Setup::from_f32(self.0)
     }
 
-    /// A point, not yet rounded.
+    /// A point, scaled but not yet rounded.
     pub fn setup_point<R: Real>(self, point: Vec3<R::Setup>) -> Vec3<R::Setup> {
         point * R::Setup::from_f32(self.0)
     }
 
-    /// A coordinate in the scene's units again. Where the number system does not hold it, it is as far from a multiple
-    /// of 256.
+    /// A coordinate in the scene's units again. If it is beyond the range of the number system, the result
+    /// differs from it by a multiple of 256.
     pub fn unscaled<R: Real>(self, coordinate: R) -> R {
         let (mut coordinate, mut scale) = (coordinate, self.0);
         // In fixed point sums wrap. The scale is 2⁻³⁰ or more.
@@ -140,18 +141,19 @@ impl Scale {
         if scale > 1.0 { coordinate * R::from_f32(1.0 / scale) } else { coordinate }
     }
 
-    /// Whether an eye or light at this point is near enough.
+    /// `true` if an eye or light at this point is near enough to the origin.
     pub fn is_near<R: Real>(self, point: Vec3) -> bool {
-        R::REACH.is_none() || point.magnitude() * self.0 <= Self::NEAR
+        !R::IS_FIXED_POINT || point.magnitude() * self.0 <= Self::NEAR
     }
 
-    /// Whether an eye so far from an infinite plane sees it up to the horizon.
+    /// `true` if an eye at this distance from an infinite plane sees it up to the horizon.
     pub(crate) fn is_near_plane<R: Real>(height: R) -> bool {
         // The height of the eye that a scene was prepared with is rounded.
-        R::REACH.is_none() || height.abs() <= R::from_f32(Self::ABOVE_PLANE) + R::offset(R::ONE)
+        !R::IS_FIXED_POINT || height.abs() <= R::from_f32(Self::ABOVE_PLANE) + R::offset(R::ONE)
     }
 
-    /// A power of two that brings a point, with coordinates of up to 10⁶ units, as near as [`is_near`](Self::is_near) asks.
+    /// The largest power of two, 1 or less, that brings a point with coordinates of up to 10⁶ units [near
+    /// enough](Self::is_near).
     pub(crate) fn shrink(self, point: Vec3) -> f32 {
         let mut shrink = 1.0;
         while point.magnitude() * self.0 * shrink > Self::NEAR {

@@ -1,4 +1,4 @@
-//! How three numbers that belong together are written to files: as a tuple.
+//! Serialization of three numbers that belong together: as a tuple.
 
 /// Writes three fields as a tuple of three, and reads them.
 macro_rules! triple {

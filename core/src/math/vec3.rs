@@ -2,9 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::Real;
-use super::real::Product;
-use super::{float, turned};
+use super::{Product, Real, float, turned};
 
 /// A point, a direction or a normal in space: right-handed, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,20 +25,8 @@ impl<R> Vec3<R> {
     }
 }
 
-/// The product with a coordinate of a unit vector that may well be 1 or -1.
-#[inline(always)]
-pub(crate) fn times<R: Real>(unit: R, number: R) -> R {
-    if R::SAVES_PRODUCTS && unit == R::ONE {
-        number
-    } else if R::SAVES_PRODUCTS && unit == -R::ONE {
-        -number
-    } else {
-        unit * number
-    }
-}
-
 impl Vec3 {
-    /// The same vector in another number system.
+    /// The vector in another number system.
     pub fn to<R: Real>(self) -> Vec3<R> {
         Vec3::new(R::from_f32(self.x), R::from_f32(self.y), R::from_f32(self.z))
     }
@@ -55,50 +41,16 @@ impl<R: Real> Vec3<R> {
         R::dot3([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
-    /// The scalar product, of a unit vector that may well lie along an axis, as floors and walls have their normals.
-    pub(crate) fn dot_of_few(self, other: Self) -> R {
-        if R::SEEKS_FACTORS {
-            let is_zero = |number: R| number == R::ZERO;
-            match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
-                (false, true, true) => return times(self.x, other.x),
-                (true, false, true) => return times(self.y, other.y),
-                (true, true, false) => return times(self.z, other.z),
-                _ => {}
-            }
-        }
-        self.dot(other)
+    /// The scalar product of a vector that often lies along an axis, as the normals of floors and walls do.
+    #[inline(always)]
+    pub(crate) fn dot_sparse(self, other: Self) -> R {
+        R::dot3_sparse([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
-    /// Whether this is a unit vector along a coordinate axis, to the bit.
+    /// A lower and an upper bound of the scalar product of two unit vectors, see [`Kernel::dot3_bounds`].
     #[inline(always)]
-    pub(crate) fn is_along_axis(self) -> bool {
-        let (is_zero, is_one) =
-            (|number: R| number == R::ZERO, |number: R| number == R::ONE || number == -R::ONE);
-        match (is_zero(self.x), is_zero(self.y), is_zero(self.z)) {
-            (false, true, true) => is_one(self.x),
-            (true, false, true) => is_one(self.y),
-            (true, true, false) => is_one(self.z),
-            _ => false,
-        }
-    }
-
-    /// A unit vector, as [`dot_coarse`](Self::dot_coarse) takes it.
-    #[inline(always)]
-    pub(crate) fn coarse(self) -> Self {
-        Self::new(self.x.coarse(), self.y.coarse(), self.z.coarse())
-    }
-
-    /// The scalar product of two [coarse](Self::coarse) unit vectors, off by less than [`Real::COARSE`].
-    #[inline(always)]
-    pub(crate) fn dot_coarse(self, other: Self) -> R {
-        R::dot3_coarse([self.x, self.y, self.z], [other.x, other.y, other.z])
-    }
-
-    /// The product with a number that most often has few digits.
-    #[inline(always)]
-    pub(crate) fn times_few(self, few: R) -> Self {
-        let [x, y, z] = R::times_few([self.x, self.y, self.z], few);
-        Self::new(x, y, z)
+    pub(crate) fn dot_bounds(self, other: Self) -> (R, R) {
+        R::dot3_bounds([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
     /// The vector product: perpendicular to both, by the right-hand rule.
@@ -130,35 +82,28 @@ impl<R: Real> Vec3<R> {
         self.length_squared_wide().sqrt()
     }
 
-    /// The unit vector of the same direction, and the length. Where that is 0 the unit vector is anything.
-    pub fn polar(self) -> (Self, R) {
-        let ([x, y, z], length) = R::polar([self.x, self.y, self.z]);
+    /// The unit vector of the same direction, and the length. If the length is 0, the unit vector has no
+    /// meaning.
+    pub fn unit_and_length(self) -> (Self, R) {
+        let ([x, y, z], length) = R::unit_and_length([self.x, self.y, self.z]);
         (Self::new(x, y, z), length)
     }
 
-    /// The unit vector of the same direction. Of one of length 0 it is anything.
+    /// The unit vector of the same direction. If the length is 0, it has no meaning.
     #[inline(always)]
     pub(crate) fn unit(self) -> Self {
         let [x, y, z] = R::unit([self.x, self.y, self.z]);
         Self::new(x, y, z)
     }
 
-    /// The normal of a ball, and the place there, where this place as seen from the middle is on the ball but for rounding.
-    #[inline(always)]
-    pub(crate) fn on_ball(self, radius: &R::Radius) -> (Self, Self) {
-        let (normal, place) = R::on_ball([self.x, self.y, self.z], radius);
-        let vector = |[x, y, z]: [R; 3]| Self::new(x, y, z);
-        (vector(normal), vector(place))
-    }
-
     /// The unit vector of the same direction, or `None` where the length is 0.
     pub fn normalized(self) -> Option<Self> {
-        let (unit, length) = self.polar();
+        let (unit, length) = self.unit_and_length();
         (length > R::ZERO).then_some(unit)
     }
 
-    /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the axis' end. For what is
-    /// turned while a scene is prepared.
+    /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the
+    /// axis' end. Slow: for the preparation of a scene.
     pub(crate) fn rotated(self, angles: Vec3) -> Self {
         let Vec3 { x, y, z } = angles;
         let cosine_and_sine = |angle: f32| {
@@ -168,8 +113,9 @@ impl<R: Real> Vec3<R> {
         turned(self, [x, y, z].map(cosine_and_sine))
     }
 
-    /// Of a unit vector: two unit vectors across it and across each other, so that the three are right-handed in the order
-    /// first, second, this. The first leans toward the x axis; if this lies along that, toward y.
+    /// Two unit vectors perpendicular to this unit vector and to each other: first, second and this vector
+    /// are right-handed in this order. The first leans toward the x axis, or toward y if this vector lies
+    /// almost along x.
     pub(crate) fn around(self) -> (Self, Self) {
         let (one, none) = (R::ONE, R::ZERO);
         let lies_along_x = self.x.abs() > R::from_f32(0.9);
@@ -183,19 +129,25 @@ impl<R: Real> Vec3<R> {
         self.x.abs().larger(self.y.abs()).larger(self.z.abs())
     }
 
-    /// This vector or its opposite, whichever points against `direction`, its product with the way back, which is 0 or more, and whether
-    /// it is the opposite.
+    /// `true` if a ray may begin at this point: in fixed point the range of numbers is small.
+    #[inline(always)]
+    pub(crate) fn is_in_reach(self) -> bool {
+        !R::IS_FIXED_POINT || self.magnitude() < R::FARTHEST
+    }
+
+    /// This vector or its opposite, whichever points against `direction`; its scalar product with
+    /// `-direction`, which is at least 0; and `true` if it is the opposite.
     pub fn facing(self, direction: Self) -> (Self, R, bool) {
         let along = self.dot(direction);
         if along > R::ZERO { (-self, along, true) } else { (self, -along, false) }
     }
 
-    /// The vector that was computed before the first ray, rounded.
+    /// A vector from the preparation, rounded.
     pub fn from_setup(vector: Vec3<R::Setup>) -> Self {
         Self::new(R::from_setup(vector.x), R::from_setup(vector.y), R::from_setup(vector.z))
     }
 
-    /// The same vector before the first ray.
+    /// The vector as the preparation has it.
     pub fn to_setup(self) -> Vec3<R::Setup> {
         Vec3::new(self.x.to_setup(), self.y.to_setup(), self.z.to_setup())
     }

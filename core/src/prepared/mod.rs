@@ -153,7 +153,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             }
             _ => true,
         };
-        R::REACH.is_none() || self.objects.iter().all(|object| is_near(&object.shape))
+        !R::IS_FIXED_POINT || self.objects.iter().all(|object| is_near(&object.shape))
     }
 
     /// How many units of rays, hits and events one unit of the scene is: a power of two, and 1 in floating point.

@@ -221,7 +221,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let mut closest = match self.candidates() {
             Some(_) => {
                 // A ray that leaves a surface misses most of what is about it.
-                let misses_most = R::SAVES_PRODUCTS && from.outward && R::is_central(ray.origin);
+                let misses_most = from.outward;
                 let is_missed = |shape: &_| misses_most && is_missed(ray, shape);
                 self.closest_among(ray, Interval::AHEAD, among, is_missed)
             }

@@ -144,7 +144,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         let mut rays = RayBudget(rays_per_pixel);
         let mut light = LinearRgb::BLACK;
         // In fixed point, the sum of many samples may overflow where their mean does not.
-        let weighs_first = R::REACH.is_some() && samples > 1;
+        let weighs_first = R::IS_FIXED_POINT && samples > 1;
         let mut sample = 0;
         loop {
             let (right, down) = sample_position(x, y, sample, samples, seed);

@@ -24,7 +24,7 @@ impl<R: Real> End<R> {
     #[inline]
     fn new(height: R, slope: R) -> Self {
         // Adding 0 turns -0 into 0, so that the quotient is infinite with the right sign.
-        if R::REACH.is_some() { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
+        if R::IS_FIXED_POINT { Self { height, slope } } else { Self::at(height / (slope + R::ZERO)) }
     }
 
     #[inline]
@@ -39,7 +39,7 @@ impl<R: Real> End<R> {
 
     #[inline]
     fn distance(self) -> R {
-        if R::REACH.is_some() { self.height / self.slope } else { self.height }
+        if R::IS_FIXED_POINT { self.height / self.slope } else { self.height }
     }
 }
 

@@ -238,7 +238,7 @@ impl<R: Real> PreparedCone<R> {
     /// The point of the ray where a passage begins. `None` where the ray passes by.
     #[inline(always)]
     fn approach(&self, ray: &Ray<R>) -> Option<Approach<R>> {
-        if R::REACH.is_none() {
+        if !R::IS_FIXED_POINT {
             let (distance, reach) = self.passing(ray);
             if distance > reach {
                 return None;
@@ -246,19 +246,19 @@ impl<R: Real> PreparedCone<R> {
         }
         let (from_base, advance) = ray.nearest_to(self.base);
         // Otherwise coefficients would be out of range.
-        if R::REACH.is_some() && from_base.length_squared_wide() > self.size.times(self.size) {
+        if R::IS_FIXED_POINT && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
         let direction = ray.direction;
         let climb = direction.dot(self.axis);
-        let (across, sine) = (direction - self.axis * climb).polar();
+        let (across, sine) = (direction - self.axis * climb).unit_and_length();
         let is_along = !(sine > R::ZERO);
         let across = if is_along { Vec3::ZERO } else { across };
 
         let height = from_base.dot(self.axis);
         let beside = from_base - self.axis * height;
         let aside = beside.dot(across);
-        if R::REACH.is_some() {
+        if R::IS_FIXED_POINT {
             let passing = beside.length_squared_wide() - aside.times(aside);
             if passing > self.reach.times(self.reach) + R::ONE.times(R::RAY_OFFSET) {
                 return None;
@@ -322,7 +322,7 @@ impl<R: Real> PreparedCone<R> {
         let near = each(|i| rays.ray(i).nearest_to(self.base));
         let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
         let climb = each(|i| directions[i].dot(self.axis));
-        let across = each(|i| (directions[i] - self.axis * climb[i]).polar());
+        let across = each(|i| (directions[i] - self.axis * climb[i]).unit_and_length());
         let sine = each(|i| across[i].1);
         let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
         let height = each(|i| from_base[i].dot(self.axis));

@@ -159,7 +159,7 @@ impl<R: Real> MappedBall<R> {
             return None;
         }
         let start = self.mapped(from_center);
-        let (direction, stretch) = self.mapped(ray.direction).polar();
+        let (direction, stretch) = self.mapped(ray.direction).unit_and_length();
         let middle = -start.dot(direction);
         let nearest = start + direction * middle;
         let discriminant = self.radius.times(self.radius) - nearest.length_squared_wide();
@@ -188,7 +188,7 @@ impl<R: Real> Intersect<R> for PreparedEllipsoid<'_, R> {
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let from_center = ray.at(t) - self.0.center;
-        let (outward, length) = self.0.mapped(from_center).polar();
+        let (outward, length) = self.0.mapped(from_center).unit_and_length();
         // The gradient of the distance from the center of the ball: the transposed matrix times its normal.
         let [x, y, z] = self.0.rows;
         let gradient = x * outward.x + y * outward.y + z * outward.z;

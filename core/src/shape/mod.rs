@@ -251,7 +251,7 @@ fn beside<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, step: Vec3<R
 
 /// The point of the plane `normal · p = distance` that is nearest to `point`.
 fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
-    point - normal * (normal.dot_of_few(point) - distance)
+    point - normal * (normal.dot_sparse(point) - distance)
 }
 
 /// How far a disc of radius 1 with this unit normal reaches along each coordinate axis.

@@ -3,7 +3,7 @@
 use super::{Form, Geometry, Intersect, Silhouette, Spans, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
-use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3, times};
+use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
 /// An infinite plane. As a solid, it is the half of space behind the plane.
@@ -61,8 +61,8 @@ impl<R: Real> PreparedPlane<R> {
     /// The distance at which a ray meets the plane.
     #[inline]
     pub(super) fn meet(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
-        let height = self.distance - self.normal.dot_of_few(ray.origin);
-        let slope = self.normal.dot_of_few(ray.direction);
+        let height = self.distance - self.normal.dot_sparse(ray.origin);
+        let slope = self.normal.dot_sparse(ray.direction);
         // A ray that does not go toward the plane misses it, and its slope may be 0.
         let toward = (height > R::ZERO && slope > R::ZERO) || (height < R::ZERO && slope < R::ZERO);
         if !toward {
@@ -86,7 +86,7 @@ impl<R: Real> PreparedPlane<R> {
         range: Interval<R>,
         inside: impl FnOnce(Vec3<R>) -> bool,
     ) -> Option<R> {
-        if FOUR_AT_ONCE && R::REACH.is_none() {
+        if FOUR_AT_ONCE && !R::IS_FIXED_POINT {
             // Positive and finite only for a ray that goes toward the plane.
             let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.direction);
             let met = (t > R::ZERO) & (t > range.min) & (t < range.max) & inside(ray.at(t));
@@ -99,30 +99,7 @@ impl<R: Real> PreparedPlane<R> {
     /// The point of the plane where a ray meets it.
     #[inline(always)]
     fn point_at(&self, ray: &Ray<R>, t: R) -> Vec3<R> {
-        if R::SAVES_PRODUCTS && self.normal.is_along_axis() {
-            self.point_across_axis(ray, t)
-        } else {
-            project_onto_plane(ray.at(t), self.normal, self.distance)
-        }
-    }
-
-    /// The same, to the bit in fixed point, of a plane across an axis: one coordinate is that of the plane.
-    #[inline(always)]
-    fn point_across_axis(&self, Ray { origin, direction }: &Ray<R>, t: R) -> Vec3<R> {
-        let coordinate = |unit, from, along| {
-            if unit == R::ZERO { from + along * t } else { times(unit, self.distance) }
-        };
-        Vec3::new(
-            coordinate(self.normal.x, origin.x, direction.x),
-            coordinate(self.normal.y, origin.y, direction.y),
-            coordinate(self.normal.z, origin.z, direction.z),
-        )
-    }
-
-    /// Whether the place of a hit is within the range of the number system, as the next ray begins there.
-    #[inline]
-    fn is_held(ray: &Ray<R>, t: R) -> bool {
-        R::REACH.is_none_or(|reach| ray.at(t).magnitude() < R::from_f32(reach))
+        project_onto_plane(ray.at(t), self.normal, self.distance)
     }
 }
 
@@ -130,7 +107,8 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
     #[inline]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.meet(ray, range)?;
-        Self::is_held(ray, t).then_some(t)
+        // The next ray begins there.
+        ray.at(t).is_in_reach().then_some(t)
     }
 
     fn form(&self) -> Form<R> {
@@ -150,7 +128,7 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
         }
         let t = height / slope;
         // A hit too far away is no hit: the span ends at infinity instead.
-        let t = if t.abs() < farthest && Self::is_held(ray, t) {
+        let t = if t.abs() < farthest && ray.at(t).is_in_reach() {
             t
         } else if t > R::ZERO {
             farthest
@@ -177,7 +155,6 @@ impl<R: Real> Silhouette<R> for PreparedPlane<R> {}
 mod tests {
     use super::super::testing::*;
     use super::*;
-    use crate::math::Fixed;
 
     const FLOOR: Plane = Plane::new(Vec3::new(7.0, -1.0, 3.0), Vec3::new(0.0, 5.0, 0.0));
 
@@ -217,26 +194,6 @@ mod tests {
         for extent in EXTENTS {
             let point = Vec3::new(0.3, -0.7, 0.2) * extent;
             assert_no_self_hits(Plane::new(point, Vec3::new(0.3, 0.9, -0.2)), point, extent, 20_000);
-        }
-    }
-
-    #[test]
-    fn planes_across_axes_are_met_at_the_same_bits_without_a_product() {
-        let mut random = Random(1);
-        let fixed = |vector: Vec3| Vec3::<Fixed>::from_setup(vector.to());
-        let vectors = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
-        for normal in vectors.into_iter().flat_map(|axis| [axis, -axis]) {
-            for _ in 0..10_000 {
-                let plane = PreparedPlane { normal: fixed(normal), distance: Fixed::from_f32(random.next()) };
-                let ray = Ray { origin: fixed(random.vector()), direction: fixed(random.direction()) };
-                let t = Fixed::from_f32(3.0 * random.next());
-                assert!(plane.normal.is_along_axis());
-                let expected = project_onto_plane(ray.at(t), plane.normal, plane.distance);
-                assert_eq!(plane.point_across_axis(&ray, t), expected, "{plane:?} {ray:?} {t:?}");
-            }
-        }
-        for slant in [Vec3::new(0.6, 0.8, 0.0), Vec3::new(0.0, 0.999, 0.0), Vec3::ZERO] {
-            assert!(!fixed(slant).is_along_axis());
         }
     }
 

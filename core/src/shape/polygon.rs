@@ -194,16 +194,10 @@ impl<R: Real> PreparedPolygon<'_, R> {
         self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane))
     }
 
-    /// Whether a point of the plane is inside the outline.
+    /// Whether a point of the plane is inside the outline: the half-line from it toward +u crosses an odd
+    /// number of edges. A vertex belongs to the edge above it, so that no vertex counts twice.
     fn encloses(&self, point: Vec3<R>) -> bool {
         let (u, v) = self.dropped.flatten(point);
-        self.encloses_flat(u, v)
-    }
-
-    /// [`encloses`](Self::encloses) for a projected point: whether the half-line toward +u crosses an odd
-    /// number of edges. A vertex belongs to the edge above it, so that it is not counted twice.
-    #[inline(always)]
-    fn encloses_flat(&self, u: R, v: R) -> bool {
         if let Some([least_u, most_u, least_v, most_v]) = self.rectangle {
             // Includes the same borders as the count of edges below.
             return u >= least_u && u < most_u && v >= least_v && v < most_v;
@@ -225,7 +219,7 @@ impl<R: Real> PreparedPolygon<'_, R> {
 /// Whether (u, v) lies on the left of the edge that begins at `edge` and ends at `next`.
 #[inline]
 fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
-    if R::REACH.is_none() {
+    if !R::IS_FIXED_POINT {
         return u < edge.x + (v - edge.y) * edge.z;
     }
     // In fixed point slopes may be out of range: compare exact products instead.
@@ -236,15 +230,7 @@ fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
 impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.plane.meet(ray, range)?;
-        let is_inside = if R::SAVES_PRODUCTS {
-            // The same without the coordinate that is not looked at.
-            let [(u, v), (along_u, along_v)] =
-                [ray.origin, ray.direction].map(|vector| self.dropped.flatten(vector));
-            self.encloses_flat(u + along_u * t, v + along_v * t)
-        } else {
-            self.encloses(ray.at(t))
-        };
-        is_inside.then_some(t)
+        self.encloses(ray.at(t)).then_some(t)
     }
 
     fn form(&self) -> Form<R> {

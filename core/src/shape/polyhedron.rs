@@ -80,7 +80,7 @@ impl<S: Real> CommonLine<S> {
     fn common(one: &Plane, other: &Plane) -> Result<Option<(Self, S)>, Fault> {
         let (normal, across): (Vec3<S>, Vec3<S>) =
             (check_direction(one.normal)?, check_direction(other.normal)?);
-        let (direction, sine) = normal.cross(across).polar();
+        let (direction, sine) = normal.cross(across).unit_and_length();
         if !(sine > S::from_f32(PARALLEL)) {
             return Ok(None);
         }

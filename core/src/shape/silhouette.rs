@@ -136,7 +136,7 @@ pub struct Tip<R> {
 impl<R: Real> Tip<R> {
     /// Whether the tip is longer than wide and narrower than 53°. Blunter tips have hardly any thin part.
     pub(crate) fn is_sharp(&self) -> bool {
-        let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).polar());
+        let [(a, length), (b, _)] = self.ends.map(|end| (end - self.apex).unit_and_length());
         // If an end coincides with the apex, its direction is arbitrary.
         a.dot(b) > R::from_f32(0.6) && self.radius + self.radius < length
     }

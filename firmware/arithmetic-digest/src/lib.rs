@@ -94,7 +94,7 @@ impl<R: Real> Results<R> {
         self.take_product(a.dot_wide(b) - a.x.times(b.x) - a.y.times(b.y) - a.z.times(b.z));
         self.take_product(a.length_squared_wide() - a.x.times(a.x) - a.y.times(a.y) - a.z.times(a.z));
         // Division by zero is undefined.
-        let (unit, length) = a.polar();
+        let (unit, length) = a.unit_and_length();
         self.take(length);
         if length > R::ZERO {
             self.take_vector(unit);
@@ -106,10 +106,6 @@ impl<R: Real> Results<R> {
             let seen = R::toward_light([b.x, b.y, b.z], [normal.x, normal.y, normal.z]);
             let (toward, distance, cosine) = seen.unwrap_or(([R::ZERO; 3], R::ZERO, R::ZERO));
             toward.into_iter().chain([distance, cosine]).for_each(|number| self.take(number));
-        }
-        if length > R::from_fraction(1) && length < R::ONE {
-            let (normal, place) = R::on_ball([a.x, a.y, a.z], &length.into());
-            normal.into_iter().chain(place).for_each(|number| self.take(number));
         }
         if b.x != R::ZERO {
             self.take(a.x / b.x);

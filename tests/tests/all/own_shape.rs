@@ -136,7 +136,7 @@ impl<R: Real> Intersect<R> for PreparedDish<'_, R> {
         let body = self.0;
         let p = body.inside(ray.at(t));
         // Half the gradient of x² + z² - 2 y · half_bend. It points away from the axis and down.
-        let (normal, half_slope) = Vec3::new(p.x, -body.half_bend, p.z).polar();
+        let (normal, half_slope) = Vec3::new(p.x, -body.half_bend, p.z).unit_and_length();
         let half_value = (p.x * p.x + p.z * p.z) * R::from_f32(0.5) - body.half_bend * p.y;
         let on_dish = p - normal * (half_value / half_slope);
         let point = body.bottom + on_dish * body.unit;

@@ -1,21 +1,21 @@
 //! Linear functions over space in fixed point.
 
-use super::product::product;
+use super::arch::product;
 use super::{FRACTION, Fixed};
 use crate::math::real::{Linear, Real};
 use crate::math::{Cell, Vec3};
 
 /// A linear function over space, for instance a barycentric coordinate of a triangle.
 ///
-/// A triangle of size 10⁻³ has a gradient of 10³: the gradient has an exponent of its own, chosen so that it keeps all
-/// digits, and the sum stays exact until the point is put.
+/// A triangle of size 10⁻³ has a gradient of 10³: the gradient has an exponent of its own, chosen so that it
+/// keeps all digits, and the sum is exact until it is shifted down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FixedLinear {
     /// The gradient in units of 2⁻³⁰ · 2^exponent: the largest coordinate has 30 digits.
     gradient: [i32; 3],
-    /// What makes the function zero where it should be.
+    /// The value at the origin, in units of the sum.
     offset: i64,
-    /// From the sum's units to those of a `Fixed`.
+    /// How far the sum is shifted down to units of a `Fixed`.
     shift: u32,
 }
 
@@ -30,7 +30,7 @@ impl Linear<Fixed> for FixedLinear {
     fn new(gradient: Vec3<f32>, zero: Vec3<f32>) -> Self {
         let magnitude = gradient.magnitude();
         let (mut unit, mut shift) = (1.0f32, 0);
-        // 2²⁹ ≤ magnitude · unit < 2³⁰; no gradient that means something needs more than 60 doublings.
+        // 2²⁹ ≤ magnitude · unit < 2³⁰; no gradient of a valid shape needs more than 60 doublings.
         while shift < 60 && magnitude * unit < (1u32 << 29) as f32 {
             unit *= 2.0;
             shift += 1;

@@ -5,7 +5,8 @@ use crate::math::real::Product;
 
 pub(super) const UNIT: f64 = 1.0 / (1u32 << FRACTION) as f64;
 
-/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants), the same on every run.
+/// Numbers that look random (Knuth, "The Art of Computer Programming" vol. 2; MMIX's constants), the same on
+/// every run.
 pub(super) struct Random(pub(super) u64);
 
 impl Random {
@@ -69,20 +70,6 @@ fn quotients_keep_their_bound() {
 }
 
 #[test]
-fn shifts_saturate() {
-    let mut random = Random(3);
-    for _ in 0..1_000_000 {
-        let bits = (i64::from(random.bits()) << 32 | i64::from(random.bits() as u32)) >> (random.bits() & 63);
-        let down = (random.bits() & 63) as u32;
-        assert_eq!(
-            Fixed::shifted_by_words(bits, down),
-            Fixed::saturated(bits >> down),
-            "{bits:#x} >> {down}"
-        );
-    }
-}
-
-#[test]
 fn products_round_down() {
     let mut random = Random(2);
     for _ in 0..1_000_000 {
@@ -135,14 +122,14 @@ fn unit_vectors_keep_their_bound() {
         if length == 0.0 {
             continue;
         }
-        let (unit, got) = Fixed::polar(vector);
+        let (unit, got) = Fixed::unit_and_length(vector);
         assert!((double(got) - length).abs() <= length * 2f64.powi(-24) + UNIT, "{vector:?}: {got:?}");
         for (unit, x) in unit.iter().zip(vector) {
             let error = (double(*unit) - double(x) / length).abs();
             assert!(error <= 2.0 * UNIT, "{vector:?}: {unit:?} is off by {}", error / UNIT);
         }
     }
-    assert_eq!(Fixed::polar([Fixed(0); 3]).1, Fixed(0));
+    assert_eq!(Fixed::unit_and_length([Fixed(0); 3]).1, Fixed(0));
 }
 
 #[test]

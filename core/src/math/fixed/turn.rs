@@ -1,5 +1,6 @@
-//! Angles in fixed point: a ratio that is small in one of eight directions, and a polynomial of the arc tangent there (Hart et
-//! al., "Computer Approximations", 1968, for the reduction; the coefficients interpolate at Chebyshev's points).
+//! Angles in fixed point: a rotation by a multiple of an eighth of a turn, and a polynomial of the arc
+//! tangent for the rest (Hart et al., "Computer Approximations", 1968, for the reduction; the coefficients
+//! interpolate at Chebyshev's points).
 //!
 //! | source of error | in units of 2⁻²⁴ of a turn |
 //! |---|---|
@@ -7,17 +8,17 @@
 //! | reciprocal and roundings between | 0.05 |
 //! | the last rounding | 0.5 |
 
-use super::newton::recip;
-use super::product::upper;
-use super::zeros::zeros;
+use super::arch::{leading_zeros, reciprocal, upper_product};
 
-/// The arc tangent in turns, divided by its argument r, as a polynomial in r² up to tan²(π/8); in units of 2⁻³².
+/// The arc tangent in turns, divided by its argument r, as a polynomial in r² up to tan²(π/8); in units of
+/// 2⁻³².
 const SERIES: [i32; 5] = [683_565_263, -227_851_349, 136_535_892, -94_663_470, 54_523_161];
 
 /// tan(π/8) in units of 2⁻³².
 const TAN_EIGHTH: u32 = 1_779_033_704;
 
-/// The angle of the vector (x, y) from the x axis, counterclockwise, in units of 2⁻²⁴ of a turn; 0 of no vector.
+/// The angle of the vector (x, y) from the x axis, counterclockwise, in units of 2⁻²⁴ of a turn; 0 for the
+/// vector of length 0.
 pub(super) fn turn(y: i32, x: i32) -> i32 {
     let (long, short) = {
         let (across, up) = (x.unsigned_abs(), y.unsigned_abs());
@@ -27,11 +28,11 @@ pub(super) fn turn(y: i32, x: i32) -> i32 {
         return 0;
     }
     // The longer one from 2³⁰ up to 2³¹, so that their sum still fits.
-    let up = zeros(long);
+    let up = leading_zeros(long);
     let scaled = |number: u32| number.wrapping_shl(up) >> 1;
     let (long, short) = (scaled(long), scaled(short));
     // Within an eighth of a turn, as the distance from the nearest sixteenth of it.
-    let beyond = short > upper(long, TAN_EIGHTH);
+    let beyond = short > upper_product(long, TAN_EIGHTH);
     let angle = if beyond {
         (1u32 << 29).wrapping_sub(arc(long.wrapping_sub(short), long.wrapping_add(short)))
     } else {
@@ -46,15 +47,15 @@ pub(super) fn turn(y: i32, x: i32) -> i32 {
 
 /// The arc tangent of the ratio of two numbers, up to tan(π/8), in units of 2⁻³² of a turn.
 fn arc(part: u32, whole: u32) -> u32 {
-    let up = zeros(whole) & 31;
+    let up = leading_zeros(whole) & 31;
     // In units of 2⁻³².
-    let ratio = upper(part << up, recip(whole << up)) << 2;
-    let square = upper(ratio, ratio);
+    let ratio = upper_product(part << up, reciprocal(whole << up)) << 2;
+    let square = upper_product(ratio, ratio);
     let sum = SERIES.into_iter().rev().fold(0, |sum: i32, coefficient| {
-        let product = upper(sum.unsigned_abs(), square) as i32;
+        let product = upper_product(sum.unsigned_abs(), square) as i32;
         coefficient.wrapping_add(if sum < 0 { product.wrapping_neg() } else { product })
     });
-    upper(sum as u32, ratio)
+    upper_product(sum as u32, ratio)
 }
 
 #[cfg(test)]

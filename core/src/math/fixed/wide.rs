@@ -1,18 +1,15 @@
-//! Sums of products of fixed-point numbers that were not rounded yet.
+//! Sums of products of fixed-point numbers, not yet rounded.
 
 use core::ops::{Add, Sub};
 
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-use super::armv6m;
-use super::newton::square_root;
-use super::product::product;
-use super::{FRACTION, Fixed, inverse};
+use super::arch::{self, product};
+use super::{FRACTION, Fixed};
 use crate::math::real::Product;
 
 /// A sum of products of two [`Fixed`]: exact, in units of 2⁻⁴⁸.
 ///
-/// Multiply-and-accumulate is one instruction on processors from ARMv7-M on, and nothing is lost of the small differences of
-/// squares that tell whether a sphere is met.
+/// Multiply-and-accumulate is one instruction on processors from ARMv7-M on, and small differences of
+/// squares, which decide whether a ray meets a sphere, keep all their digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FixedProduct(i64);
 
@@ -29,22 +26,13 @@ impl FixedProduct {
 
     #[inline(always)]
     pub(super) fn dot3(a: [Fixed; 3], b: [Fixed; 3]) -> Self {
-        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        return Self(armv6m::dot3_wide(a.map(Fixed::to_bits), b.map(Fixed::to_bits)));
-        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-        {
-            let ([ax, ay, az], [bx, by, bz]) = (a, b);
-            Self(product(ax.0, bx.0).wrapping_add(product(ay.0, by.0)).wrapping_add(product(az.0, bz.0)))
-        }
+        Self(arch::dot3_wide(a.map(Fixed::to_bits), b.map(Fixed::to_bits)))
     }
 
     /// The sum of three squares.
     #[inline(always)]
     pub(super) fn length_squared(vector: [Fixed; 3]) -> Self {
-        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        return Self(armv6m::length_squared(vector.map(Fixed::to_bits)) as i64);
-        #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-        Self::dot3(vector, vector)
+        Self(arch::length_squared(vector.map(Fixed::to_bits)))
     }
 
     /// The square root.
@@ -56,7 +44,7 @@ impl FixedProduct {
         if self.0 >> 62 != 0 {
             return Fixed(i32::MAX);
         }
-        Fixed(square_root(self.0 as u64) as i32)
+        Fixed(arch::square_root(self.0 as u64) as i32)
     }
 }
 
@@ -94,10 +82,10 @@ impl Product<Fixed> for FixedProduct {
         if divisor.0 == 0 {
             return Fixed(if self.0 < 0 { i32::MIN } else { i32::MAX });
         }
-        // As many digits as fit in 31 bits, for a product of 31 by 31.
+        // Shift up as far as fits in 31 bits, for a product of 31 by 31 bits.
         let up = self.0.unsigned_abs().leading_zeros().saturating_sub(1) & 63;
         let digits = ((self.0 << up) >> 32) as i32;
-        let (zeros, inverse) = inverse(divisor);
+        let (zeros, inverse) = arch::inverse(divisor.0);
         // 2⁻⁴⁸ · 2³² · 2⁻ᵘᵖ over 2⁻²⁴ · 2³² · 2⁻ᶻᵉʳᵒˢ, times 2⁻³⁰ for the reciprocal.
         let quotient = product(digits, inverse);
         let down = 30u32.wrapping_add(up).wrapping_sub(zeros);
@@ -107,7 +95,7 @@ impl Product<Fixed> for FixedProduct {
 
     fn share(self, whole: Self) -> Fixed {
         let (part, whole) = (self.0.unsigned_abs(), whole.0.unsigned_abs());
-        // The upper 31 digits of the whole, and as many digits of the part as fit.
+        // The upper 31 digits of the whole, and the digits of the part down to the same place.
         let up = whole.leading_zeros().saturating_sub(1) & 63;
         let digits = ((whole << up) >> 32) as i32;
         Self(((part << up) >> 8) as i64).over(Fixed(digits))

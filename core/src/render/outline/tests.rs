@@ -84,10 +84,11 @@ fn shadows_are_inside_of_their_outlines() {
     for index in 0..1000 {
         let viewport = viewport(Camera { vertical_fov: 0.3 + 1.5 * numbers.next(), ..CAMERA });
         let (center, radius) = (numbers.point(8.0), 0.05 + 2.0 * numbers.next() * numbers.next());
-        let (normal, _) = (Vec3::new(0.0, 1.0, 0.0) + numbers.point(1.0)).polar();
+        let (normal, _) = (Vec3::new(0.0, 1.0, 0.0) + numbers.point(1.0)).unit_and_length();
         let distance = -3.0 + 2.0 * numbers.next();
         let light = numbers.point(30.0) + Vec3::new(0.0, 15.0, 0.0);
-        let source = if index % 2 == 0 { Source::At(light) } else { Source::Toward(light.polar().0) };
+        let source =
+            if index % 2 == 0 { Source::At(light) } else { Source::Toward(light.unit_and_length().0) };
         let outline = Projector::new(&source, (normal, distance), &viewport).outline(center, radius);
         let (held, more) = compare(&outline, &viewport, |origin, direction| {
             let depth = (distance - normal.dot(origin)) / normal.dot(direction);
@@ -96,8 +97,8 @@ fn shadows_are_inside_of_their_outlines() {
             }
             let point = origin + direction * depth;
             let (toward, far) = match source {
-                Source::At(light) => (light - point).polar(),
-                _ => (light.polar().0, 1e6),
+                Source::At(light) => (light - point).unit_and_length(),
+                _ => (light.unit_and_length().0, 1e6),
             };
             meets(point, toward, far, center, radius)
         });

@@ -308,7 +308,7 @@ fn rays_whose_coordinates_wrap_meet_no_model() {
             let ray = Ray { origin: Vec3::from_setup(origin), direction: Vec3::from_setup(direction) };
             // Of unit length to all its digits.
             let exact: Vec3<f64> = ray.direction.to_setup().to();
-            let exact = Ray { origin: ray.origin.to_setup().to(), direction: exact.polar().0 };
+            let exact = Ray { origin: ray.origin.to_setup().to(), direction: exact.unit_and_length().0 };
             let reached = Interval { min: 0.0, max: 59.0 };
             if fixed.intersect(&ray, Interval::AHEAD).is_some() {
                 assert!(double.intersect(&exact, reached).is_some(), "{ray:?}");

@@ -283,7 +283,7 @@ fn weights<R: Real>([a, b, c]: [Vec3<R>; 3], point: Vec3<R>) -> (R, R) {
     let [ab, ac, from_a] = [ab, ac, from_a].map(|v| Vec3::new(v.x / unit, v.y / unit, v.z / unit));
     // The weight of an edge is found along its part at a right angle to the other edge.
     let weight = |edge: Vec3<R>, other: Vec3<R>| {
-        let (along, length) = other.polar();
+        let (along, length) = other.unit_and_length();
         let across = edge - along * edge.dot(along);
         if length > R::ZERO { from_a.dot_wide(across).over(across.dot(across)) } else { R::ZERO }
     };
@@ -302,7 +302,7 @@ fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
     } else {
         (ca, ab)
     };
-    let (normal, sine) = first.normalized()?.cross(second.normalized()?).polar();
+    let (normal, sine) = first.normalized()?.cross(second.normalized()?).unit_and_length();
     (sine > R::from_f32(1e-6)).then_some(normal)
 }
 

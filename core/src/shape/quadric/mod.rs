@@ -231,7 +231,7 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
         let body = self.0;
         let at = body.in_units(ray.at(t) - body.middle);
-        let (gradient, length) = body.polynomial.half_gradient(at).polar();
+        let (gradient, length) = body.polynomial.half_gradient(at).unit_and_length();
         // The gradient, which is 0 at the apex of a cone.
         let slope = length + length;
         let value = body.polynomial.at(at);

@@ -48,7 +48,7 @@ impl<R: Real> Stick<R> {
             if *axis == Vec3::ZERO {
                 continue;
             }
-            let (unit, length) = axis.polar();
+            let (unit, length) = axis.unit_and_length();
             lengths = lengths + length;
             if length > half_length {
                 (along, half_length) = (unit, length);
@@ -100,7 +100,7 @@ impl<R: Real> Stick<R> {
         if !(end > R::ZERO && t - self.radius < distance) {
             return None;
         }
-        let (toward, away) = across.polar();
+        let (toward, away) = across.unit_and_length();
         let radius = radius(end.smaller(distance), toward);
         if !(away < self.radius + radius) {
             return None;

@@ -187,7 +187,7 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
         let BlobSum { room, unit, .. } = *self.0;
         let at = ray.at(t) - room.middle;
         let (value, gradient) = self.0.slope(at);
-        let (normal, length) = gradient.polar();
+        let (normal, length) = gradient.unit_and_length();
         let is_sloped = length > R::ZERO;
         let normal = if is_sloped { normal } else { -ray.direction };
         let distance = if is_sloped { value / length * unit } else { R::ZERO };
