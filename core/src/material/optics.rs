@@ -8,7 +8,7 @@ use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Coefficient, Fault, check_share};
 use crate::math::{Real, Scale, Vec3};
-use crate::share::Share;
+use crate::throughput::Throughput;
 
 /// What a [`Material`](super::Material) does with light beyond the models of Phong and Whitted.
 ///
@@ -107,8 +107,8 @@ pub(crate) struct PreparedOptics<R: Real> {
 /// The shares of light that is mirrored and refracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
-    pub(crate) mirrored: Share<R>,
-    pub(crate) refracted: Share<R>,
+    pub(crate) mirrored: Throughput<R>,
+    pub(crate) refracted: Throughput<R>,
 }
 
 impl Optics {
@@ -164,13 +164,13 @@ impl<R: Real> PreparedOptics<R> {
         eta: R,
         refracted_cosine: Option<R>,
     ) -> Shares<R> {
-        let (metal, glass) = (Share::colored(self.reflection_color), self.transmission_color());
-        let opaque = |mirrored| Shares { mirrored, refracted: Share::even(R::ZERO) };
+        let (metal, glass) = (Throughput::colored(self.reflection_color), self.transmission_color());
+        let opaque = |mirrored| Shares { mirrored, refracted: Throughput::even(R::ZERO) };
         let Some(behind) = refracted_cosine else {
             // Total internal reflection has no color.
             let LinearRgb { r, g, b } = self.reflection_color * reflectance;
             let all = LinearRgb::new(r + transmittance, g + transmittance, b + transmittance);
-            return opaque(Share::colored(all));
+            return opaque(Throughput::colored(all));
         };
         let is_glass = transmittance > R::ZERO;
         let mirrored = match self.fresnel {
@@ -184,7 +184,7 @@ impl<R: Real> PreparedOptics<R> {
             Fresnel::Schlick => {
                 let LinearRgb { r, g, b } = self.reflection_color * reflectance;
                 let mirrored = LinearRgb::new(schlick(r, cosine), schlick(g, cosine), schlick(b, cosine));
-                return opaque(Share::colored(mirrored));
+                return opaque(Throughput::colored(mirrored));
             }
             Fresnel::Exact => exact(eta, cosine, behind),
         };
@@ -202,7 +202,7 @@ impl<R: Real> PreparedOptics<R> {
 
     /// What is left of light after a way of this length, or without end, in front of the surface, or behind it; `None`: all of it.
     #[inline(always)]
-    pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Share<R>> {
+    pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Throughput<R>> {
         let absorption = if in_front { &self.outside } else { &self.absorption };
         absorption.as_ref().map(|absorption| absorption.left_after(length))
     }
@@ -211,11 +211,11 @@ impl<R: Real> PreparedOptics<R> {
     /// background.
     pub(crate) fn dimmed(
         &self,
-        throughput: Share<R>,
+        throughput: Throughput<R>,
         outward: bool,
         is_mirrored: bool,
         length: Option<R>,
-    ) -> Share<R> {
+    ) -> Throughput<R> {
         let mut left = throughput;
         if let Some(through) = self.left_after(outward, length) {
             left = left * through;
@@ -228,8 +228,8 @@ impl<R: Real> PreparedOptics<R> {
     }
 
     /// The share of light that the surface lets through.
-    pub(crate) fn transmission_color(&self) -> Share<R> {
-        Share::colored(self.transmission_color)
+    pub(crate) fn transmission_color(&self) -> Throughput<R> {
+        Throughput::colored(self.transmission_color)
     }
 
     /// Whether light is lost on either side of the surface.

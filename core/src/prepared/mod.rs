@@ -1,16 +1,24 @@
-//! A scene that was checked and converted, and the two questions that rays ask of it.
+//! A scene that was checked and converted, and the two questions that a ray has: what does it meet first
+//! ([`closest`]), and how much light gets through between two points ([`shadow`])?
 
+mod among;
 pub(crate) mod candidates;
+pub(crate) mod closest;
 mod error;
 mod memory;
+mod object_set;
 mod objects;
-pub(crate) mod queries;
+mod search;
+mod shadow;
 
 use core::mem::MaybeUninit;
 
+pub(crate) use among::Among;
 pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
-pub use queries::Through;
+pub(crate) use object_set::ObjectSet;
+pub(crate) use objects::Enclosure;
+pub use shadow::Through;
 
 use candidates::Candidates;
 use objects::PreparedObject;
@@ -171,6 +179,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     pub(crate) fn camera(&self) -> &PreparedCamera<R> {
         &self.camera
+    }
+
+    /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses them.
+    #[inline(always)]
+    fn candidates(&self) -> Option<&Candidates<'m, R>> {
+        if cfg!(feature = "candidates") { self.candidates.as_ref() } else { None }
+    }
+
+    /// The hierarchy. Without the feature there is none, and the compiler drops the code that uses it.
+    #[inline(always)]
+    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R, WIDE>> {
+        if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 }
 

@@ -9,11 +9,11 @@
 
 use super::outline::{Outline, Projector, Vantage};
 use crate::camera::Viewport;
-use crate::integrator::{LIGHTS, Shades, Sight};
+use crate::integrator::{Blockers, OUTLINED_LIGHTS, Sight};
 use crate::math::Real;
+use crate::prepared::Enclosure;
+use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
-use crate::prepared::candidates::ObjectSet;
-use crate::prepared::queries::Enclosure;
 use crate::shape::Geometry;
 
 /// The pixels `start..end` of a line.
@@ -71,7 +71,7 @@ pub(super) struct Outlines {
     receiver: usize,
     shadows: [Shadow; SHADOWS],
     /// What may shade it from each light and has no outline.
-    others: [ObjectSet; LIGHTS],
+    others: [ObjectSet; OUTLINED_LIGHTS],
 }
 
 /// The outline of the shadow of an object.
@@ -89,7 +89,7 @@ impl Outlines {
         count: None,
         receiver: usize::MAX,
         shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::ALL; LIGHTS],
+        others: [ObjectSet::ALL; OUTLINED_LIGHTS],
     };
 
     /// Finds the outlines of the objects of a scene that has not too many. They are large: they are found where they stay.
@@ -125,7 +125,7 @@ impl Outlines {
         viewport: &Viewport<R>,
     ) {
         let (Some(_), Some(plane)) = (self.count(), scene.plane_of(self.receiver)) else { return };
-        if scene.lights.len() > LIGHTS {
+        if scene.lights.len() > OUTLINED_LIGHTS {
             // Of those no more is said than of none.
             return;
         }
@@ -178,7 +178,7 @@ pub(super) struct LineCandidates<'o> {
     current: ObjectSet,
     until: u16,
     /// The same for the shadows.
-    shades: Shades,
+    shades: Blockers,
     shades_until: u16,
 }
 
@@ -194,7 +194,7 @@ impl<'o> LineCandidates<'o> {
         for (span, shadow) in shadows.iter_mut().zip(&outlines.shadows) {
             *span = shadow.outline.span(y);
         }
-        let shades = Shades { receiver: outlines.receiver, among: outlines.others };
+        let shades = Blockers { receiver: outlines.receiver, before: outlines.others };
         Some(Self {
             outlines,
             objects,
@@ -222,7 +222,7 @@ impl<'o> LineCandidates<'o> {
         if x >= self.shades_until {
             self.look_up_shadows(x);
         }
-        Sight { among: self.current, shades: &self.shades }
+        Sight { among: self.current, blockers: &self.shades }
     }
 
     #[inline(never)]
@@ -238,11 +238,11 @@ impl<'o> LineCandidates<'o> {
 
     #[inline(never)]
     fn look_up_shadows(&mut self, x: u16) {
-        self.shades.among = self.outlines.others;
+        self.shades.before = self.outlines.others;
         self.shades_until = u16::MAX;
         for (shadow, span) in self.outlines.shadows.iter().zip(&self.shadows) {
             if span.change_after(x, &mut self.shades_until)
-                && let Some(among) = self.shades.among.get_mut(usize::from(shadow.light))
+                && let Some(among) = self.shades.before.get_mut(usize::from(shadow.light))
             {
                 *among = among.with(usize::from(shadow.object));
             }
@@ -264,7 +264,7 @@ mod tests {
         outlines.objects[2] = band(5, 5);
         outlines.shadows[0] = Shadow { light: 0, object: 3, outline: band(2, 9) };
         outlines.shadows[1] = Shadow { light: 1, object: 0, outline: band(8, 12) };
-        outlines.others = [ObjectSet::NONE.with(2); LIGHTS];
+        outlines.others = [ObjectSet::NONE.with(2); OUTLINED_LIGHTS];
         for y in 0..6 {
             let mut line = LineCandidates::new(&outlines, y).unwrap();
             for x in 0..20 {
@@ -273,12 +273,12 @@ mod tests {
                 let sight = line.sight(x);
                 let objects: Vec<usize> = if here(3, 7) { vec![0, 1] } else { vec![1] };
                 assert_eq!(sight.among.collect::<Vec<_>>(), objects);
-                let shades = sight.shades;
+                let shades = sight.blockers;
                 let first: Vec<usize> = if here(2, 9) { vec![2, 3] } else { vec![2] };
                 let second: Vec<usize> = if here(8, 12) { vec![0, 2] } else { vec![2] };
-                assert_eq!(shades.among[0].collect::<Vec<_>>(), first);
-                assert_eq!(shades.among[1].collect::<Vec<_>>(), second);
-                assert_eq!(shades.among[2].collect::<Vec<_>>(), [2]);
+                assert_eq!(shades.before[0].collect::<Vec<_>>(), first);
+                assert_eq!(shades.before[1].collect::<Vec<_>>(), second);
+                assert_eq!(shades.before[2].collect::<Vec<_>>(), [2]);
             }
         }
     }

@@ -449,21 +449,6 @@ impl<R> Form<R> {
             Self::Flat { .. } => false,
         }
     }
-
-    /// How often a ray meets it at most, if that is known.
-    pub(crate) const fn most_hits(&self) -> Option<u8> {
-        match self {
-            Self::Any => None,
-            Self::Ball { .. } => Some(2),
-            Self::Flat { .. } => Some(1),
-        }
-    }
-
-    /// Whether no part of a ray meets it where the whole does not, whatever is rounded. Where a search for roots begins elsewhere, it may
-    /// find others.
-    pub(crate) const fn is_missed_by_parts(&self) -> bool {
-        self.most_hits().is_some()
-    }
 }
 
 #[cfg(feature = "serde")]

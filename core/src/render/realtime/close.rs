@@ -23,7 +23,7 @@ use super::cell::{LARGEST_SIDE, SQUARE};
 use super::places::Places;
 use super::taper::{Shade, Taper};
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::shape::{Geometry, Tip};
 
 /// The points of the grid that are near something small, in the two rows that a band of lines lies between.

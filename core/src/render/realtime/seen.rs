@@ -98,11 +98,6 @@ fn fold(digest: u32, what: u32) -> u32 {
 
 impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for Seen<'_, '_, '_, R, S, P> {
     #[inline(always)]
-    fn asks_mirrored(&self) -> bool {
-        self.watch.as_ref().is_some_and(|watch| watch.follows()) || self.probe.asks_mirrored()
-    }
-
-    #[inline(always)]
     fn record(&mut self, event: Event<R>) {
         self.probe.record(event);
         match event {

@@ -4,7 +4,7 @@ use super::super::Renderer;
 use super::super::line_candidates::Span;
 use super::thin::{ThinPlaces, heights};
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::shape::Geometry;
 
 /// What each place of a strip of lines can show.

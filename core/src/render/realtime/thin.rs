@@ -9,7 +9,7 @@ use super::places::Places;
 use super::stadium::Stadium;
 use crate::hierarchy::Wedge;
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::shape::{Geometry, Hull};
 
 /// The objects of which a hull is thin where it is seen; `None` where a scene has more than a set holds.

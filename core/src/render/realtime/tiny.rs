@@ -16,7 +16,7 @@ use super::cone::Cone;
 use super::sample::Near;
 use super::sweep::{self, Sweep};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
 use crate::shape::{Form, Geometry, Hull};
 
@@ -98,11 +98,6 @@ impl<R: Real> Watch<R> {
         };
         self.near = Near::Nothing;
         Some(self)
-    }
-
-    /// Whether cones are followed from one hit to the next, and not only highlights looked for.
-    pub(super) fn follows(&self) -> bool {
-        self.tiny.has_thin()
     }
 
     /// A ray hits something, and would be mirrored this way.
