@@ -39,7 +39,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(always)]
     pub(crate) fn closest_from(&self, ray: &Ray<R>, from: Departure, among: ObjectSet) -> Option<(R, usize)> {
         if self.candidates().is_none() {
-            return self.closest_of_all(ray, Interval::AHEAD);
+            return self.closest_of_all(&{ *ray }, Interval::AHEAD);
         }
         // In fixed point most balls are missed by a test of few digits.
         let tests_balls = R::SAVES_PRODUCTS && from.outward && R::is_central(ray.origin);
@@ -50,7 +50,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let closest = self.closest_unless(ray, Interval::AHEAD, among, misses);
         if closest.is_none() && self.comes_out_again(from) {
             // A ray inside a ball always comes out of it. If rounding loses that hit, test every object.
-            return self.closest_of_all(ray, Interval::AHEAD);
+            return self.closest_of_all(&{ *ray }, Interval::AHEAD);
         }
         closest
     }

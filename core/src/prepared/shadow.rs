@@ -52,7 +52,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// [`light_through`](Self::light_through) for a ray that can only meet `among`.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn light_through_among(
         &self,
         ray: &Ray<R>,
@@ -60,8 +60,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         among: Among<'_>,
     ) -> Through<Throughput<R>> {
         match among {
-            Among::Few(set) => self.light_through_few(ray, Interval { min: R::ZERO, max: distance }, set),
-            _ => self.light_through_after(ray, distance, among, &mut { NO_OBJECT }),
+            Among::Few(set) => self.light_through_few(ray, distance, set),
+            _ => self.light_through_many(ray, distance, among),
         }
     }
 
@@ -109,9 +109,16 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
+    /// [`light_through`](Self::light_through) for a ray of which no neighbor is known.
+    #[inline(never)]
+    fn light_through_many(&self, ray: &Ray<R>, distance: R, among: Among<'_>) -> Through<Throughput<R>> {
+        self.light_through_after(ray, distance, among, &mut { NO_OBJECT })
+    }
+
     /// [`light_through`](Self::light_through) for a ray that can only meet the objects of a set.
-    #[inline(always)]
-    fn light_through_few(&self, ray: &Ray<R>, range: Interval<R>, set: ObjectSet) -> Through<Throughput<R>> {
+    #[inline(never)]
+    fn light_through_few(&self, ray: &Ray<R>, distance: R, set: ObjectSet) -> Through<Throughput<R>> {
+        let range = Interval { min: R::ZERO, max: distance };
         let (mut layers, mut is_clear) = (ObjectSet::NONE, true);
         for index in set {
             match self.is_opaque_in_the_way(index, ray, range) {
