@@ -15,6 +15,7 @@
 
 mod group;
 mod path;
+mod pending_ray;
 mod shaded_hit;
 mod shadow_rays;
 

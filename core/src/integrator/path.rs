@@ -3,6 +3,7 @@
 use heapless::Vec;
 
 use super::Trace;
+use super::pending_ray::PendingRay;
 use super::shaded_hit::ShadedHit;
 use super::shadow_rays::{Blockers, Shadows};
 use crate::color::LinearRgb;
@@ -15,22 +16,6 @@ use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::surface::Surface;
 use crate::throughput::Throughput;
-
-/// A ray that is still to be traced.
-#[derive(Clone, Copy, Debug)]
-// In this order, or copies wait for fields that were just written to reach memory.
-#[repr(C)]
-pub(super) struct PendingRay<R> {
-    pub(super) ray: Ray<R>,
-    /// The share of its light that reaches the pixel.
-    pub(super) throughput: Throughput<R>,
-    pub(super) bounces: u8,
-    pub(super) kind: RayKind,
-    /// The surface that the ray leaves; for a camera ray, none.
-    pub(super) from: Departure,
-    /// The objects that the ray can meet, where the scene has sets of objects.
-    pub(super) among: ObjectSet,
-}
 
 /// The stack of rays that wait.
 pub(super) type Waiting<R> = Vec<PendingRay<R>, { MAX_BOUNCES as usize }>;

@@ -1,13 +1,12 @@
 //! A hit, ready to be shaded: the light that leaves it toward the eye, and the rays that go on from it.
 
 use super::Trace;
-use super::path::PendingRay;
+use super::pending_ray::PendingRay;
 use super::shadow_rays::Shadows;
 use crate::color::LinearRgb;
 use crate::light::PreparedLight;
 use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::Departure;
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -90,21 +89,9 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         bounces: u8,
         kind: RayKind,
     ) -> PendingRay<R> {
-        let from = self.departure(direction);
-        let (ray, bounces) = (self.spawn(direction, from), bounces.wrapping_add(1));
+        let from = self.hit.departure(direction);
+        let (ray, bounces) = (self.hit.spawn(direction, from), bounces.wrapping_add(1));
         PendingRay { ray, throughput, bounces, kind, from, among: scene.leaving(from) }
-    }
-
-    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
-    pub(super) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
-        let Surface { point, normal, magnitude, .. } = self.hit.surface;
-        Ray::spawn_to(from.outward, point, normal, direction, magnitude)
-    }
-
-    /// The side of the surface to which a ray of this direction leaves it.
-    pub(super) fn departure(&self, direction: Vec3<R>) -> Departure {
-        let outward = Ray::is_outward(self.hit.surface.normal, direction);
-        Departure { object: self.hit.object, outward }
     }
 
     /// Ambient, diffuse and specular light that leaves the hit along the incoming ray.
@@ -126,7 +113,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
                 trace.probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let through = shadows.through(trace.scene, self, index, facing.toward, facing.distance);
+            let through = shadows.through(trace.scene, self.hit, index, facing.toward, facing.distance);
             if let Through::TooManyLayers = through {
                 trace.probe.record(Event::Cut(Cut::ShadowLayers));
             }

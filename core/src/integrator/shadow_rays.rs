@@ -1,8 +1,7 @@
 //! How much of each light gets through to a hit.
 
-use super::shaded_hit::ShadedHit;
 use crate::math::{Real, Vec3};
-use crate::prepared::{Among, ObjectSet, PreparedScene, Through};
+use crate::prepared::{Among, Hit, ObjectSet, PreparedScene, Through};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
@@ -17,7 +16,7 @@ pub(super) trait Shadows<R: Real> {
     fn through<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        hit: &ShadedHit<'_, R>,
+        hit: &Hit<R>,
         light: usize,
         toward: Vec3<R>,
         distance: R,
@@ -60,13 +59,13 @@ impl<R: Real> Shadows<R> for &Blockers {
     fn through<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        hit: &ShadedHit<'_, R>,
+        hit: &Hit<R>,
         light: usize,
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Throughput<R>> {
         let from = hit.departure(toward);
-        let magnitude = hit.hit.surface.magnitude;
+        let magnitude = hit.surface.magnitude;
         let among = scene.between((from, magnitude), light, toward, self.before(light));
         if let Among::Few(ObjectSet::NONE) = among {
             return Through::All;

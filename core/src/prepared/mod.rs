@@ -20,7 +20,7 @@ pub(crate) use object_set::ObjectSet;
 pub(crate) use objects::Enclosure;
 pub use shadow::Through;
 
-use candidates::Candidates;
+use candidates::{Candidates, Departure};
 use objects::PreparedObject;
 
 use crate::arena::Arena;
@@ -32,7 +32,7 @@ use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
-use crate::math::{Real, Scale, Vec3};
+use crate::math::{Ray, Real, Scale, Vec3};
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
@@ -74,6 +74,19 @@ impl<R: Real> Hit<R> {
         let surface = Surface { point, normal, shading_normal: normal, magnitude: R::ZERO, part: 0 };
         Self { t: R::ZERO, object: 0, surface }
     };
+
+    /// The side of the surface to which a ray of this direction leaves it.
+    #[inline(always)]
+    pub(crate) fn departure(&self, direction: Vec3<R>) -> Departure {
+        Departure { object: self.object, outward: Ray::is_outward(self.surface.normal, direction) }
+    }
+
+    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
+    #[inline(always)]
+    pub(crate) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
+        let Surface { point, normal, magnitude, .. } = self.surface;
+        Ray::spawn_to(from.outward, point, normal, direction, magnitude)
+    }
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {

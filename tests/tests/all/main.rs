@@ -10,6 +10,7 @@ mod acceleration;
 mod architecture;
 mod backgrounds;
 mod baked;
+mod circles;
 mod causes;
 mod closed_forms;
 mod drawing;

@@ -2,13 +2,12 @@
 
 use super::{FEWEST_IN_BEAM, Lane, List, PixelGroup};
 use crate::hierarchy::Beam;
-use crate::integrator::shaded_hit::ShadedHit;
 use crate::integrator::shadow_rays::Shadows;
 use crate::light::Source;
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::candidates::Departure;
 use crate::prepared::closest::NO_OBJECT;
-use crate::prepared::{Among, PreparedScene, Through};
+use crate::prepared::{Among, Hit, PreparedScene, Through};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
@@ -103,7 +102,7 @@ impl<R: Real, S: Geometry> Shadows<R> for Ways<'_, '_, '_, R, S> {
     fn through<T: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, T>,
-        hit: &ShadedHit<'_, R>,
+        hit: &Hit<R>,
         light: usize,
         toward: Vec3<R>,
         distance: R,
