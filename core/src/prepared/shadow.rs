@@ -105,7 +105,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         match (is_blocked, is_clear) {
             (true, _) => Through::Nothing,
             (false, true) => Through::All,
-            (false, false) => self.light_through_layers(ray, range, among),
+            (false, false) => {
+                let next = |range| self.closest(ray, range, among);
+                self.light_through_layers(ray, range, next(range), next)
+            }
         }
     }
 
@@ -119,18 +122,35 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(never)]
     fn light_through_few(&self, ray: &Ray<R>, distance: R, set: ObjectSet) -> Through<Throughput<R>> {
         let range = Interval { min: R::ZERO, max: distance };
-        let (mut layers, mut is_clear) = (ObjectSet::NONE, true);
+        let (mut layers, mut met) = (ObjectSet::NONE, None);
         for index in set {
-            match self.is_opaque_in_the_way(index, ray, range) {
-                Some(true) => return Through::Nothing,
-                Some(false) => is_clear = false,
-                // No part of the ray can meet this object either.
-                None if self.is_missed_by_parts(index) => continue,
+            let Some(PreparedObject { shape, material }) = self.objects.get(index) else { continue };
+            match shape.intersect(ray, range) {
+                Some(t) => {
+                    if !(material.transmittance > R::ZERO) {
+                        return Through::Nothing;
+                    }
+                    met = Some((t, index));
+                }
+                // No part of the ray can meet a ball or a plane that the whole ray misses. Of other shapes, a search for
+                // roots that begins elsewhere may find another root.
+                None if matches!(shape.form(), Form::Ball { .. } | Form::Flat { .. }) => continue,
                 None => {}
             }
             layers = layers.with(index);
         }
-        if is_clear { Through::All } else { self.light_through_layers(ray, range, Among::Few(layers)) }
+        let Some((_, index)) = met else { return Through::All };
+        if layers != ObjectSet::NONE.with(index) {
+            let among = Among::Few(layers);
+            return self.light_through_layers(ray, range, self.closest(ray, range, among), |range| {
+                self.closest(ray, range, among)
+            });
+        }
+        // Most often one glass object is in the way.
+        self.light_through_layers(ray, range, met, |range| {
+            let t = self.objects.get(index)?.shape.intersect(ray, range)?;
+            Some((t, index))
+        })
     }
 
     /// The objects among `those` that can be in the way from a surface to a light in the unit direction `toward`;
@@ -178,31 +198,24 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(!(material.transmittance > R::ZERO))
     }
 
-    /// Whether no part of a ray meets an object which the whole ray misses. A search for roots that begins elsewhere may
-    /// find another root.
-    fn is_missed_by_parts(&self, index: usize) -> bool {
-        matches!(self.form(index), Some(Form::Ball { .. } | Form::Flat { .. }))
-    }
-
-    /// The light that gets through transparent surfaces. Their shares are multiplied in the order of the ray, so that
-    /// rounding is the same whatever is known of the ray. A ray meets a shape with an inside twice.
-    #[inline(never)]
+    /// The light that gets through transparent surfaces: the first, and those that `next` finds in the rest of the ray.
+    /// Their shares are multiplied in the order of the ray, so that rounding does not depend on what is known of the ray.
+    /// A ray meets a shape with an inside twice.
     fn light_through_layers(
         &self,
         ray: &Ray<R>,
         mut range: Interval<R>,
-        among: Among<'_>,
+        first: Option<(R, usize)>,
+        next: impl Fn(Interval<R>) -> Option<(R, usize)>,
     ) -> Through<Throughput<R>> {
-        let mut through = Throughput::even(R::ONE);
+        let (mut through, mut layer) = (Throughput::even(R::ONE), first);
         for _ in 0..MAX_SHADOW_LAYERS {
-            let Some((t, index)) = self.closest(ray, range, among) else { return Through::Some(through) };
+            let Some((t, index)) = layer else { return Through::Some(through) };
             through = self.behind(through, index, ray, Interval { max: t, ..range });
             range.min = t;
+            layer = next(range);
         }
-        match self.closest(ray, range, among) {
-            None => Through::Some(through),
-            Some(_) => Through::TooManyLayers,
-        }
+        if layer.is_none() { Through::Some(through) } else { Through::TooManyLayers }
     }
 
     /// What is left of `light` behind a surface of an object. The ray meets the surface at the end of `part`, and the
