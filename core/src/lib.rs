@@ -96,7 +96,6 @@ mod camera;
 mod color;
 mod falloff;
 mod fault;
-mod fresh;
 mod hierarchy;
 mod integrator;
 mod light;
@@ -111,9 +110,9 @@ mod render;
 mod sampler;
 mod scene;
 pub mod shape;
-mod share;
 mod surface;
 mod texture;
+mod throughput;
 
 pub use arena::{Arena, Workspace};
 pub use background::{Background, Panorama, Sky};

@@ -1,4 +1,4 @@
-//! Watching the renderer at work: counters, and everything that happens to one pixel.
+//! Events of the renderer: for counters, and for a report of everything that happens to one pixel.
 
 use crate::color::LinearRgb;
 use crate::math::{Ray, Real, Vec3};
@@ -35,45 +35,46 @@ pub enum Cut {
 pub enum Event<R> {
     /// A ray is traced; shadow rays come as [`Event::Light`].
     Ray {
-        /// Why.
+        /// Why the ray is traced.
         kind: RayKind,
         /// The ray.
         ray: Ray<R>,
         /// Bounces since the camera.
         bounces: u8,
-        /// Share of its light that reaches the pixel: that of the channel of which most does, before anything dims it on its way.
+        /// Share of the light at its origin that reaches the pixel: the largest of the three channels. Absorption along
+        /// the ray itself is not in it.
         throughput: R,
     },
-    /// That ray met an object.
+    /// The ray met an object.
     Hit {
         /// Why the ray was traced.
         kind: RayKind,
         /// The ray.
         ray: Ray<R>,
-        /// Where.
+        /// The hit.
         hit: Hit<R>,
         /// The color of its texture there.
         color: LinearRgb<R>,
-        /// The direction of the mirrored ray, whether it is followed or not.
+        /// The direction of the mirrored ray, followed or not.
         mirrored: Vec3<R>,
-        /// Share of the light that leaves here along the ray that reaches the pixel, in each channel.
+        /// Share of the light that leaves here along the ray and reaches the pixel, in each channel.
         throughput: LinearRgb<R>,
     },
-    /// That ray met nothing and sees the background.
+    /// The ray met nothing: it sees the background.
     Miss {
         /// The ray.
         ray: Ray<R>,
-        /// The color of that in the ray's direction.
+        /// The color of the background in the ray's direction.
         color: LinearRgb<R>,
-        /// Share of it that reaches the pixel, in each channel.
+        /// Share of that light that reaches the pixel, in each channel.
         throughput: LinearRgb<R>,
     },
-    /// What leaves that hit along the ray whatever the lights there send: told once for each hit, before its lights.
+    /// Light that leaves the hit along the ray without any lamp: once for each hit, before its lamps.
     Surface {
-        /// What the surface shows of ambient light, and its own.
+        /// Ambient light that the surface reflects, plus light that it emits.
         shown: LinearRgb<R>,
     },
-    /// A shadow ray was traced from that hit.
+    /// A shadow ray was traced from the hit.
     Light {
         /// Position of the light in [`Scene::lights`](crate::Scene::lights).
         light: usize,
@@ -81,46 +82,40 @@ pub enum Event<R> {
         toward: Vec3<R>,
         /// Share of its light that comes through.
         through: R,
-        /// What it adds to the light that leaves the hit along the ray.
+        /// The light that it adds to what leaves the hit along the ray.
         shown: LinearRgb<R>,
     },
     /// Light was left out.
     Cut(Cut),
 }
 
-/// Is told what happens; what it does not use costs nothing.
+/// Receives the events of the renderer. Parts of an event that a probe does not use cost nothing.
 pub trait Probe<R> {
-    /// Something happened.
+    /// Receives one event.
     fn record(&mut self, event: Event<R>);
 
-    /// Whether it wants to be told. What does not may be skipped where nothing is to be seen.
-    fn is_watching(&self) -> bool {
+    /// Whether the probe uses events. If not, pixels that show nothing but the background may be skipped without one.
+    fn is_enabled(&self) -> bool {
         true
     }
 
-    /// Whether it wants to be told of every hit into which direction rays are mirrored there. Where it does not, fixed point may tell some
-    /// other direction of a material that mirrors nothing and has no highlights.
-    fn asks_mirrored(&self) -> bool {
-        self.is_watching()
-    }
-
-    /// Whether it is to be told of one pixel after the other. Where it does not mind, neighboring pixels may be traced side by
-    /// side: what happens to each comes in order, but mixed with what happens to others.
-    fn minds_order(&self) -> bool {
+    /// Whether events must come pixel after pixel. If not, neighboring pixels may be traced at once: the events of each
+    /// pixel come in order, but mixed with those of others.
+    fn needs_order(&self) -> bool {
         true
     }
 }
 
-/// Watches nothing.
+/// Ignores all events.
 impl<R> Probe<R> for () {
     #[inline(always)]
     fn record(&mut self, _: Event<R>) {}
 
-    fn is_watching(&self) -> bool {
+    fn is_enabled(&self) -> bool {
         false
     }
 
-    fn minds_order(&self) -> bool {
+    fn needs_order(&self) -> bool {
         false
     }
 }
@@ -165,7 +160,7 @@ impl<R: Real> Probe<R> for RayCounts {
         *count = count.saturating_add(1);
     }
 
-    fn minds_order(&self) -> bool {
+    fn needs_order(&self) -> bool {
         false
     }
 }

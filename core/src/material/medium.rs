@@ -3,7 +3,7 @@
 use crate::color::{LinearRgb, check_channel};
 use crate::fault::{Fault, check_number};
 use crate::math::{Product, Real, Scale};
-use crate::share::Share;
+use crate::throughput::Throughput;
 
 /// The medium that fills the space on one side of a surface.
 ///
@@ -115,7 +115,7 @@ impl<R: Real> Absorption<R> {
     }
 
     /// The share of light that is left after this distance; `None` is an infinite distance.
-    pub(super) fn left_after(&self, length: Option<R>) -> Share<R> {
+    pub(super) fn left_after(&self, length: Option<R>) -> Throughput<R> {
         let LinearRgb { r, g, b } = self.halvings;
         let left = |halvings: R| {
             let Some(length) = length else {
@@ -127,7 +127,7 @@ impl<R: Real> Absorption<R> {
             }
             (0..self.doublings).fold(times.over(R::ONE), |times, _| times + times).halved()
         };
-        Share::colored(LinearRgb::new(left(r), left(g), left(b)))
+        Throughput::colored(LinearRgb::new(left(r), left(g), left(b)))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Coefficient, Fault, check_share};
 use crate::math::{Real, Scale, Vec3};
-use crate::share::Share;
+use crate::throughput::Throughput;
 
 /// Extensions of a [`Material`](super::Material) beyond the models of Phong and Whitted.
 ///
@@ -113,8 +113,8 @@ pub(crate) struct PreparedOptics<R: Real> {
 /// The shares of light from the mirrored and the refracted ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
-    pub(crate) mirrored: Share<R>,
-    pub(crate) refracted: Share<R>,
+    pub(crate) mirrored: Throughput<R>,
+    pub(crate) refracted: Throughput<R>,
 }
 
 impl Optics {
@@ -174,13 +174,13 @@ impl<R: Real> PreparedOptics<R> {
         eta: R,
         refracted_cosine: Option<R>,
     ) -> Shares<R> {
-        let (metal, glass) = (Share::colored(self.reflection_color), self.transmission_color());
-        let opaque = |mirrored| Shares { mirrored, refracted: Share::even(R::ZERO) };
+        let (metal, glass) = (Throughput::colored(self.reflection_color), self.transmission_color());
+        let opaque = |mirrored| Shares { mirrored, refracted: Throughput::even(R::ZERO) };
         let Some(behind) = refracted_cosine else {
             // Total internal reflection has no color.
             let LinearRgb { r, g, b } = self.reflection_color * reflectance;
             let all = LinearRgb::new(r + transmittance, g + transmittance, b + transmittance);
-            return opaque(Share::colored(all));
+            return opaque(Throughput::colored(all));
         };
         let is_glass = transmittance > R::ZERO;
         let mirrored = match self.fresnel {
@@ -194,7 +194,7 @@ impl<R: Real> PreparedOptics<R> {
             Fresnel::Schlick => {
                 let LinearRgb { r, g, b } = self.reflection_color * reflectance;
                 let mirrored = LinearRgb::new(schlick(r, cosine), schlick(g, cosine), schlick(b, cosine));
-                return opaque(Share::colored(mirrored));
+                return opaque(Throughput::colored(mirrored));
             }
             Fresnel::Exact => exact(eta, cosine, behind),
         };
@@ -213,7 +213,7 @@ impl<R: Real> PreparedOptics<R> {
     /// The share of light that is left after this distance in front of the surface or behind it. A `length`
     /// of `None` is infinite; a result of `None` means that all light is left.
     #[inline(always)]
-    pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Share<R>> {
+    pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Throughput<R>> {
         let absorption = if in_front { &self.outside } else { &self.absorption };
         absorption.as_ref().map(|absorption| absorption.left_after(length))
     }
@@ -222,11 +222,11 @@ impl<R: Real> PreparedOptics<R> {
     /// `length` of `None` means that the ray reached the background.
     pub(crate) fn dimmed(
         &self,
-        throughput: Share<R>,
+        throughput: Throughput<R>,
         outward: bool,
         is_mirrored: bool,
         length: Option<R>,
-    ) -> Share<R> {
+    ) -> Throughput<R> {
         let mut left = throughput;
         if let Some(through) = self.left_after(outward, length) {
             left = left * through;
@@ -239,8 +239,8 @@ impl<R: Real> PreparedOptics<R> {
     }
 
     /// The color of transmitted light, as a share.
-    pub(crate) fn transmission_color(&self) -> Share<R> {
-        Share::colored(self.transmission_color)
+    pub(crate) fn transmission_color(&self) -> Throughput<R> {
+        Throughput::colored(self.transmission_color)
     }
 
     /// Whether the medium on either side of the surface absorbs light.

@@ -22,11 +22,6 @@ impl<R: Real> Shininess<R> {
         Self { least: R::from_f32(least), exponent: R::factor(shininess) }
     }
 
-    /// The cosine at which a highlight fades out.
-    pub(crate) fn least(&self) -> R {
-        self.least
-    }
-
     /// Whether the highlight is a small spot that few pixels show.
     pub(crate) fn is_sharp(&self) -> bool {
         self.least > R::from_f32(0.85)

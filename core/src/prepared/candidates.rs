@@ -9,77 +9,12 @@
 //! All tests are on bounding balls, with room for rounding, so that a set holds too much rather than too little
 //! and a picture has the same bytes with and without.
 
-use core::num::NonZero;
-
-use super::PreparedObject;
+use super::{ObjectSet, PreparedObject};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
-use crate::limits::FEW_OBJECTS;
-use crate::material::Shininess;
 use crate::math::{Real, Vec3};
 use crate::shape::{Form, Intersect};
-
-/// A set of up to [`ObjectSet::CAPACITY`] objects, by position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ObjectSet(u32);
-
-impl ObjectSet {
-    /// How many objects a scene may have for its sets to be worked out.
-    pub(crate) const CAPACITY: usize = if cfg!(feature = "candidates") { FEW_OBJECTS } else { 0 };
-    pub(crate) const NONE: Self = Self(0);
-    pub(crate) const ALL: Self = Self(u32::MAX);
-
-    /// The first `count` objects.
-    pub(crate) const fn first(count: usize) -> Self {
-        if count >= FEW_OBJECTS { Self::ALL } else { Self((1 << count) - 1) }
-    }
-
-    pub(crate) const fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
-    /// The objects that are in both.
-    pub(crate) const fn common(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
-    pub(crate) const fn contains(self, object: usize) -> bool {
-        !self.common(Self::NONE.with(object)).is_empty()
-    }
-
-    pub(crate) const fn with(self, object: usize) -> Self {
-        Self(self.0 | 1 << (object & 31))
-    }
-
-    pub(crate) const fn without(self, object: usize) -> Self {
-        Self(self.0 & !(1 << (object & 31)))
-    }
-
-    /// The lowest position.
-    #[inline(always)]
-    fn lowest(self) -> Option<usize> {
-        // `NonZero` spares ARMv6-M a test for 0 each time: 1.01 times the instructions without it.
-        NonZero::new(self.0).map(|bits| bits.trailing_zeros() as usize)
-    }
-
-    #[inline(always)]
-    const fn without_lowest(self) -> Self {
-        Self(self.0 & self.0.wrapping_sub(1))
-    }
-}
-
-/// The objects, from the lowest position up.
-impl Iterator for ObjectSet {
-    type Item = usize;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<usize> {
-        let lowest = self.lowest()?;
-        *self = self.without_lowest();
-        Some(lowest)
-    }
-}
 
 /// The surface that a ray leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,16 +60,14 @@ struct SeenBall<R: Real> {
     toward_center: Vec3<R>,
     /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less opposite passes the ball by.
     least_opposite: R,
-    /// The same of that radius and the angle at which a highlight fades out: a mirrored ray that is less opposite shows none.
-    least_glinting: R,
 }
 
 impl<R: Real> SeenBall<R> {
     /// Nothing is opposite to no direction.
-    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE, least_glinting: R::ONE };
+    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE };
 
     #[inline(never)]
-    fn new(form: Form<R>, shininess: &Shininess<R>, light: &Source<R>, reach: R) -> Self {
+    fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
         let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
             return Self::UNKNOWN;
         };
@@ -148,32 +81,14 @@ impl<R: Real> SeenBall<R> {
             return Self::UNKNOWN;
         }
         let (toward_center, distance) = toward_center.unit_and_length();
-        let (cosine, sine) = (tangent_squared.sqrt() / distance, radius / distance);
-        let least_glinting = if R::IS_FIXED_POINT {
-            // Of the sum of two angles.
-            let fading = shininess.least().to_setup();
-            let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
-            sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5)
-        } else {
-            R::Setup::ONE
-        };
-        Self {
-            toward_center: Vec3::from_setup(toward_center),
-            least_opposite: R::from_setup(-cosine),
-            least_glinting: R::from_setup(least_glinting),
-        }
+        let cosine = tangent_squared.sqrt() / distance;
+        Self { toward_center: Vec3::from_setup(toward_center), least_opposite: R::from_setup(-cosine) }
     }
 
     /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
     #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_bounds(toward_light).0 > self.least_opposite
-    }
-
-    /// Whether the ball may show a highlight where a ray is mirrored into this direction.
-    #[inline(always)]
-    fn may_glint(&self, mirrored: Vec3<R>) -> bool {
-        !(self.toward_center.dot_bounds(mirrored).0 > self.least_glinting)
     }
 }
 
@@ -237,9 +152,7 @@ impl<'m, R: Real> Candidates<'m, R> {
                 light.is_none_or(|light| around.is_shaded_by(other, &light.source))
             });
             let ball = match (objects.get(receiver), light) {
-                (Some(PreparedObject { shape, material }), Some(light)) => {
-                    SeenBall::new(shape.form(), &material.shininess, &light.source, reach)
-                }
+                (Some(object), Some(light)) => SeenBall::new(object.shape.form(), &light.source, reach),
                 _ => SeenBall::UNKNOWN,
             };
             Pair { between: but_itself(between, receiver), ball }
@@ -290,13 +203,6 @@ impl<'m, R: Real> Candidates<'m, R> {
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
-    }
-
-    /// Whether an object may show a highlight of a light where a ray is mirrored into this direction. That is told in fixed point alone: in
-    /// floating point `classic` takes 1.003 times the instructions with it.
-    #[inline(always)]
-    pub(super) fn may_glint(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
-        !R::IS_FIXED_POINT || self.pair(object, light).is_none_or(|pair| pair.ball.may_glint(mirrored))
     }
 
     #[inline(always)]

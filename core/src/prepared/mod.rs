@@ -1,18 +1,26 @@
-//! A scene that was checked and converted, and the two questions that rays ask of it.
+//! A scene that was checked and converted, and the two questions that a ray has: what does it meet first
+//! ([`closest`]), and how much light gets through between two points ([`shadow`])?
 
+mod among;
 pub(crate) mod candidates;
+pub(crate) mod closest;
 mod error;
 mod memory;
+mod object_set;
 mod objects;
-pub(crate) mod queries;
+mod search;
+mod shadow;
 
 use core::mem::MaybeUninit;
 
+pub(crate) use among::Among;
 pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
-pub use queries::Through;
+pub(crate) use object_set::ObjectSet;
+pub(crate) use objects::Enclosure;
+pub use shadow::Through;
 
-use candidates::Candidates;
+use candidates::{Candidates, Departure};
 use objects::PreparedObject;
 
 use crate::arena::Arena;
@@ -24,7 +32,7 @@ use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
-use crate::math::{Real, Scale, Vec3};
+use crate::math::{Ray, Real, Scale, Vec3};
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
@@ -66,6 +74,19 @@ impl<R: Real> Hit<R> {
         let surface = Surface { point, normal, shading_normal: normal, magnitude: R::ZERO, part: 0 };
         Self { t: R::ZERO, object: 0, surface }
     };
+
+    /// The side of the surface to which a ray of this direction leaves it.
+    #[inline(always)]
+    pub(crate) fn departure(&self, direction: Vec3<R>) -> Departure {
+        Departure { object: self.object, outward: Ray::is_outward(self.surface.normal, direction) }
+    }
+
+    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
+    #[inline(always)]
+    pub(crate) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
+        let Surface { point, normal, magnitude, .. } = self.surface;
+        Ray::spawn_to(from.outward, point, normal, direction, magnitude)
+    }
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
@@ -171,6 +192,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     pub(crate) fn camera(&self) -> &PreparedCamera<R> {
         &self.camera
+    }
+
+    /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses them.
+    #[inline(always)]
+    fn candidates(&self) -> Option<&Candidates<'m, R>> {
+        if cfg!(feature = "candidates") { self.candidates.as_ref() } else { None }
+    }
+
+    /// The hierarchy. Without the feature there is none, and the compiler drops the code that uses it.
+    #[inline(always)]
+    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R, WIDE>> {
+        if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }
 }
 

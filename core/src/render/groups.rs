@@ -4,7 +4,7 @@
 //! than the same lines one by one.
 
 use super::{DisplayColor, Light16, Quantizer, Renderer, Settings};
-use crate::integrator::{Lane, Lanes, RayBudget, Stream, WIDTH};
+use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::Real;
 use crate::probe::Probe;
@@ -14,17 +14,17 @@ use crate::shape::Geometry;
 /// Renders lines in groups of pixels.
 pub(super) struct Groups<'r, 'p, 'm, R: Real, S: Geometry + 'm> {
     renderer: &'r Renderer<'p, 'm, R, S>,
-    stream: Stream<'p, 'm, R, S>,
+    group: PixelGroup<'p, 'm, R, S>,
 }
 
 impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     /// `None` if groups would not be faster, or if the probe needs the events of one pixel after the other.
     #[inline(always)]
     pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, probe: &impl Probe<R>) -> Option<Self> {
-        if probe.minds_order() || renderer.settings.samples_per_pixel > 1 {
+        if probe.needs_order() || renderer.settings.samples_per_pixel > 1 {
             return None;
         }
-        Some(Self { renderer, stream: Stream::new(renderer.scene)? })
+        Some(Self { renderer, group: PixelGroup::new(renderer.scene)? })
     }
 
     /// Renders whole lines, from line `y` on, until all are done or `budget_rays` are spent; at least one
@@ -70,10 +70,10 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
             let (right, down) = sample_position(x, y, 0, 1, seed);
             lane.begin(viewport.ray((x, right), (y, down)), RayBudget(rays_per_pixel));
         }
-        self.stream.trace(lanes, bounds, probe);
+        self.group.trace(lanes, bounds, probe);
         let mut spent: u32 = 0;
         for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
-            spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.left().0));
+            spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.rays_left().0));
             if let Some(pixel) = lines.get_mut(down * usize::from(*width) + x) {
                 let quantizer = Quantizer::new(settings, x as u16, y.wrapping_add(down as u16));
                 *pixel = C::from_light(Light16::new(lane.light()), &quantizer);

@@ -96,7 +96,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
     #[inline(always)]
     fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
         let until = self.tracer.nothing_until(x)?;
-        self.background.filter(|_| !probe.is_watching()).map(|color| (color, until))
+        self.background.filter(|_| !probe.is_enabled()).map(|color| (color, until))
     }
 
     /// Pixel `x` in the display's color. `x` must not decrease.

@@ -4,8 +4,8 @@
 
 use super::outlines::{Outlines, SHADOWS};
 use super::span::Span;
-use crate::integrator::{Shades, Sight};
-use crate::prepared::candidates::ObjectSet;
+use crate::integrator::{Blockers, Sight};
+use crate::prepared::ObjectSet;
 
 /// The objects that each pixel of one line can show.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +20,9 @@ pub(super) struct LineCandidates<'o> {
     /// The objects whose spans hold the pixels from the last one that was looked up to `until`.
     current: ObjectSet,
     until: u16,
-    /// The objects that can shade the pixels from the last one that was looked up to `shades_until`.
-    shades: Shades,
-    shades_until: u16,
+    /// The objects that can shade the pixels from the last one that was looked up to `blockers_until`.
+    blockers: Blockers,
+    blockers_until: u16,
 }
 
 impl<'o> LineCandidates<'o> {
@@ -37,7 +37,7 @@ impl<'o> LineCandidates<'o> {
         for (span, shadow) in shadows.iter_mut().zip(&outlines.shadows) {
             *span = shadow.outline.span(y);
         }
-        let shades = Shades { receiver: outlines.receiver, among: outlines.others };
+        let blockers = Blockers { receiver: outlines.receiver, before: outlines.others };
         Some(Self {
             outlines,
             objects,
@@ -45,8 +45,8 @@ impl<'o> LineCandidates<'o> {
             shadows,
             current: ObjectSet::NONE,
             until: 0,
-            shades,
-            shades_until: 0,
+            blockers,
+            blockers_until: 0,
         })
     }
 
@@ -63,10 +63,10 @@ impl<'o> LineCandidates<'o> {
     /// called last.
     #[inline]
     pub(super) fn sight(&mut self, x: u16) -> Sight<'_> {
-        if x >= self.shades_until {
+        if x >= self.blockers_until {
             self.look_up_shadows(x);
         }
-        Sight { among: self.current, shades: &self.shades }
+        Sight { among: self.current, blockers: &self.blockers }
     }
 
     fn look_up(&mut self, x: u16) {
@@ -80,11 +80,11 @@ impl<'o> LineCandidates<'o> {
     }
 
     fn look_up_shadows(&mut self, x: u16) {
-        self.shades.among = self.outlines.others;
-        self.shades_until = u16::MAX;
+        self.blockers.before = self.outlines.others;
+        self.blockers_until = u16::MAX;
         for (shadow, span) in self.outlines.shadows.iter().zip(&self.shadows) {
-            if span.change_after(x, &mut self.shades_until)
-                && let Some(among) = self.shades.among.get_mut(usize::from(shadow.light))
+            if span.change_after(x, &mut self.blockers_until)
+                && let Some(among) = self.blockers.before.get_mut(usize::from(shadow.light))
             {
                 *among = among.with(usize::from(shadow.object));
             }
@@ -98,7 +98,7 @@ mod tests {
     use super::super::outline::Outline;
     use super::super::outlines::Shadow;
     use super::*;
-    use crate::integrator::LIGHTS;
+    use crate::integrator::OUTLINED_LIGHTS;
 
     #[test]
     fn every_pixel_gets_its_objects_and_their_shadows() {
@@ -109,7 +109,7 @@ mod tests {
         outlines.objects[2] = band(5, 5);
         outlines.shadows[0] = Shadow { light: 0, object: 3, outline: band(2, 9) };
         outlines.shadows[1] = Shadow { light: 1, object: 0, outline: band(8, 12) };
-        outlines.others = [ObjectSet::NONE.with(2); LIGHTS];
+        outlines.others = [ObjectSet::NONE.with(2); OUTLINED_LIGHTS];
         for y in 0..6 {
             let mut line = LineCandidates::new(&outlines, y).unwrap();
             for x in 0..20 {
@@ -118,12 +118,12 @@ mod tests {
                 let sight = line.sight(x);
                 let objects: Vec<usize> = if here(3, 7) { vec![0, 1] } else { vec![1] };
                 assert_eq!(sight.among.collect::<Vec<_>>(), objects);
-                let shades = sight.shades;
+                let before = sight.blockers.before;
                 let first: Vec<usize> = if here(2, 9) { vec![2, 3] } else { vec![2] };
                 let second: Vec<usize> = if here(8, 12) { vec![0, 2] } else { vec![2] };
-                assert_eq!(shades.among[0].collect::<Vec<_>>(), first);
-                assert_eq!(shades.among[1].collect::<Vec<_>>(), second);
-                assert_eq!(shades.among[2].collect::<Vec<_>>(), [2]);
+                assert_eq!(before[0].collect::<Vec<_>>(), first);
+                assert_eq!(before[1].collect::<Vec<_>>(), second);
+                assert_eq!(before[2].collect::<Vec<_>>(), [2]);
             }
         }
     }

@@ -9,11 +9,11 @@
 use super::outline::{Outline, Projector, Vantage};
 use super::span::Span;
 use crate::camera::Viewport;
-use crate::integrator::LIGHTS;
+use crate::integrator::OUTLINED_LIGHTS;
 use crate::math::Real;
+use crate::prepared::Enclosure;
+use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
-use crate::prepared::candidates::ObjectSet;
-use crate::prepared::queries::Enclosure;
 use crate::shape::Geometry;
 
 /// The most shadows whose outlines are kept.
@@ -30,7 +30,7 @@ pub(super) struct Outlines {
     /// The shadows on the receiver.
     pub(super) shadows: [Shadow; SHADOWS],
     /// For each light, the objects that may shade the receiver and have no outline among `shadows`.
-    pub(super) others: [ObjectSet; LIGHTS],
+    pub(super) others: [ObjectSet; OUTLINED_LIGHTS],
 }
 
 /// The outline of the shadow that an object casts on the receiver.
@@ -48,7 +48,7 @@ impl Outlines {
         count: None,
         receiver: usize::MAX,
         shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::ALL; LIGHTS],
+        others: [ObjectSet::ALL; OUTLINED_LIGHTS],
     };
 
     /// Finds the outlines of a scene's objects, unless it has too many. In place, as `Outlines` is large.
@@ -86,7 +86,7 @@ impl Outlines {
         viewport: &Viewport<R>,
     ) {
         let (Some(_), Some(plane)) = (self.count(), scene.plane_of(self.receiver)) else { return };
-        if scene.lights.len() > LIGHTS {
+        if scene.lights.len() > OUTLINED_LIGHTS {
             // `LineCandidates` takes any light to be unknown then.
             return;
         }

@@ -11,6 +11,7 @@ mod architecture;
 mod backgrounds;
 mod baked;
 mod causes;
+mod circles;
 mod closed_forms;
 mod drawing;
 mod fixed;

@@ -19,7 +19,7 @@ use super::tolerance::Tolerance;
 use super::tracer::{Traced, Tracer, nothing_met};
 use crate::integrator::Bounds;
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::probe::Probe;
 use crate::render::{DisplayColor, Renderer};
 use crate::shape::{Geometry, Silhouette};

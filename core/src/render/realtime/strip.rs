@@ -3,7 +3,7 @@
 use super::super::Renderer;
 use super::small::{ThinCells, heights};
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::render::span::Span;
 use crate::shape::Geometry;
 

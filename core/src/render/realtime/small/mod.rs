@@ -39,7 +39,7 @@ use tip_points::tapering_objects;
 
 use super::grid::Grid;
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::render::Renderer;
 use crate::shape::Geometry;
 

@@ -6,7 +6,7 @@ use super::column_set::ColumnSet;
 use super::stadium::Stadium;
 use crate::hierarchy::Wedge;
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::render::Renderer;
 use crate::render::span::{Span, pixel};
 use crate::shape::{Geometry, Hull};

@@ -16,7 +16,7 @@ use super::column_set::ColumnSet;
 use super::shadow_on_plane::ShadowOnPlane;
 use super::taper::Taper;
 use crate::math::Real;
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::render::Renderer;
 use crate::render::span::{Span, pixel};
 use crate::shape::{Geometry, Tip};

@@ -17,7 +17,7 @@ use super::footprint::Footprint;
 use super::sweep::Sweep;
 use crate::material::PreparedMaterial;
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::ObjectSet;
+use crate::prepared::ObjectSet;
 use crate::prepared::{Hit, PreparedScene};
 use crate::render::Renderer;
 use crate::shape::{Form, Geometry, Hull};

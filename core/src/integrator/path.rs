@@ -1,0 +1,181 @@
+//! The rays of one pixel, one after the other.
+
+use heapless::Vec;
+
+use super::Trace;
+use super::pending_ray::PendingRay;
+use super::shaded_hit::ShadedHit;
+use super::shadow_rays::{Blockers, Shadows};
+use crate::color::LinearRgb;
+use crate::limits::MAX_BOUNCES;
+use crate::material::{PreparedMaterial, Shares};
+use crate::math::{Ray, Real};
+use crate::prepared::candidates::Departure;
+use crate::prepared::{Hit, ObjectSet};
+use crate::probe::{Cut, Event, Probe, RayKind};
+use crate::shape::Geometry;
+use crate::surface::Surface;
+use crate::throughput::Throughput;
+
+/// The stack of rays that wait.
+pub(super) type Waiting<R> = Vec<PendingRay<R>, { MAX_BOUNCES as usize }>;
+
+/// The ray at hand, and the light of all rays before it.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)] // As `PendingRay`.
+pub(super) struct Path<R> {
+    pub(super) next: PendingRay<R>,
+    pub(super) light: LinearRgb<R>,
+}
+
+impl<R: Real> Path<R> {
+    /// Begins with a camera ray that can meet these objects.
+    #[inline(always)]
+    pub(super) fn new(ray: Ray<R>, among: ObjectSet) -> Self {
+        let next = PendingRay {
+            ray,
+            throughput: Throughput::even(R::ONE),
+            bounces: 0,
+            kind: RayKind::Camera,
+            from: Departure::NONE,
+            among,
+        };
+        Self { light: LinearRgb::BLACK, next }
+    }
+
+    /// Follows the ray at hand and the waiting ones until none is left, or the budget of rays is spent. `blockers` are
+    /// known for the ray at hand only.
+    // In a build with groups there are two callers, and one copy of the code is enough.
+    #[cfg_attr(not(feature = "hierarchy"), inline(always))]
+    pub(super) fn finish<S: Geometry, P: Probe<R>>(
+        &mut self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        mut blockers: &Blockers,
+        waiting: &mut Waiting<R>,
+    ) {
+        while self.spend(trace) {
+            let mut blockers = core::mem::replace(&mut blockers, &Blockers::UNKNOWN);
+            let PendingRay { ray, from, among, .. } = &self.next;
+            let met = trace.scene.hit(ray, trace.scene.closest_from(ray, *from, *among));
+            let met = met.as_ref().map(|(hit, material)| (hit, *material));
+            if !self.arrive(trace, met, &mut blockers, waiting) {
+                break;
+            }
+        }
+        waiting.clear();
+    }
+
+    /// Spends one ray of the budget on the ray at hand; `false` if none is left.
+    #[inline(always)]
+    pub(super) fn spend<S: Geometry, P: Probe<R>>(&mut self, trace: &mut Trace<'_, '_, R, S, P>) -> bool {
+        if !trace.rays.spend() {
+            trace.probe.record(Event::Cut(Cut::Rays));
+            return false;
+        }
+        let PendingRay { ray, throughput, bounces, kind, .. } = self.next;
+        trace.probe.record(Event::Ray { kind, ray, bounces, throughput: throughput.largest() });
+        true
+    }
+
+    /// Adds the light from where the ray at hand ends, at a hit or at the background, and takes the next ray; `false` if
+    /// none is left.
+    #[inline(always)]
+    pub(super) fn arrive<S: Geometry, P: Probe<R>>(
+        &mut self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
+        shadows: &mut impl Shadows<R>,
+        waiting: &mut Waiting<R>,
+    ) -> bool {
+        let PendingRay { ray, throughput, kind, from, .. } = self.next;
+        let (scene, is_reflected) = (trace.scene, kind == RayKind::Reflected);
+        let Some((hit, mut material)) = met else {
+            let color = scene.background.color(ray.direction);
+            let throughput = scene.dimmed(throughput, from, is_reflected, None);
+            trace.probe.record(Event::Miss { ray, color, throughput: throughput.color() });
+            self.light = self.light + throughput.of(color);
+            return take(waiting, &mut self.next);
+        };
+        let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
+        let mapped;
+        let mut normal = hit.surface.shading_normal;
+        if !material.maps.is_empty() {
+            let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
+            mapped = material.mapped(&hit.surface, uv);
+            normal = material.maps.bumped(&hit.surface, ray.direction, uv);
+            material = &mapped;
+        }
+        let shaded = ShadedHit::new(scene, &ray, hit, normal, material);
+        trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
+        shadows.begin_at(hit.object);
+        let light = shaded.local_light(trace, shadows);
+        self.light = self.light + throughput.of(light);
+        if material.sends_rays() {
+            self.branch(trace, &shaded, throughput, waiting)
+        } else {
+            take(waiting, &mut self.next)
+        }
+    }
+
+    /// Takes the reflected ray of a hit next and lets the refracted one wait; `false` if no ray is left.
+    #[inline(always)]
+    fn branch<S: Geometry, P: Probe<R>>(
+        &mut self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        shaded: &ShadedHit<'_, R>,
+        throughput: Throughput<R>,
+        waiting: &mut Waiting<R>,
+    ) -> bool {
+        let bounces = self.next.bounces;
+        let (Shares { mirrored, refracted }, direction) = shaded.shares();
+        let reflected = followed(trace, throughput * mirrored, bounces);
+        if let Some(direction) = direction
+            && let Some(throughput) = followed(trace, throughput * refracted, bounces)
+        {
+            let ray = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Refracted);
+            // There is always a place, as the module explains.
+            if waiting.push(ray).is_err() {
+                trace.probe.record(Event::Cut(Cut::Bounces));
+            }
+        }
+        match reflected {
+            Some(throughput) => {
+                self.next =
+                    shaded.leave(trace.scene, shaded.mirrored, throughput, bounces, RayKind::Reflected);
+                true
+            }
+            None => take(waiting, &mut self.next),
+        }
+    }
+}
+
+/// The throughput of a ray after `bounces`, or `None` if the ray is not to be followed.
+#[inline(always)]
+fn followed<R: Real, S: Geometry, P: Probe<R>>(
+    trace: &mut Trace<'_, '_, R, S, P>,
+    throughput: Throughput<R>,
+    bounces: u8,
+) -> Option<Throughput<R>> {
+    let largest = throughput.largest();
+    if !(largest > R::ZERO) {
+        return None;
+    }
+    if bounces >= trace.bounds.bounces {
+        trace.probe.record(Event::Cut(Cut::Bounces));
+        return None;
+    }
+    if largest < trace.bounds.cutoff {
+        trace.probe.record(Event::Cut(Cut::Throughput));
+        return None;
+    }
+    Some(throughput)
+}
+
+/// Takes the ray that waited last; `false` if there is none. Not by an `Option`, which would be copied byte by byte.
+#[inline(always)]
+fn take<R: Real>(waiting: &mut Waiting<R>, next: &mut PendingRay<R>) -> bool {
+    let Some(last) = waiting.last() else { return false };
+    *next = *last;
+    waiting.truncate(waiting.len().saturating_sub(1));
+    true
+}

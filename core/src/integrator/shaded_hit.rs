@@ -1,0 +1,276 @@
+//! A hit, ready to be shaded: the light that leaves it toward the eye, and the rays that go on from it.
+
+use super::Trace;
+use super::pending_ray::PendingRay;
+use super::shadow_rays::Shadows;
+use crate::color::LinearRgb;
+use crate::light::PreparedLight;
+use crate::material::{PreparedMaterial, PreparedOptics, Shares};
+use crate::math::{Ray, Real, Vec3};
+use crate::prepared::{Hit, PreparedScene, Through};
+use crate::probe::{Cut, Event, Probe, RayKind};
+use crate::shape::Geometry;
+use crate::surface::Surface;
+use crate::throughput::Throughput;
+
+/// A hit as the ray sees it that met it.
+pub(super) struct ShadedHit<'s, R: Real> {
+    pub(super) hit: &'s Hit<R>,
+    material: &'s PreparedMaterial<'s, R>,
+    /// The color of the texture.
+    color: LinearRgb<R>,
+    /// Direction of the ray that met the hit.
+    incoming: Vec3<R>,
+    /// The shading normal, on the side that the ray came from.
+    normal: Vec3<R>,
+    /// Cosine of the angle between `normal` and the way back: 0 or more.
+    cosine: R,
+    /// Direction of the reflected ray.
+    pub(super) mirrored: Vec3<R>,
+}
+
+/// A light in front of a surface, before its shadow ray.
+struct FacingLight<R> {
+    /// Unit vector toward the light.
+    toward: Vec3<R>,
+    distance: R,
+    /// Cosine of the angle between `toward` and the normal.
+    cosine: R,
+    /// The cosine whose power is the highlight, if the highlight can be visible.
+    highlight_cosine: Option<R>,
+    /// The share of its light that a lamp with falloff or a cone sends here.
+    share: Option<R>,
+}
+
+/// The light of all lamps at a surface.
+struct LampLight<R> {
+    diffuse: LinearRgb<R>,
+    specular: LinearRgb<R>,
+    is_lit: bool,
+    has_highlight: bool,
+}
+
+impl<'s, R: Real> ShadedHit<'s, R> {
+    /// A hit with the unit `normal` to shade with, which a map may have turned.
+    #[inline(always)]
+    pub(super) fn new<S: Geometry>(
+        scene: &PreparedScene<'_, R, S>,
+        ray: &Ray<R>,
+        hit: &'s Hit<R>,
+        normal: Vec3<R>,
+        material: &'s PreparedMaterial<'s, R>,
+    ) -> Self {
+        let incoming = ray.direction;
+        let (normal, cosine, _) = normal.facing(incoming);
+        let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
+        let mirrored = incoming + normal * (cosine + cosine);
+        Self { hit, material, color, incoming, normal, cosine, mirrored }
+    }
+
+    /// The event that reports the hit, of a ray of this kind and throughput, with the normal to shade with.
+    #[inline(always)]
+    pub(super) fn event(
+        &self,
+        ray: &Ray<R>,
+        (kind, throughput): (RayKind, Throughput<R>),
+        shading_normal: Vec3<R>,
+    ) -> Event<R> {
+        let Self { color, mirrored, .. } = *self;
+        let hit = Hit { surface: Surface { shading_normal, ..self.hit.surface }, ..*self.hit };
+        Event::Hit { kind, ray: *ray, hit, color, mirrored, throughput: throughput.color() }
+    }
+
+    /// The ray that goes on from here into a direction, after so many bounces.
+    pub(super) fn leave<S: Geometry>(
+        &self,
+        scene: &PreparedScene<'_, R, S>,
+        direction: Vec3<R>,
+        throughput: Throughput<R>,
+        bounces: u8,
+        kind: RayKind,
+    ) -> PendingRay<R> {
+        let from = self.hit.departure(direction);
+        let (ray, bounces) = (self.hit.spawn(direction, from), bounces.wrapping_add(1));
+        PendingRay { ray, throughput, bounces, kind, from, among: scene.leaving(from) }
+    }
+
+    /// Ambient, diffuse and specular light that leaves the hit along the incoming ray.
+    pub(super) fn local_light<S: Geometry, P: Probe<R>>(
+        &self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        shadows: &mut impl Shadows<R>,
+    ) -> LinearRgb<R> {
+        let ambient = self.ambient_light(trace.scene);
+        trace.probe.record(Event::Surface { shown: ambient });
+        let (diffuses, shines) = (self.material.diffuse > R::ZERO, self.material.specular > R::ZERO);
+        if !(diffuses || shines) {
+            return ambient;
+        }
+        let mut sum = LampLight::NONE;
+        for (index, light) in trace.scene.lights.iter().enumerate() {
+            let Some(facing) = self.facing(light, diffuses, shines) else { continue };
+            if !trace.rays.spend() {
+                trace.probe.record(Event::Cut(Cut::Rays));
+                break;
+            }
+            let through = shadows.through(trace.scene, self.hit, index, facing.toward, facing.distance);
+            if let Through::TooManyLayers = through {
+                trace.probe.record(Event::Cut(Cut::ShadowLayers));
+            }
+            let color = facing.share.map_or(light.color, |share| light.color * share);
+            let throughput = through.throughput();
+            let highlight = sum.add(&facing, self.material, color, throughput);
+            if trace.probe.is_enabled() {
+                let shown = throughput.of(self.lit(color, facing.cosine, highlight));
+                let (toward, through) = (facing.toward, throughput.largest());
+                trace.probe.record(Event::Light { light: index, toward, through, shown });
+            }
+        }
+        self.reflected_light(ambient, sum)
+    }
+
+    /// Ambient light that the surface shows, and light of its own.
+    #[inline(always)]
+    fn ambient_light<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> LinearRgb<R> {
+        let mut ambient = self.color * self.material.ambient;
+        if let Some(light) = scene.ambient() {
+            ambient = light * ambient;
+        }
+        match self.material.optics() {
+            Some(optics) => ambient + optics.emission,
+            None => ambient,
+        }
+    }
+
+    /// A light that the surface faces and that it would show; `None` if no shadow ray is needed.
+    #[inline(always)]
+    fn facing(&self, light: &PreparedLight<'_, R>, diffuses: bool, shines: bool) -> Option<FacingLight<R>> {
+        let (toward, distance, cosine) = light.seen_from(self.hit.surface.point, self.normal)?;
+        let shininess = &self.material.shininess;
+        let mut highlight_cosine = None;
+        if shines {
+            let cosine = match self.material.optics() {
+                Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
+                None if !shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
+                None => self.mirrored.dot(toward),
+            };
+            highlight_cosine = shininess.is_visible(cosine).then_some(cosine);
+        }
+        if !diffuses && highlight_cosine.is_none() {
+            return None;
+        }
+        let share = light.share(self.hit.surface.point, toward, distance);
+        if share.is_some_and(|share| !(share > R::ZERO)) {
+            return None;
+        }
+        Some(FacingLight { toward, distance, cosine, highlight_cosine, share })
+    }
+
+    /// The light of one lamp that leaves the hit if nothing is in the way: for events.
+    fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
+        let shown = self.color * (self.material.diffuse * cosine);
+        let highlight = LinearRgb::even(self.material.specular * highlight);
+        let highlight =
+            self.material.optics().map_or(highlight, |optics| optics.reflection_color * highlight);
+        // The sum may be as large as 2: it is not a share, so it is multiplied with all digits.
+        let LinearRgb { r, g, b } = shown + highlight;
+        LinearRgb::new(color.r * r, color.g * g, color.b * b)
+    }
+
+    /// Ambient light, and the light of lamps as the surface reflects it.
+    #[inline(always)]
+    fn reflected_light(&self, ambient: LinearRgb<R>, lamps: LampLight<R>) -> LinearRgb<R> {
+        let LampLight { diffuse, mut specular, is_lit, has_highlight } = lamps;
+        // Most points have no highlight, and many no light: nothing is added there.
+        if !is_lit {
+            return ambient;
+        }
+        let scattered = ambient + diffuse * self.color * self.material.diffuse;
+        if !has_highlight {
+            return scattered;
+        }
+        if let Some(PreparedOptics { reflection_color, .. }) = self.material.optics() {
+            specular = specular * *reflection_color;
+        }
+        scattered + specular * self.material.specular
+    }
+
+    /// The shares of light that are reflected and refracted, and the direction of the refracted ray, if there is one.
+    #[inline(always)]
+    pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
+        let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
+        let is_transparent = transmittance > R::ZERO;
+        let refraction = if is_transparent { self.refracted() } else { None };
+        let Some(optics) = self.material.optics() else {
+            let is_totally_reflected = is_transparent && refraction.is_none();
+            let mirrored = if is_totally_reflected { reflectance + transmittance } else { reflectance };
+            let (mirrored, refracted) = (Throughput::even(mirrored), Throughput::even(transmittance));
+            return (Shares { mirrored, refracted }, refraction);
+        };
+        // Opaque lacquer reflects as much as if light went on behind its surface.
+        let behind =
+            if is_transparent || !optics.needs_angle_behind() { refraction } else { self.refracted() };
+        let cosine = match behind {
+            Some(direction) => Some(self.normal.dot(direction).abs()),
+            None if is_transparent => None,
+            None => Some(self.cosine),
+        };
+        (optics.shares((reflectance, transmittance), self.cosine, self.eta(), cosine), refraction)
+    }
+
+    /// The ratio of the indices of refraction: on the side that the ray came from over the other side.
+    fn eta(&self) -> R {
+        let is_entering = self.hit.surface.normal.dot(self.incoming) < R::ZERO;
+        if is_entering { self.material.eta_entering } else { self.material.eta_leaving }
+    }
+
+    /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing", 1989,
+    /// p. 289); `None` under total internal reflection.
+    ///
+    /// The geometric normal alone tells which side is inside. A material states the indices of refraction on both sides
+    /// of its surface, so that a ray need not remember which media it is in.
+    fn refracted(&self) -> Option<Vec3<R>> {
+        let eta = self.eta();
+        if eta == R::ONE {
+            // Straight on, with the same bits.
+            return Some(self.incoming);
+        }
+        let cosine_squared = R::ONE - eta * eta * (R::ONE - self.cosine * self.cosine);
+        if cosine_squared < R::ZERO {
+            return None;
+        }
+        let refracted = self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt());
+        // Keep directions unit vectors: acceleration relies on it. A ray that leaves the denser side multiplies the
+        // error of the incoming length by the square of the ratio; a ray that enters makes the error smaller.
+        let is_unit = eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
+        if is_unit { Some(refracted) } else { refracted.normalized() }
+    }
+}
+
+impl<R: Real> LampLight<R> {
+    const NONE: Self =
+        Self { diffuse: LinearRgb::BLACK, specular: LinearRgb::BLACK, is_lit: false, has_highlight: false };
+
+    /// Adds the share of a light that gets through; returns the strength of its highlight, 0 to 1.
+    #[inline(always)]
+    fn add(
+        &mut self,
+        light: &FacingLight<R>,
+        material: &PreparedMaterial<'_, R>,
+        color: LinearRgb<R>,
+        through: Throughput<R>,
+    ) -> R {
+        if !(through.largest() > R::ZERO) {
+            return R::ZERO;
+        }
+        self.diffuse = self.diffuse + (through * light.cosine).of(color);
+        self.is_lit = true;
+        // A power takes long: compute it for light that gets through.
+        let highlight = light.highlight_cosine.map_or(R::ZERO, |cosine| material.shininess.power_of(cosine));
+        if highlight > R::ZERO {
+            self.specular = self.specular + (through * highlight).of(color);
+            self.has_highlight = true;
+        }
+        highlight
+    }
+}

@@ -1,0 +1,75 @@
+//! How much of each light gets through to a hit.
+
+use crate::math::{Real, Vec3};
+use crate::prepared::{Among, Hit, ObjectSet, PreparedScene, Through};
+use crate::shape::Geometry;
+use crate::throughput::Throughput;
+
+/// Sends shadow rays, with the help of what is known about the ways from hits to lights.
+pub(super) trait Shadows<R: Real> {
+    /// The next hit lies on this object.
+    #[inline(always)]
+    fn begin_at(&mut self, _object: usize) {}
+
+    /// How much light gets through to a hit from the light at this position in the scene, which is at `distance` in the
+    /// unit direction `toward`.
+    fn through<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        hit: &Hit<R>,
+        light: usize,
+        toward: Vec3<R>,
+        distance: R,
+    ) -> Through<Throughput<R>>;
+}
+
+/// The objects that can shade one place of one object, for each light of a scene of up to [`OUTLINED_LIGHTS`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Blockers {
+    /// Position of the object that is shaded.
+    pub(crate) receiver: usize,
+    /// The objects that can stand before each light.
+    pub(crate) before: [ObjectSet; OUTLINED_LIGHTS],
+}
+
+/// The most lights of a scene whose shadows have outlines.
+pub(crate) const OUTLINED_LIGHTS: usize = 4;
+
+impl Blockers {
+    /// Any object can shade this place, which lies on no object.
+    pub(crate) const UNKNOWN: Self = Self { receiver: usize::MAX, before: [ObjectSet::ALL; OUTLINED_LIGHTS] };
+
+    /// The objects that can stand before a light.
+    #[inline]
+    fn before(&self, light: usize) -> ObjectSet {
+        // In scenes of more lights, all sets are equal.
+        self.before.get(light % OUTLINED_LIGHTS).copied().unwrap_or(ObjectSet::ALL)
+    }
+}
+
+impl<R: Real> Shadows<R> for &Blockers {
+    #[inline(always)]
+    fn begin_at(&mut self, object: usize) {
+        if self.receiver != object {
+            *self = &Blockers::UNKNOWN;
+        }
+    }
+
+    #[inline(always)]
+    fn through<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        hit: &Hit<R>,
+        light: usize,
+        toward: Vec3<R>,
+        distance: R,
+    ) -> Through<Throughput<R>> {
+        let from = hit.departure(toward);
+        let magnitude = hit.surface.magnitude;
+        let among = scene.between((from, magnitude), light, toward, self.before(light));
+        if let Among::Few(ObjectSet::NONE) = among {
+            return Through::All;
+        }
+        scene.light_through_among(&hit.spawn(toward, from), distance, among)
+    }
+}
