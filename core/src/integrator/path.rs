@@ -4,8 +4,8 @@ use heapless::Vec;
 
 use super::Trace;
 use super::pending_ray::PendingRay;
-use super::shaded_hit::ShadedHit;
-use super::shadow_rays::{Blockers, Shadows};
+use super::shaded_hit::{ShadedHit, Shadows};
+use super::shadow_rays::Blockers;
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
@@ -93,7 +93,7 @@ impl<R: Real> Path<R> {
             let color = scene.background.color(ray.direction);
             let throughput = scene.dimmed(throughput, from, is_reflected, None);
             trace.probe.record(Event::Miss { ray, color, throughput: throughput.color() });
-            self.light = self.light + throughput.of(color);
+            self.receive(throughput, color);
             return take(waiting, &mut self.next);
         };
         let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
@@ -105,16 +105,24 @@ impl<R: Real> Path<R> {
             normal = material.maps.bumped(&hit.surface, ray.direction, uv);
             material = &mapped;
         }
-        let shaded = ShadedHit::new(scene, &ray, hit, normal, material);
+        let shaded = ShadedHit::new(scene, &ray, hit, normal, (material, trace.probe.is_enabled()));
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadows.begin_at(hit.object);
         let light = shaded.local_light(trace, shadows);
-        self.light = self.light + throughput.of(light);
+        self.receive(throughput, light);
         if material.sends_rays() {
             self.branch(trace, &shaded, throughput, waiting)
         } else {
             take(waiting, &mut self.next)
         }
+    }
+
+    /// Adds a share of the light from where the ray at hand ends.
+    #[inline(always)]
+    fn receive(&mut self, throughput: Throughput<R>, light: LinearRgb<R>) {
+        // All of a camera ray's light reaches the pixel. In floating point a product takes no longer than this test.
+        let is_first = R::IS_FIXED_POINT && self.next.kind == RayKind::Camera;
+        self.light = if is_first { light } else { self.light + throughput.of(light) };
     }
 
     /// Takes the reflected ray of a hit next and lets the refracted one wait; `false` if no ray is left.

@@ -2,11 +2,11 @@
 
 use super::Trace;
 use super::pending_ray::PendingRay;
-use super::shadow_rays::Shadows;
 use crate::color::LinearRgb;
 use crate::light::PreparedLight;
 use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
+use crate::prepared::candidates::Departure;
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
@@ -25,8 +25,11 @@ pub(super) struct ShadedHit<'s, R: Real> {
     normal: Vec3<R>,
     /// Cosine of the angle between `normal` and the way back: 0 or more.
     cosine: R,
-    /// Direction of the reflected ray.
+    /// Direction of the reflected ray; for a matte material without a probe, any direction.
     pub(super) mirrored: Vec3<R>,
+    /// Whether the ray came from the side of the geometric normal, where that is known without a product: in fixed
+    /// point, where products are slow, and if the normal to shade with is the geometric one.
+    is_outside: Option<bool>,
 }
 
 /// A light in front of a surface, before its shadow ray.
@@ -50,6 +53,24 @@ struct LampLight<R> {
     has_highlight: bool,
 }
 
+/// Sends shadow rays, with the help of what is known about the ways from hits to lights.
+pub(super) trait Shadows<R: Real> {
+    /// The next hit lies on this object.
+    #[inline(always)]
+    fn begin_at(&mut self, _object: usize) {}
+
+    /// How much light gets through to a hit from the light at this position in the scene. The light is at
+    /// `distance` in the unit direction `toward`.
+    fn through<S: Geometry>(
+        &mut self,
+        scene: &PreparedScene<'_, R, S>,
+        hit: &ShadedHit<'_, R>,
+        light: usize,
+        toward: Vec3<R>,
+        distance: R,
+    ) -> Through<Throughput<R>>;
+}
+
 impl<'s, R: Real> ShadedHit<'s, R> {
     /// A hit with the unit `normal` to shade with, which a map may have turned.
     #[inline(always)]
@@ -58,13 +79,27 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         ray: &Ray<R>,
         hit: &'s Hit<R>,
         normal: Vec3<R>,
-        material: &'s PreparedMaterial<'s, R>,
+        (material, has_probe): (&'s PreparedMaterial<'s, R>, bool),
     ) -> Self {
         let incoming = ray.direction;
-        let (normal, cosine, _) = normal.facing(incoming);
+        let is_geometric = R::IS_FIXED_POINT && normal == hit.surface.normal;
+        let (normal, cosine, is_turned) = normal.facing(incoming);
+        let is_outside = is_geometric.then_some(!is_turned);
         let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
-        let mirrored = incoming + normal * (cosine + cosine);
-        Self { hit, material, color, incoming, normal, cosine, mirrored }
+        // Skip the mirrored direction of matte materials: only highlights, mirrors and probes use it.
+        let is_used = !R::IS_FIXED_POINT || material.specular > R::ZERO || material.sends_rays() || has_probe;
+        let mirrored = if is_used { incoming + normal * (cosine + cosine) } else { incoming };
+        Self { hit, material, color, incoming, normal, cosine, mirrored, is_outside }
+    }
+
+    /// The side of the surface to which a ray of this direction leaves it: one that goes `through` the surface, or one
+    /// that stays on the side of the incoming ray.
+    #[inline(always)]
+    pub(super) fn departure(&self, direction: Vec3<R>, through: bool) -> Departure {
+        match self.is_outside {
+            Some(is_outside) => Departure { object: self.hit.object, outward: is_outside != through },
+            None => self.hit.departure(direction),
+        }
     }
 
     /// The event that reports the hit, of a ray of this kind and throughput, with the normal to shade with.
@@ -89,7 +124,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         bounces: u8,
         kind: RayKind,
     ) -> PendingRay<R> {
-        let from = self.hit.departure(direction);
+        let from = self.departure(direction, kind == RayKind::Refracted);
         let (ray, bounces) = (self.hit.spawn(direction, from), bounces.wrapping_add(1));
         PendingRay { ray, throughput, bounces, kind, from, among: scene.leaving(from) }
     }
@@ -107,13 +142,19 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             return ambient;
         }
         let mut sum = LampLight::NONE;
+        // Mirrors and glass show a light only as a highlight, in a small part of their surface. In floating point the
+        // test takes as long as what it saves; an M0 takes 0.96 times the instructions.
+        let is_mirror = R::IS_FIXED_POINT && !diffuses && self.material.optics().is_none();
         for (index, light) in trace.scene.lights.iter().enumerate() {
+            if is_mirror && !trace.scene.may_have_highlight(self.hit.object, index, self.mirrored) {
+                continue;
+            }
             let Some(facing) = self.facing(light, diffuses, shines) else { continue };
             if !trace.rays.spend() {
                 trace.probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let through = shadows.through(trace.scene, self.hit, index, facing.toward, facing.distance);
+            let through = shadows.through(trace.scene, self, index, facing.toward, facing.distance);
             if let Through::TooManyLayers = through {
                 trace.probe.record(Event::Cut(Cut::ShadowLayers));
             }
@@ -132,9 +173,12 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     /// Ambient light that the surface shows, and light of its own.
     #[inline(always)]
     fn ambient_light<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> LinearRgb<R> {
-        let mut ambient = self.color * self.material.ambient;
-        if let Some(light) = scene.ambient() {
-            ambient = light * ambient;
+        let mut ambient = LinearRgb::BLACK;
+        if self.material.ambient > R::ZERO {
+            ambient = self.color * self.material.ambient;
+            if let Some(light) = scene.ambient() {
+                ambient = light * ambient;
+            }
         }
         match self.material.optics() {
             Some(optics) => ambient + optics.emission,

@@ -1,27 +1,10 @@
 //! How much of each light gets through to a hit.
 
+use super::shaded_hit::{ShadedHit, Shadows};
 use crate::math::{Real, Vec3};
-use crate::prepared::{Among, Hit, ObjectSet, PreparedScene, Through};
+use crate::prepared::{Among, ObjectSet, PreparedScene, Through};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
-
-/// Sends shadow rays, with the help of what is known about the ways from hits to lights.
-pub(super) trait Shadows<R: Real> {
-    /// The next hit lies on this object.
-    #[inline(always)]
-    fn begin_at(&mut self, _object: usize) {}
-
-    /// How much light gets through to a hit from the light at this position in the scene, which is at `distance` in the
-    /// unit direction `toward`.
-    fn through<S: Geometry>(
-        &mut self,
-        scene: &PreparedScene<'_, R, S>,
-        hit: &Hit<R>,
-        light: usize,
-        toward: Vec3<R>,
-        distance: R,
-    ) -> Through<Throughput<R>>;
-}
 
 /// The objects that can shade one place of one object, for each light of a scene of up to [`OUTLINED_LIGHTS`].
 #[derive(Clone, Copy, Debug)]
@@ -59,17 +42,17 @@ impl<R: Real> Shadows<R> for &Blockers {
     fn through<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,
-        hit: &Hit<R>,
+        hit: &ShadedHit<'_, R>,
         light: usize,
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Throughput<R>> {
-        let from = hit.departure(toward);
-        let magnitude = hit.surface.magnitude;
+        let from = hit.departure(toward, false);
+        let magnitude = hit.hit.surface.magnitude;
         let among = scene.between((from, magnitude), light, toward, self.before(light));
         if let Among::Few(ObjectSet::NONE) = among {
             return Through::All;
         }
-        scene.light_through_among(&hit.spawn(toward, from), distance, among)
+        scene.light_through_among(&hit.hit.spawn(toward, from), distance, among)
     }
 }

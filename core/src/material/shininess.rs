@@ -27,6 +27,11 @@ impl<R: Real> Shininess<R> {
         self.least > R::from_f32(0.85)
     }
 
+    /// The cosine below which a highlight is invisible.
+    pub(crate) fn least(&self) -> R {
+        self.least
+    }
+
     /// Whether a highlight can be seen at this cosine.
     #[inline]
     pub(crate) fn is_visible(&self, cosine: R) -> bool {

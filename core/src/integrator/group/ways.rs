@@ -2,12 +2,12 @@
 
 use super::{FEWEST_IN_BEAM, Lane, List, PixelGroup};
 use crate::hierarchy::Beam;
-use crate::integrator::shadow_rays::Shadows;
+use crate::integrator::shaded_hit::{ShadedHit, Shadows};
 use crate::light::Source;
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::candidates::Departure;
 use crate::prepared::closest::NO_OBJECT;
-use crate::prepared::{Among, Hit, PreparedScene, Through};
+use crate::prepared::{Among, PreparedScene, Through};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
@@ -102,20 +102,20 @@ impl<R: Real, S: Geometry> Shadows<R> for Ways<'_, '_, '_, R, S> {
     fn through<T: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, T>,
-        hit: &Hit<R>,
+        hit: &ShadedHit<'_, R>,
         light: usize,
         toward: Vec3<R>,
         distance: R,
     ) -> Through<Throughput<R>> {
         // Most often nothing is in the way: then no ray is needed.
-        let meets_itself = self.is_met_inside && !hit.departure(toward).outward;
+        let meets_itself = self.is_met_inside && !hit.departure(toward, false).outward;
         let mut last = self.group.blockers.get(light).copied().unwrap_or(NO_OBJECT);
         let among = match self.to(light).filter(|_| !meets_itself) {
             Some(Way::Clear) => return Through::All,
             Some(Way::Among(list)) => Among::Listed(list),
             _ => Among::All,
         };
-        let ray = hit.spawn(toward, hit.departure(toward));
+        let ray = hit.hit.spawn(toward, hit.departure(toward, false));
         let through = scene.light_through_after(&ray, distance, among, &mut last);
         if let Some(blocker) = self.group.blockers.get_mut(light) {
             *blocker = last;
