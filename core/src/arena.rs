@@ -4,8 +4,10 @@ use core::mem::{MaybeUninit, align_of, size_of};
 
 use crate::fault::{Fault, Inner};
 
-/// Memory for a prepared scene: as many bytes as [`Scene::bytes`](crate::Scene::bytes) says, or
-/// [`prepared_bytes`](crate::prepared_bytes) of a set of fewer shapes or of your own; the module
+/// Memory for a prepared scene, in bytes.
+///
+/// [`Scene::bytes`](crate::Scene::bytes) computes how many bytes a scene of [`Shape`](crate::shape::Shape)s
+/// needs, and [`prepared_bytes`](crate::prepared_bytes) does so for another set of shapes. The module
 /// [`shape`](crate::shape#how-much-memory-to-lend) has an example.
 ///
 /// On the desktop, where sizes are known only at run time, [`PreparedScene::new`](crate::PreparedScene::new)
@@ -15,7 +17,8 @@ use crate::fault::{Fault, Inner};
 pub struct Workspace<const BYTES: usize>([MaybeUninit<u8>; BYTES]);
 
 impl<const BYTES: usize> Workspace<BYTES> {
-    /// Fresh memory. Use it in a `static` or a local variable: nothing is written until a scene is prepared.
+    /// Uninitialized memory, for a `static` or a local variable. Nothing is written before a scene is
+    /// prepared.
     pub const fn new() -> Self {
         Self([MaybeUninit::uninit(); BYTES])
     }
@@ -37,7 +40,7 @@ impl<const BYTES: usize> Default for Workspace<BYTES> {
 pub struct Arena<'m> {
     free: &'m mut [MaybeUninit<u8>],
     lent: usize,
-    /// Where in a shape that is made of others it was refused.
+    /// The part of a compound shape that was refused.
     blamed: Option<Inner>,
 }
 
@@ -47,27 +50,27 @@ impl<'m> Arena<'m> {
         Self { lent: memory.len(), free: memory, blamed: None }
     }
 
-    /// The most bytes that `count` values of `T` take, wherever the memory before them ends.
+    /// An upper bound on the bytes that `count` values of `T` take, including padding for their alignment.
     pub const fn bytes<T>(count: usize) -> usize {
         if count == 0 {
             return 0;
         }
-        // Saturating: so much can never be lent.
+        // Saturating: no caller can lend `usize::MAX` bytes, so the memory is then refused as too small.
         size_of::<T>().saturating_mul(count).saturating_add(align_of::<T>() - 1)
     }
 
-    /// Stores a value.
+    /// Stores one value.
     ///
     /// # Errors
-    /// [`Fault::Memory`] where too little was lent.
+    /// [`Fault::Memory`]: the lent memory is too small.
     pub fn store<T: Copy>(&mut self, value: T) -> Result<&'m T, Fault> {
         self.store_with(1, |_| value)?.first().ok_or(Fault::Memory { needed: 0, lent: self.lent })
     }
 
-    /// Stores `count` values that `value` gives for 0, 1, 2, …
+    /// Stores `count` values: the closure `value` makes each from its index, 0 to `count - 1`.
     ///
     /// # Errors
-    /// [`Fault::Memory`] where too little was lent.
+    /// [`Fault::Memory`]: the lent memory is too small.
     pub fn store_with<T: Copy>(
         &mut self,
         count: usize,
@@ -77,8 +80,8 @@ impl<'m> Arena<'m> {
         Ok(values)
     }
 
-    /// As [`store_with`](Self::store_with), for values that may fail, that may store more themselves, and that may
-    /// change later.
+    /// Stores `count` values whose closure may fail and may use the arena itself. The values can be changed
+    /// later.
     pub(crate) fn try_store_with<T: Copy, E: From<Fault>>(
         &mut self,
         count: usize,
@@ -91,24 +94,25 @@ impl<'m> Arena<'m> {
         Ok(room.filled())
     }
 
-    /// Sets room for `count` values aside.
+    /// Sets memory for `count` values aside.
     pub(crate) fn room<T: Copy>(&mut self, count: usize) -> Result<Room<'m, T>, Fault> {
         Ok(Room { slots: self.take(count)?, len: 0 })
     }
 
-    /// Keeps which part of a shape was refused, for the error. The solids of a model are among the parts of its object.
+    /// Remembers which part of a shape was refused, for the error. A refused solid inside of an instanced
+    /// model is reported as that solid, not as the model.
     pub(crate) fn blame(&mut self, inner: Inner) {
         if inner != Inner::Model || self.blamed.is_none() {
             self.blamed = Some(inner);
         }
     }
 
-    /// The part of a shape that was refused, if it was a part.
+    /// The part of a shape that was refused; `None` where the shape as a whole was refused.
     pub(crate) fn blamed(&self) -> Option<Inner> {
         self.blamed
     }
 
-    /// Cuts room for `count` values off the front of what is free.
+    /// Cuts memory for `count` values off the front of the free memory.
     fn take<T>(&mut self, count: usize) -> Result<&'m mut [MaybeUninit<T>], Fault> {
         if count == 0 {
             return Ok(&mut []);
@@ -139,10 +143,10 @@ impl<'m> Arena<'m> {
     }
 }
 
-/// Room for values, filled from front to back.
+/// Memory for a known number of values, filled from front to back.
 pub(crate) struct Room<'m, T> {
     slots: &'m mut [MaybeUninit<T>],
-    /// So many of the slots were written.
+    /// The number of slots that were written.
     len: usize,
 }
 
@@ -150,7 +154,7 @@ impl<'m, T: Copy> Room<'m, T> {
     /// Writes the next value.
     ///
     /// # Errors
-    /// [`Fault::Full`] where all room is filled.
+    /// [`Fault::Full`]: all slots are filled.
     pub(crate) fn push(&mut self, value: T) -> Result<(), Fault> {
         let full = Fault::Full { room: self.slots.len() };
         self.slots.get_mut(self.len).ok_or(full)?.write(value);
@@ -158,7 +162,7 @@ impl<'m, T: Copy> Room<'m, T> {
         Ok(())
     }
 
-    /// What was written.
+    /// The values that were written.
     pub(crate) fn filled(self) -> &'m mut [T] {
         let filled = self.slots.get_mut(..self.len).unwrap_or_default();
         // SAFETY: the first `len` slots were written, one by one, by `push`.
@@ -185,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_needs_no_memory() {
+    fn empty_lists_need_no_memory() {
         let mut arena = Arena::new(&mut []);
         assert!(arena.store_with(0, |i| i as u64).unwrap().is_empty());
     }

@@ -1,4 +1,4 @@
-//! Where the picture is taken from.
+//! The camera of a scene, and the mapping between pixels and rays.
 
 use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
 use crate::math::{Aabb, Ray, Real, Scale, Vec3};
@@ -7,15 +7,15 @@ use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Camera {
-    /// Where the camera is. It may be inside of an object, but not on what is curved, such as a sphere: there rounding would tell for
-    /// each ray whether it begins inside.
+    /// The position of the camera. It may be inside of an object, but not on a curved surface such as a
+    /// sphere: there rounding decides for each ray whether it begins inside.
     pub eye: Vec3,
-    /// A point that it looks at: the center of the picture.
+    /// The point in the center of the picture.
     pub target: Vec3,
-    /// A direction that is up in the picture; any length but 0, not along the line of sight.
+    /// The direction that points up in the picture; any length but 0, not along the line of sight.
     pub up: Vec3,
-    /// The full vertical angle of view in radians, between 0 and π. Pixels are square, so the horizontal
-    /// one follows from the picture's shape.
+    /// The full vertical angle of view in radians, between 0 and π. Pixels are square: the horizontal angle
+    /// follows from the width and height of the picture.
     pub vertical_fov: f32,
 }
 
@@ -43,7 +43,7 @@ impl Camera {
             return Err(Fault::FieldOfView);
         }
         let half_height = (R::Setup::from_f32(self.vertical_fov) * R::Setup::from_f32(0.5)).tan();
-        // Close to 180° the tangent leaves every useful range.
+        // Close to 180° the tangent is too large to compute with.
         if half_height > R::Setup::from_f32(1e4) || half_height < R::Setup::from_f32(1e-6) {
             return Err(Fault::FieldOfView);
         }
@@ -62,34 +62,31 @@ impl Camera {
 }
 
 impl<R: Real> PreparedCamera<R> {
-    /// Where all rays begin.
+    /// The eye, where all camera rays begin.
     pub(crate) fn eye(&self) -> Vec3<R> {
         self.eye
     }
 }
 
-/// A camera and the size of a picture: knows the ray through each place of the picture, and back.
-///
-/// Rejected: what the rays of a line have in common, worked out once for each line. It takes three products less a pixel, but the line
-/// has to be carried along: `classic` takes 1.00 times the instructions on an M4F, and 1.02 on M3 and M0 in fixed point. From pixel
-/// to pixel by sums alone, rounding would depend on where a line begins.
+/// A camera and the size of a picture in pixels. It maps positions in the picture to rays, and points of the
+/// scene to positions in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Viewport<R: Real> {
     camera: PreparedCamera<R>,
-    /// From the eye to the picture's upper left corner.
+    /// The vector from the eye to the upper left corner of the picture.
     corner: Vec3<R>,
-    /// `2^shift` pixels to the right.
+    /// The vector of `2^shift` pixels to the right.
     right: Vec3<R>,
-    /// `2^shift` pixels down.
+    /// The vector of `2^shift` pixels down.
     down: Vec3<R>,
-    /// See [`Real::from_pixel`]: 0 for floating point.
+    /// See [`Real::from_pixel`]; 0 for floating point.
     shift: u32,
     /// Half the width and half the height in pixels.
     middle: (R::Setup, R::Setup),
 }
 
-/// A function that is linear over the picture: `middle + u · right + v · down`, where u runs from -1 on the left to 1 on
-/// the right, and v from -1 at the top to 1 at the bottom.
+/// An affine function over the picture: `middle + u · right + v · down`, where u runs from -1 at the left to
+/// 1 at the right, and v from -1 at the top to 1 at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Affine<T> {
     pub(crate) middle: T,
@@ -98,7 +95,7 @@ pub(crate) struct Affine<T> {
 }
 
 impl<T> Affine<T> {
-    /// The same function, followed by a linear one.
+    /// This function, followed by a linear one.
     pub(crate) fn map<U>(self, mut linear: impl FnMut(T) -> U) -> Affine<U> {
         Affine { middle: linear(self.middle), right: linear(self.right), down: linear(self.down) }
     }
@@ -125,7 +122,8 @@ impl<R: Real> Viewport<R> {
         let corner =
             camera.forward - camera.right * (half * number(width)) + camera.up * (half * number(height));
         let (right, down) = (camera.right * pixel, -(camera.up * pixel));
-        // Only the direction of a ray counts. Where numbers have a fixed number of digits, all of them are used.
+        // The length of these vectors does not matter. In fixed point they are scaled up, so that as many
+        // digits as possible are used.
         let (shift, unit) = if R::REACH.is_some() {
             let shift = u16::BITS - width.max(height).leading_zeros();
             (shift, Self::unit(R::Setup::ONE + half * (number(width) + number(height)), shift))
@@ -143,7 +141,7 @@ impl<R: Real> Viewport<R> {
         }
     }
 
-    /// The directions of its rays, of any length.
+    /// The directions of the camera's rays over the picture; not unit vectors.
     #[inline(never)]
     pub(crate) fn directions(&self) -> Affine<Vec3<R::Setup>> {
         let camera = &self.camera;
@@ -160,7 +158,7 @@ impl<R: Real> Viewport<R> {
         self.middle
     }
 
-    /// Where all rays begin.
+    /// The eye, where all camera rays begin.
     pub(crate) fn eye(&self) -> Vec3<R> {
         self.camera.eye
     }
@@ -170,8 +168,8 @@ impl<R: Real> Viewport<R> {
         [self.camera.right, self.camera.up].map(Vec3::from_setup)
     }
 
-    /// The power of two that brings a direction of this length, or less, to 16 or less, and the same times
-    /// `2^shift`.
+    /// The largest power of two, at most 16, that scales a direction of this length to at most 16; and that
+    /// power times `2^shift`.
     fn unit(length: R::Setup, shift: u32) -> (R::Setup, R::Setup) {
         let (half, mut unit) = (R::Setup::from_f32(0.5), R::Setup::from_f32(16.0));
         while length * unit > R::Setup::from_f32(16.0) && unit > R::Setup::ZERO {
@@ -180,28 +178,31 @@ impl<R: Real> Viewport<R> {
         (unit, unit * R::Setup::from_f32((1u32 << (shift & 31)) as f32))
     }
 
-    /// The ray through a place of the picture, in pixels and 65536ths: pixel (0, 0) has its center at (0.5, 0.5).
+    /// The ray through a position in the picture, given in pixels and 65536ths of a pixel: pixel (0, 0) has
+    /// its center at (0.5, 0.5).
     pub(crate) fn ray(&self, (x, right): (u16, u16), (y, down): (u16, u16)) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
         let y = R::from_pixel(y, down, self.shift);
         let direction = self.corner + self.right.times_few(x) + self.down.times_few(y);
-        // The length is at least 1, the distance of the picture.
+        // The length is at least 1, the distance of the picture from the eye.
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }
 
-    /// How far a point is in front of the camera, and from it.
+    /// The depth of a point along the line of sight, and its distance from the eye.
     pub(crate) fn depth(&self, point: Vec3<R::Setup>) -> (R::Setup, R::Setup) {
         let toward = point - self.camera.eye.to_setup();
         (toward.dot(self.camera.forward), toward.length())
     }
 
-    /// Width and height of a pixel at distance 1 in the middle of the picture: the largest angle that one is seen at.
+    /// The width and height of a pixel at distance 1 in the middle of the picture. It is the largest angle
+    /// that a pixel spans, in radians.
     pub(crate) fn pixel(&self) -> R::Setup {
         let (_, half_height) = self.middle;
         self.camera.half_height / half_height
     }
 
-    /// The rectangle of the picture around all corners of a box; `None` where one is not well in front of the camera.
+    /// The bounding rectangle, in pixels, of the projected corners of a box; `None` where a corner is not
+    /// well in front of the camera.
     pub(crate) fn frame(&self, bounds: Aabb<R::Setup>) -> Option<Rect<R::Setup>> {
         let (far, near) = (R::Setup::FARTHEST, -R::Setup::FARTHEST);
         let mut frame = Rect { left: far, right: near, top: far, bottom: near };
@@ -215,16 +216,18 @@ impl<R: Real> Viewport<R> {
         Some(frame)
     }
 
-    /// What is seen between two heights of the picture lies on the positive sides of two planes through the eye: their unit normals.
+    /// The unit normals of the two planes through the eye that bound the part of the scene seen between two
+    /// heights of the picture, in pixels from the top. That part lies on the positive side of both.
     pub(crate) fn between(&self, top: R::Setup, bottom: R::Setup) -> [Vec3<R>; 2] {
         let camera = &self.camera;
         let (_, half_height) = self.middle;
-        // As in `project`, multiplied by the depth.
+        // The formula of `project`, multiplied by the depth.
         let below = |height: R::Setup| camera.forward * ((half_height - height) * self.pixel()) - camera.up;
         [below(top), -below(bottom)].map(|normal| Vec3::from_setup(normal.polar().0))
     }
 
-    /// The place in the picture where a point is seen; `None` where it is not well in front of the camera.
+    /// The position in the picture, in pixels from the left and the top, where a point is seen; `None` where
+    /// the point is not well in front of the camera.
     pub(crate) fn project(&self, point: Vec3<R::Setup>) -> Option<(R::Setup, R::Setup)> {
         let camera = &self.camera;
         let toward = point - camera.eye.to_setup();

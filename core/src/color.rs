@@ -1,4 +1,4 @@
-//! Light: linear, not display codes.
+//! Colors as amounts of linear light, not as display codes.
 
 use core::ops::{Add, Mul};
 
@@ -34,7 +34,7 @@ impl LinearRgb {
     /// White.
     pub const WHITE: Self = Self::gray(1.0);
 
-    /// The same in all three channels.
+    /// The color with `value` in all three channels.
     pub const fn gray(value: f32) -> Self {
         Self::new(value, value, value)
     }
@@ -54,23 +54,23 @@ impl<R: Real> LinearRgb<R> {
     /// No light.
     pub const BLACK: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
 
-    /// The color in `f32`, for people to read.
+    /// The color in `f32`, rounded to nearest.
     pub fn to_f32(self) -> LinearRgb {
         LinearRgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
     }
 
-    /// The same in all three channels.
+    /// The color with `value` in all three channels.
     pub(crate) fn even(value: R) -> Self {
         Self::new(value, value, value)
     }
 
-    /// All channels times a number, with all digits: for what is to add up.
+    /// All channels multiplied by a number at full precision, for colors that are summed up afterwards.
     pub(crate) fn scaled(self, by: R) -> Self {
         Self::new(self.r * by, self.g * by, self.b * by)
     }
 }
 
-/// Refuses emitted light that is negative or not finite; it may be above 1.
+/// Refuses emitted light that is negative, not finite, or too large for the number system. It may be above 1.
 pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
     for channel in color.channels() {
         check_channel(channel)?;
@@ -79,7 +79,8 @@ pub(crate) fn check_emission<R: Real>(color: LinearRgb) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Refuses a channel that is negative or not finite.
+/// Refuses a channel that is negative, not finite, or above
+/// [`MAX_COORDINATE`](crate::limits::MAX_COORDINATE).
 pub(crate) fn check_channel(channel: f32) -> Result<(), Fault> {
     check_number(channel)?;
     if channel < 0.0 { Err(Fault::NegativeColor { given: channel }) } else { Ok(()) }
@@ -96,7 +97,7 @@ impl<R: Real> Add for LinearRgb<R> {
     }
 }
 
-/// A share of light, see [`Real::attenuated`].
+/// All channels multiplied by one share, 0 to 1, see [`Real::attenuated`].
 impl<R: Real> Mul<R> for LinearRgb<R> {
     type Output = Self;
     fn mul(self, share: R) -> Self {
@@ -104,7 +105,7 @@ impl<R: Real> Mul<R> for LinearRgb<R> {
     }
 }
 
-/// Light on a surface of this color: a share in each channel.
+/// Each channel multiplied by its own share, 0 to 1: light reflected by a surface of color `shares`.
 impl<R: Real> Mul for LinearRgb<R> {
     type Output = Self;
     fn mul(self, shares: Self) -> Self {

@@ -1,11 +1,13 @@
-//! How light fades with distance.
+//! The falloff of light with distance.
 
 use crate::fault::Fault;
 use crate::limits::MAX_COORDINATE;
 use crate::math::Real;
 
-/// How light fades with distance d: to 1 / (constant + linear d + quadratic d²), but never to more than it was (Hall and Greenberg,
-/// "A Testbed for Realistic Image Synthesis", IEEE CG&A 1983).
+/// The falloff of light with distance d: the factor min(1, 1 / (constant + linear d + quadratic d²)) (Hall
+/// and Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 1983).
+///
+/// Each coefficient lies in 0 to 1e6, and at least one is above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -13,19 +15,20 @@ use crate::math::Real;
     serde(deny_unknown_fields, default)
 )]
 pub struct Falloff {
-    /// 0 or more, and so the others; one of the three is more.
+    /// Coefficient without a unit.
     pub constant: f32,
-    /// Per unit of length.
+    /// Coefficient per unit of length.
     pub linear: f32,
-    /// Per unit of length, squared.
+    /// Coefficient per square of a unit of length.
     pub quadratic: f32,
 }
 
 impl Falloff {
-    /// None: light as in the first lectures.
+    /// No falloff: light is as bright at any distance.
     pub const NONE: Self = Self { constant: 1.0, linear: 0.0, quadratic: 0.0 };
 
-    /// The law of nature, where the color of the light is what arrives at a distance of `distance`, 0.001 to 1e19; nearer it is no brighter.
+    /// Falloff with the inverse square of the distance, as in nature. The factor is 1 up to `distance`, which
+    /// lies in 0.001 to 1e19, and 1/4 at twice that distance.
     pub const fn inverse_square(distance: f32) -> Self {
         Self { constant: 0.0, linear: 0.0, quadratic: 1.0 / (distance * distance) }
     }
@@ -34,7 +37,8 @@ impl Falloff {
         self.constant == 1.0 && self.linear == 0.0 && self.quadratic == 0.0
     }
 
-    /// Checks every number and converts it, for distances that are so many times those of the scene; `None` where nothing fades.
+    /// Checks every number and converts it, for distances that are `scale` times those of the scene; `None`
+    /// where there is no falloff.
     pub(crate) fn prepare<R: Real>(&self, scale: f32) -> Result<Option<PreparedFalloff<R>>, Fault> {
         let mut sum = 0.0;
         for coefficient in [self.constant, self.linear, self.quadratic] {
@@ -55,7 +59,8 @@ impl Falloff {
         let per_unit = R::Setup::from_f32(1.0 / scale);
         let [c, l, q] = [self.constant, self.linear, self.quadratic].map(R::Setup::from_f32);
         let (l, q) = (l * per_unit, q * per_unit * per_unit);
-        // The largest is made 1, and so none is out of range; or less, where the brightness would be.
+        // Divide by the largest coefficient, so that none is above 1. Where the inverse of the largest would
+        // be out of range, divide by 1 / `BRIGHTEST`.
         let largest = c.larger(l).larger(q);
         let unit = if R::holds(largest.recip()) { largest } else { R::Setup::from_f32(1.0 / BRIGHTEST) };
         let part = |coefficient: R::Setup| R::from_setup(coefficient / unit);
@@ -70,24 +75,24 @@ impl Default for Falloff {
     }
 }
 
-/// Within what all number systems hold.
+/// A brightness that every number system can hold.
 const BRIGHTEST: f32 = 32.0;
 
-/// A [`Falloff`], prepared: its largest coefficient is 1, or less.
+/// A prepared [`Falloff`], whose largest coefficient is at most 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedFalloff<R> {
     constant: R,
     linear: R,
     quadratic: R,
-    /// 1 over what a coefficient of 1 was.
+    /// The inverse of the number by which the described coefficients were divided.
     brightness: R,
 }
 
 impl<R: Real> PreparedFalloff<R> {
-    /// What is left at this distance, 0 to 1.
+    /// The share of light that is left at this distance, 0 to 1.
     pub(crate) fn at(&self, distance: R) -> R {
         let Self { constant, linear, quadratic, brightness } = *self;
-        // Far away by the inverse of the distance, so that no square is out of range.
+        // For distances above 1, compute with the inverse of the distance, so that no square is out of range.
         let (most, sum) = if distance > R::ONE {
             let near = distance.recip();
             (brightness * (near * near), quadratic + near * (linear + near * constant))
@@ -118,7 +123,7 @@ mod tests {
         let mixed = Falloff { constant: 0.5, linear: 0.25, quadratic: 0.125 };
         for left in [left::<f32>, left::<f64>, left::<Fixed>] {
             assert!((left(mixed, 4.0) - 1.0 / 3.5).abs() < 1e-4);
-            // 1 / 0.5 would be more than there was.
+            // The formula gives 1 / 0.5 here, but the factor is never above 1.
             assert_eq!(left(mixed, 0.0), 1.0);
             assert!((left(mixed, 60.0) - 1.0 / 465.5).abs() < 1e-5);
             let lamp = Falloff::inverse_square(5.0);
@@ -127,16 +132,18 @@ mod tests {
             assert!((left(lamp, 50.0) - 0.01).abs() < 1e-5);
             assert_eq!(left(lamp, 1.0), 1.0);
             assert_eq!(left(Falloff::NONE, 1000.0), 1.0);
-            // In fixed point 1 over the coefficient is out of range, and its light fades all the same.
+            // In fixed point the inverse of this coefficient is out of range; the falloff must still be
+            // right.
             let window = Falloff::inverse_square(200.0);
             assert!((left(window, 400.0) - 0.25).abs() < 1e-4, "{}", left(window, 400.0));
             assert_eq!(left(Falloff { constant: 1e-6, linear: 1e-9, quadratic: 0.0 }, 400.0), 1.0);
         }
     }
 
-    /// A distance of 0 or 1e-4 had to do with the scale of the scene, and one of 1e30 was negative.
+    /// Earlier versions blamed the scale of the scene for a distance of 0 or 1e-4, and called one of 1e30
+    /// negative.
     #[test]
-    fn an_inverse_square_without_a_sane_distance_is_told_so() {
+    fn an_inverse_square_refuses_distances_out_of_range() {
         let prepare = |distance| Falloff::inverse_square(distance).prepare::<f32>(1.0).err();
         for distance in [0.0, 1e-30, 1e-4, 1e30, f32::INFINITY] {
             assert_eq!(prepare(distance), Some(Fault::Falloff), "{distance}");

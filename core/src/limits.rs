@@ -2,57 +2,64 @@
 
 use crate::math::FOUR_AT_ONCE;
 
-/// The most bounces that [`Settings::bounces`](crate::Settings) may ask for.
+/// The largest [`Settings::bounces`](crate::Settings).
 ///
-/// Each costs one pending ray on the stack: 32 bytes in `f32`. Sixteen levels of mirrors that reflect 80 %
-/// leave 3 % of the light.
+/// Each bounce takes one pending ray on the stack: 32 bytes in `f32`. Sixteen mirrors that reflect 80 % leave
+/// 3 % of the light.
 pub const MAX_BOUNCES: u8 = 16;
 
 /// The most transparent surfaces that one shadow ray passes before the light counts as blocked.
 ///
-/// Four glass balls in a row; beyond that the cut is counted.
+/// Eight surfaces are four glass balls in a row. A shadow ray that is cut here is counted
+/// ([`Cut`](crate::Cut)).
 pub const MAX_SHADOW_LAYERS: u8 = 8;
 
-/// The largest coordinate, radius or distance that a scene may name: beyond it `f32` resolves no more than
-/// 1/16 of a unit.
+/// The largest coordinate, radius or distance in a scene: at 1e6, `f32` resolves 1/16 of a unit.
 pub const MAX_COORDINATE: f32 = 1e6;
 
-/// The smallest size of [instances](crate::shape::Instances): of the largest model a unit is left.
+/// The smallest size of [instances](crate::shape::Instances): a model as large as [`MAX_COORDINATE`] is then
+/// one unit large.
 pub const MIN_SIZE: f32 = 1e-6;
 
-/// The most objects, materials or lights in a scene: they are numbered by `u16`.
+/// The most objects, materials or lights in a scene: each is numbered by a `u16`.
 pub const MAX_COUNT: usize = 65_535;
 
-/// The most faces of a convex polyhedron: a ray is tested against each, and preparing takes steps that go with the cube of
-/// their number.
+/// The most faces of a convex polyhedron: every ray is tested against each face, and the time to prepare one
+/// grows with the cube of their number.
 pub const MAX_FACES: usize = 64;
 
 /// The largest width or height of a picture in pixels: a coordinate is a `u16`.
 pub const MAX_SIDE: u32 = 65_535;
 
-/// How many lines [`Renderer::lines`](crate::Renderer::lines) traces side by side, at most: more at once save nothing.
+/// The most lines that [`Renderer::lines`](crate::Renderer::lines) traces side by side; more lines at once
+/// are no faster.
 ///
-/// What is traced side by side is a square of pixels then. Eight where a processor computes four numbers at once, else four.
+/// Groups of pixels are then squares. Eight lines on processors that compute four numbers at once, else four.
 pub const LINES_AT_ONCE: usize = if FOUR_AT_ONCE { 8 } else { 4 };
 
-/// The most objects of a scene that needs no hierarchy: so many fit in a set of 32 bits.
+/// The most objects of a scene without a hierarchy: a set of objects has 32 bits, one for each.
 pub const FEW_OBJECTS: usize = 32;
 
-/// The most nodes, one inside the other, that a scene's hierarchy has around an object: each costs a ray 24 bytes of
-/// stack in `f32`, and 56 on processors that compute four numbers at once.
+/// The depth of a scene's hierarchy: the most nodes, one inside the other, around an object. Each level takes
+/// 24 bytes of stack in `f32`, and 56 on processors that compute four numbers at once.
 ///
-/// Twelve where the cuts cost least, and eight more if all [`MAX_COUNT`] objects are still together.
+/// The first twelve levels are split where the cost is least. Eight more levels of four equal parts separate
+/// [`MAX_COUNT`] objects even if the first twelve separated none.
 pub const MAX_HIERARCHY_DEPTH: usize = 20;
 
-/// The most blobs of [`Metaballs`](crate::shape::Metaballs): those that a ray meets take up to a kilobyte of its stack.
+/// The most blobs of [`Metaballs`](crate::shape::Metaballs): the blobs along a ray take up to a kilobyte of
+/// stack.
 pub const MAX_BLOBS: usize = 32;
 
 /// The most steps of a ray through the box around an [implicit surface](crate::shape::Implicit) or
-/// [`Metaballs`](crate::shape::Metaballs). No part of the surface is missed where a ray runs inside for a 512th of its way through
-/// the box, and of a ball as wide as the box a ray does so up to 0.999998 of the radius.
+/// [`Metaballs`](crate::shape::Metaballs). A ray finds every part of the surface inside of which it stays for
+/// a 512th of its way through the box. It finds a ball as wide as the box unless it passes the center at more
+/// than 0.999998 of the radius.
 pub const MAX_TRACE_STEPS: u32 = 512;
 
-/// The most solids that one [`Csg`](crate::shape::Csg) is made of: whether a ray is in each is a bit of a word.
+/// The most solids in one [`Csg`](crate::shape::Csg): a word of 32 bits holds which solids a ray is inside
+/// of.
 ///
-/// A ray may enter and leave each twice: a kilobyte of stack in `f32`. A die takes 23: a box, a ball and 21 dots.
+/// A ray may enter and leave each solid twice, which takes a kilobyte of stack in `f32`. A die takes 23
+/// solids: a box, a ball and 21 pips.
 pub const MAX_CSG_SOLIDS: usize = 32;

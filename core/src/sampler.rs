@@ -1,11 +1,12 @@
-//! Where in a pixel its samples lie.
+//! The positions of samples inside of a pixel.
 
-/// The place of a sample inside its pixel, as fractions of 65536 from the upper left corner.
+/// The position of a sample inside of its pixel, right and down from the upper left corner, in 65536ths of a
+/// pixel.
 ///
-/// One sample lies in the center. More are spread by the additive recurrence R2 (Roberts, "The Unreasonable
-/// Effectiveness of Quasirandom Sequences", 2018), shifted in each pixel by a hash of pixel and seed (Cranley
-/// and Patterson, "Randomization of Number Theoretic Methods", 1976). A pure function: lines can be rendered
-/// in any order.
+/// A single sample lies in the center. Several samples follow the additive recurrence R2 (Roberts, "The
+/// Unreasonable Effectiveness of Quasirandom Sequences", 2018), shifted in each pixel by a hash of pixel and
+/// seed (Cranley and Patterson, "Randomization of Number Theoretic Methods", 1976). The position is a pure
+/// function of its arguments, so lines can be rendered in any order.
 pub(crate) fn sample_position(x: u16, y: u16, sample: u16, samples: u16, seed: u32) -> (u16, u16) {
     if samples <= 1 {
         return (0x8000, 0x8000);
@@ -13,19 +14,19 @@ pub(crate) fn sample_position(x: u16, y: u16, sample: u16, samples: u16, seed: u
     spread(x, y, sample, seed)
 }
 
-/// The place of one sample of several. A function of its own, or the hash would be worked out for each pixel even
-/// where there is one sample.
+/// The position of one sample of several. Not inlined: else the compiler computes the hash for pixels with a
+/// single sample too.
 #[inline(never)]
 fn spread(x: u16, y: u16, sample: u16, seed: u32) -> (u16, u16) {
     let shift = hash(u32::from(y) << 16 | u32::from(x), seed);
-    // 2³² divided by the plastic number and by its square.
+    // The steps are 2³² divided by the plastic number, and by its square.
     let along =
         |shift: u32, step: u32| (shift.wrapping_add(step.wrapping_mul(u32::from(sample))) >> 16) as u16;
     (along(shift, 0xC13F_A9A9), along(hash(shift, seed), 0x91E1_0DA5))
 }
 
-/// Mixes two words into one whose bits all depend on all of theirs (the finalizer of Wellons, "Prospecting for
-/// Hash Functions", 2018: lowbias32).
+/// Mixes two words into one, each bit of which depends on all bits of both (the finalizer lowbias32 of
+/// Wellons, "Prospecting for Hash Functions", 2018).
 fn hash(value: u32, seed: u32) -> u32 {
     let mut bits = value ^ seed.wrapping_mul(0x9E37_79B9);
     bits = (bits ^ bits >> 16).wrapping_mul(0x7FEB_352D);
@@ -50,7 +51,7 @@ mod tests {
                 let (x, y) = sample_position(17, 4, sample, 64, seed);
                 quadrants[usize::from(x >> 15) * 2 + usize::from(y >> 15)] += 1;
             }
-            // Independent random places would be off by more than 4 in one quadrant of four.
+            // Independent random positions would be off by more than 4 in one quadrant of four.
             assert!(quadrants.iter().all(|count| (12..=20).contains(count)), "{quadrants:?}");
         }
     }

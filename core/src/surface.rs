@@ -1,8 +1,8 @@
-//! The place where a ray meets a shape.
+//! The point where a ray hits a shape.
 
 use crate::math::Vec3;
 
-/// The place where a ray meets a shape, as the shape describes it.
+/// The point where a ray hits a shape, as the shape describes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<R> {
     /// The point, projected back onto the shape.
@@ -11,9 +11,10 @@ pub struct Surface<R> {
     pub normal: Vec3<R>,
     /// The unit normal to shade with: interpolated where vertices have normals, else the geometric one.
     pub shading_normal: Vec3<R>,
-    /// The largest number that entered the computation of `point`: its rounding error is a few units in the
-    /// last place of this.
+    /// The largest number in the computation of `point`: the rounding error of `point` is a few units in the
+    /// last place of `magnitude`.
     pub magnitude: R,
-    /// Which part of the shape this is, where it has parts that differ in more than their place: a face, a triangle.
+    /// The number of the part of the shape that was hit, such as a face or a triangle; 0 for a shape of one
+    /// part.
     pub part: u32,
 }

@@ -13,7 +13,7 @@ use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, Rende
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
-/// Without a command, renders the showcase scene, shows it in the terminal and writes rayline.png.
+/// Without a command, it renders the scene `classic`, shows it in the terminal and writes rayline.png.
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 100)]
 pub(crate) struct Cli {
@@ -27,33 +27,36 @@ pub(crate) enum Command {
     Render(Render),
     /// List the built-in scenes
     Scenes,
-    /// Tell everything that happened to one pixel: rays, hits, lights, colors
+    /// Report everything about one pixel: rays, hits, lights, colors
     Pixel(Pixel),
     /// Write a scene in another format
     ///
-    /// Its name tells which: .ron is Rayline's own, for people; .rayline the same in bytes, for SceneBuf::from_bytes; .pov
-    /// is for POV-Ray; .rs is Rust source, as by `bake`.
+    /// The extension of the output selects the format: .ron is Rayline's own text format, .rayline its binary
+    /// form for SceneBuf::from_bytes, .pov the language of POV-Ray, and .rs Rust source as written by `bake`.
     Convert(Convert),
     /// Write a scene as Rust source for a program's flash
     ///
-    /// It defines SCENE, in a set of just the shapes that the scene has, so that nothing else is linked; take it in by include!.
+    /// The source defines SCENE, with a set of only those shapes that the scene has, so that no other code is
+    /// linked. Include it with include!.
     Bake(Convert),
-    /// Tell whether a scene can be drawn, and whether it fits boards: flash, RAM, rays and time
+    /// Check whether a scene can be drawn and fits boards: flash, RAM, rays and time
     ///
-    /// Memory for the scene and rays are computed. Flash and time are estimated from instructions and cycles that were counted on
-    /// emulated boards; `cargo boards --scene FILE.rayline` tells them exactly.
+    /// The memory of the scene and the number of rays are computed. Flash and time are estimated from
+    /// instructions and cycles that were counted on emulated boards; `cargo boards --scene FILE.rayline`
+    /// measures them exactly.
     Check(CheckArgs),
     /// Render all .ron scenes of a directory, and write a page that shows them
     ///
-    /// Each gets a .png beside it; README.md shows all, and how each agrees with the reference in f64 and with POV-Ray 3.7, where
-    /// that is installed.
+    /// Each scene gets a .png beside it. README.md shows all pictures, and how well they agree with the
+    /// reference in f64 and with POV-Ray 3.7, if that is installed.
     Gallery(GalleryArgs),
-    /// Show a scene in a window: arrow keys orbit, + and - come closer and go away, S saves, Q quits
+    /// Show a scene in a window: arrow keys orbit, + and - change the distance, S saves, Q quits
     Window(Window),
-    /// Measure how fast pictures are, and print tables in Markdown
+    /// Measure the speed of rendering, and print tables in Markdown
     ///
-    /// The built-in scenes, exact and in realtime quality, in all number systems; then, where POV-Ray 3.7 is installed,
-    /// three scenes by Rayline and POV-Ray in turn, on one thread each. Leave the machine alone meanwhile.
+    /// The first table has the built-in scenes, exact and in realtime quality, in all number systems. If
+    /// POV-Ray 3.7 is installed, the second table has three scenes by Rayline and POV-Ray in turn, on one
+    /// thread each. Run no other programs meanwhile.
     Bench(BenchArgs),
 }
 
@@ -61,25 +64,24 @@ pub(crate) enum Command {
 pub(crate) struct Render {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Where to write the picture: a .png or .ppm file [default: the scene's name with .png]
+    /// The file to write: .png or .ppm [default: the scene's name with .png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
-    /// Whether every pixel is traced, or interpolated where its neighbors saw the same
+    /// Trace every pixel, or interpolate pixels whose neighbors hit the same
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     pub(crate) mode: Mode,
-    /// How many threads share the lines; the picture is the same for any number [default: one for each
-    /// processor]
+    /// The number of threads; the picture does not depend on it [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
-    /// Render only the lines from A up to, but without, B, into a picture of B-A lines
+    /// Render only the lines from A up to but not including B, into a picture of B-A lines
     #[arg(long, value_name = "A..B", value_parser = lines)]
     pub(crate) lines: Option<Range<u32>>,
-    /// Write what the picture took, as JSON: rays by kind, what was cut short, seconds, bytes
+    /// Write statistics of the picture as JSON: rays by kind, rays that were cut, seconds, bytes
     #[arg(long, value_name = "FILE")]
     pub(crate) stats: Option<PathBuf>,
-    /// Say nothing unless something fails
+    /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
@@ -102,10 +104,10 @@ pub(crate) struct Convert {
     /// The file to write
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
-    /// What the program computes in that Rust source is for: `f32` or `fixed`; meshes are prepared for it
+    /// For Rust source: the number system of the program, `f32` or `fixed`; meshes are prepared for it
     #[arg(long, value_name = "TYPE", value_enum, default_value_t)]
     pub(crate) number: Number,
-    /// Say nothing unless something fails
+    /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
@@ -114,21 +116,25 @@ pub(crate) struct Convert {
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The board; fails if the scene does not fit [default: all that are known]
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(BOARDS.map(|board| board.name)))]
+    /// Check one board, and fail if the scene does not fit it [default: all known boards]
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_parser = PossibleValuesParser::new(BOARDS.map(|board| board.name)),
+    )]
     pub(crate) board: Option<String>,
     /// Width and height of the picture on the board's display
     #[arg(long, value_name = "WxH", default_value = "160x120", value_parser = size)]
     pub(crate) size: (u32, u32),
-    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 6 for .ron and .rayline
-    /// files, 4 for others]
+    /// The most reflections and refractions along a path of light, 0 to 16 [default: the scene's own; 6 for
+    /// .ron and .rayline files, 4 for others]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]
     pub(crate) bounces: Option<u8>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct GalleryArgs {
-    /// The directory
+    /// The directory with the scenes
     #[arg(value_name = "DIR")]
     pub(crate) directory: PathBuf,
 }
@@ -143,10 +149,15 @@ pub(crate) struct Window {
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// How often each picture is rendered
-    #[arg(long, value_name = "N", default_value_t = Bench::FULL.runs as u16, value_parser = value_parser!(u16).range(1..=999))]
+    /// How many times each picture is rendered
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = Bench::FULL.runs as u16,
+        value_parser = value_parser!(u16).range(1..=999),
+    )]
     pub(crate) runs: u16,
-    /// Small pictures, once each: shows that it works, not how fast
+    /// Render small pictures once each, to test the command; the times mean nothing
     #[arg(long, conflicts_with = "runs")]
     pub(crate) quick: bool,
 }
@@ -159,40 +170,50 @@ pub(crate) struct SceneArgs {
     pub(crate) source: PathBuf,
 }
 
-/// What decides the colors of the pixels.
+/// The options that decide the colors of the pixels.
 #[derive(Debug, Args)]
 pub(crate) struct Look {
-    /// Width and height in pixels [default: what an .nff file or the camera of a .gltf file says, else
+    /// Width and height in pixels [default: the size in an .nff file or in the camera of a .gltf file, else
     /// 640x480]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<(u32, u32)>,
-    /// How often light may be mirrored or refracted on its way, 0 to 16 [default: the scene's own; 6 for
+    /// The most reflections and refractions along a path of light, 0 to 16 [default: the scene's own; 6 for
     /// .ron and .rayline files, 4 for others]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]
     bounces: Option<u8>,
     /// The number system to compute in
     #[arg(long, value_name = "TYPE", default_value_t, value_enum)]
     number: Number,
-    /// The display to make the picture for
+    /// The colors of the display that the picture is made for
     #[arg(long, value_name = "DISPLAY", default_value_t, value_enum)]
     color: Display,
-    /// How light is rounded to the display's levels: to the nearest, or by an ordered pattern that keeps the
+    /// Rounding of light to the display's levels: to the nearest, or by an ordered pattern that keeps the
     /// mean of areas
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
     dither: Dither,
-    /// How light becomes the display's codes: by the curve of sRGB, or in proportion
+    /// The curve from light to the display's codes: that of sRGB, or linear
     #[arg(long, value_name = "CURVE", default_value = "srgb", value_parser = transfer())]
     transfer: Transfer,
-    /// How many places of each pixel are looked at; more make edges smooth
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u16).range(1..=i64::from(u16::MAX)))]
+    /// Samples for each pixel; more make edges smooth
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = value_parser!(u16).range(1..=i64::from(u16::MAX)),
+    )]
     samples: u16,
-    /// Where in the pixel the places lie; changes nothing unless --samples is above 1
+    /// Seed for the positions of samples in the pixel; has no effect unless --samples is above 1
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u32,
-    /// The most rays that one pixel may spend, shadow rays included
-    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = value_parser!(u32).range(1..=i64::from(u32::MAX)))]
+    /// The most rays for one pixel, shadow rays included
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 4096,
+        value_parser = value_parser!(u32).range(1..=i64::from(u32::MAX)),
+    )]
     rays_per_pixel: u32,
-    /// Leave out rays that bring a smaller share of their light to the pixel, 0 to 1 [default: 1/256]
+    /// Leave out rays whose share in the pixel is smaller, 0 to 1 [default: 1/256]
     #[arg(long, value_name = "SHARE", value_parser = share)]
     cutoff: Option<f32>,
 }
@@ -231,7 +252,7 @@ fn transfer() -> impl TypedValueParser<Value = Transfer> {
     })
 }
 
-/// Two whole numbers with something between them.
+/// Parses two numbers with a separator between them.
 fn pair<T: FromStr>(text: &str, separator: &str) -> Option<(T, T)> {
     let (first, second) = text.split_once(separator)?;
     Some((first.parse().ok()?, second.parse().ok()?))
@@ -244,15 +265,17 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
 }
 
-/// Any: only with the size of the picture it is known whether there is such a pixel.
+/// Parses any column and line. The size of the picture, which is not known here, decides whether the pixel
+/// exists.
 fn pixel(text: &str) -> Result<(i64, i64), &'static str> {
     pair(&text.replace(MINUS, "-"), ",").ok_or("expected a column and a line, such as 160,120")
 }
 
-/// A minus that does not begin an option.
+/// A minus sign in place of `-`, so that clap does not take a negative column for an option.
 const MINUS: char = '\u{2212}';
 
-/// The arguments of the program, where a pixel such as -1,2 is no option: what is left of the picture is to be told so.
+/// The arguments of the program. A pixel such as -1,2 is marked, so that it is not taken for an option and
+/// gets its own error.
 pub(crate) fn arguments() -> impl Iterator<Item = OsString> {
     std::env::args_os().map(|argument| match argument.to_str().and_then(|text| text.strip_prefix('-')) {
         Some(rest) if pair::<i64>(rest, ",").is_some() => format!("{MINUS}{rest}").into(),

@@ -1,4 +1,4 @@
-//! What each command of `rayline` does.
+//! The commands of `rayline`.
 
 use std::error::Error;
 use std::io::{self, IsTerminal, Write};
@@ -33,10 +33,10 @@ pub(crate) fn run(cli: Cli) -> Outcome {
     }
 }
 
-/// The picture that `rayline` alone renders.
+/// The scene that `rayline` renders without a command.
 const SHOWCASE: &str = "classic";
 
-/// Opens a scene, and tells on the standard error output what is not as the file says.
+/// Opens a scene, and prints its notes to standard error: what was added to the file or left out.
 fn open<'a>(source: &Path, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
     let scene = LoadedScene::open(source, arena)?;
     if !quiet {
@@ -104,7 +104,7 @@ fn pixel(arguments: &Pixel) -> Outcome {
 
 fn convert(arguments: &Convert) -> Outcome {
     let file = SceneFile::new(&arguments.output, arguments.number)?;
-    // Names and comments would be lost.
+    // Refuse to overwrite the source: its names and comments would be lost.
     check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
@@ -116,7 +116,7 @@ fn convert(arguments: &Convert) -> Outcome {
     Ok(())
 }
 
-/// What there is in a scene.
+/// The numbers of objects, materials and lights in a scene, as text.
 fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
     [(objects.len(), "object"), (materials.len(), "material"), (lights.len(), "light")]
         .map(|(count, thing)| format!("{count} {thing}{}", if count == 1 { "" } else { "s" }))
@@ -144,7 +144,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     if let Some(Demand { mean_rays, worst_rays, .. }) = demands.0.first() {
         writeln!(
             out,
-            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst of the picture; never more than {}\n",
+            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; the limit is {}\n",
             settings.rays_per_pixel
         )?;
     }
@@ -183,7 +183,7 @@ fn window(arguments: &Window) -> Outcome {
     let mut save = |seen: &rayline::Scene<'_>| -> Outcome {
         let start = Instant::now();
         let picture = rayline_simulator::render(seen, &options)?;
-        // Nobody was asked for a name, or whether a picture may be overwritten.
+        // The user was not asked for a name, so choose one that does not exist.
         let file = file.untaken();
         file.write(&picture)?;
         say(&file, &picture, start.elapsed())
@@ -208,7 +208,7 @@ fn bench(arguments: &BenchArgs) -> Outcome {
         true => Bench::QUICK,
         false => Bench { runs: usize::from(arguments.runs), ..Bench::FULL },
     };
-    // What is going on is shown on the terminal of the standard error output, or nowhere if that is none.
+    // Progress is shown if standard error is a terminal.
     let spinner = ProgressBar::new_spinner();
     let say = |what: &str| {
         spinner.set_message(what.to_owned());
@@ -226,14 +226,14 @@ fn bench(arguments: &BenchArgs) -> Outcome {
     Ok(())
 }
 
-/// Renders a picture with a progress bar, and takes the time.
+/// Renders a picture with a progress bar, and measures the time.
 fn timed(
     scene: &LoadedScene<'_>,
     options: &RenderOptions,
     quiet: bool,
 ) -> Result<(Picture, Duration), Box<dyn Error>> {
     let lines = options.lines.as_ref().map_or(options.settings.height, |lines| lines.end - lines.start);
-    // A bar draws itself on the terminal of the standard error output, or nowhere if that is none.
+    // The bar is shown if standard error is a terminal.
     let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(u64::from(lines)) };
     bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} line {pos} of {len}, {eta} to go")?);
     bar.set_message(scene.name.clone());
@@ -244,7 +244,7 @@ fn timed(
     Ok((picture.map_err(|error| explain(scene, error))?, time))
 }
 
-/// An error about this scene, with the line of its file where there is one.
+/// The error with the line of the scene's file, if the file has lines.
 fn explain(scene: &LoadedScene<'_>, error: RenderError) -> Box<dyn Error> {
     match error {
         RenderError::Scene(error) => scene.explain(&error).into(),
@@ -264,7 +264,7 @@ fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
 /// Shows a picture in the terminal, as large as fits.
 fn show(picture: &Picture) -> Outcome {
     let (rows, columns) = console::Term::stdout().size();
-    // Leave room for what is said below the picture, and for the prompt.
+    // Leave room for the line below the picture, and for the prompt.
     let text = half_blocks(picture, u32::from(columns), u32::from(rows.saturating_sub(2)));
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

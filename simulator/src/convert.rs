@@ -1,4 +1,4 @@
-//! Scenes from one format into another.
+//! Writing of scenes in several formats.
 
 use core::fmt;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use rayline::{BytesError, Scene, Settings};
 use crate::povray::{PovrayError, to_povray};
 use crate::{FileError, Number, check_writable, ron, write_file};
 
-/// A file that a scene will be written to: its format is known before anything is done.
+/// A file that a scene will be written to. Its name is checked before the scene is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneFile {
     path: PathBuf,
@@ -29,31 +29,32 @@ enum Format {
     Rust(Number),
 }
 
-/// Why a scene could not be written.
+/// The reason why a scene cannot be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ConvertError {
-    /// The name of the file ends in something else. Name a `.ron`, `.rayline`, `.pov` or `.rs` file.
+    /// The extension is unknown. Name a `.ron`, `.rayline`, `.pov` or `.rs` file.
     Extension(PathBuf),
-    /// POV-Ray cannot be told. Leave out what it says.
+    /// POV-Ray's language cannot express the scene. Remove the part that the error names.
     Povray(PovrayError),
-    /// Rust source cannot say it. Leave out what it says.
+    /// The scene cannot be written as Rust source. Remove the part that the error names.
     Rust(BakeError),
-    /// Nothing is baked for `f64`. Choose `f32` or `fixed`.
+    /// Rust source cannot be written for `f64`. Choose `f32` or `fixed`.
     Number,
-    /// The format of the file cannot hold it.
+    /// RON cannot express the scene.
     Format(::ron::Error),
-    /// The scene does not fit into bytes.
+    /// The scene cannot be written as bytes.
     Bytes(BytesError),
     /// The file cannot be written.
     File(FileError),
 }
 
 impl SceneFile {
-    /// Checks the name of the file, and that there is a directory for it. Rust source is for programs that compute in `number`.
+    /// Checks the name of the file, and that there is a directory for it. Rust source is for programs that
+    /// compute in `number`.
     ///
     /// # Errors
-    /// An extension that is none of these formats'; a directory that is missing; Rust source for `f64`.
+    /// The extension is unknown, the directory is missing, or Rust source is wanted for `f64`.
     pub fn new(path: &Path, number: Number) -> Result<Self, ConvertError> {
         let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         let format = match extension.as_deref() {
@@ -68,15 +69,17 @@ impl SceneFile {
         Ok(Self { path: path.to_owned(), format })
     }
 
-    /// Where the file will be.
+    /// The path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes the scene; POV-Ray is told the settings as well. Tells how many bytes the file has.
+    /// Writes the scene, with the settings if the format is POV-Ray's, and returns the length of the file in
+    /// bytes.
     ///
     /// # Errors
-    /// The format cannot hold it, or the system's; then there is no file, or the one that was there before.
+    /// The format cannot hold the scene, or the system refused. An existing file of this name is then
+    /// unchanged.
     pub fn write(&self, scene: &Scene<'_>, settings: &Settings) -> Result<usize, ConvertError> {
         let bytes = match self.format {
             Format::Ron => ron::write(scene).map_err(ConvertError::Format)?.into_bytes(),
@@ -95,9 +98,9 @@ impl SceneFile {
     }
 }
 
-/// The bytes of a scene, however many.
+/// The bytes of a scene, in a vector that is as large as needed.
 pub(crate) fn to_bytes(scene: &Scene<'_>) -> Result<Vec<u8>, ConvertError> {
-    /// More than anything that fits a controller.
+    /// The limit: far more than fits a microcontroller.
     const MOST: usize = 1 << 30;
     let mut room = 1 << 12;
     loop {
@@ -122,7 +125,7 @@ impl fmt::Display for ConvertError {
             Self::Povray(error) => error.fmt(f),
             Self::Rust(error) => error.fmt(f),
             Self::Number => {
-                f.write_str("Rust source is for f32 or fixed, not for f64; choose one by --number")
+                f.write_str("Rust source cannot be written for f64; use --number f32 or --number fixed")
             }
             Self::Format(error) => error.fmt(f),
             Self::Bytes(error) => error.fmt(f),

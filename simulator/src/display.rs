@@ -9,29 +9,29 @@ pub enum Display {
     /// 256 levels of red, green and blue.
     #[default]
     Rgb888,
-    /// 32 levels of red and blue, 64 of green: most color displays of boards.
+    /// 32 levels of red and blue and 64 of green, as on most color displays of boards.
     Rgb565,
-    /// 256 grays.
+    /// 256 levels of gray.
     Gray8,
-    /// 16 grays: many OLEDs.
+    /// 16 levels of gray, as on many OLEDs.
     Gray4,
     /// Black and white.
     Mono,
 }
 
-/// Something that can be done for each color that a display may have.
+/// A job that is generic over the color type of a display.
 pub(crate) trait ForColor {
-    /// What comes of it.
+    /// The result of the job.
     type Output;
 
-    /// Does it for the color `C`.
+    /// Does the job for the color type `C`.
     fn with<C>(self) -> Self::Output
     where
         C: DisplayColor + Into<Rgb888> + From<Rgb888> + From<BinaryColor> + Send;
 }
 
 impl Display {
-    /// Does something with the color of this display's pixels.
+    /// Does a job for the color type of this display.
     pub(crate) fn color<F: ForColor>(self, job: F) -> F::Output {
         match self {
             Self::Rgb888 => job.with::<Rgb888>(),

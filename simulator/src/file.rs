@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Writing of files, whole or not at all.
 
 use core::fmt;
 use std::io::{self, Write};
@@ -12,7 +12,7 @@ use image::{ExtendedColorType, ImageError};
 
 use crate::Picture;
 
-/// A file that a picture will be written to: its format is known before the first ray.
+/// A file that a picture will be written to. Its name is checked before the picture is rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PictureFile {
     path: PathBuf,
@@ -25,13 +25,13 @@ enum Format {
     Ppm,
 }
 
-/// Why a file cannot be written.
+/// The reason why a file cannot be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum FileError {
-    /// The name ends in something else than `.png` or `.ppm`. Name one of these.
+    /// The name does not end in `.png` or `.ppm`. Use one of these extensions.
     Extension(PathBuf),
-    /// The system refused. Mend what it says.
+    /// The system refused. Its text says why.
     Io {
         /// The file.
         path: PathBuf,
@@ -44,7 +44,7 @@ impl PictureFile {
     /// Checks the name of the file, and that there is a directory for it.
     ///
     /// # Errors
-    /// An extension that is neither `.png` nor `.ppm`; a directory that is missing.
+    /// The extension is neither `.png` nor `.ppm`, or the directory is missing.
     pub fn new(path: &Path) -> Result<Self, FileError> {
         let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         let format = match extension.as_deref() {
@@ -56,12 +56,13 @@ impl PictureFile {
         Ok(Self { path: path.to_owned(), format })
     }
 
-    /// Where the file will be.
+    /// The path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The same, or where there is such a file already, one with a number after its name that there is not: from 2 on.
+    /// This file, or if it exists, the first that does not exist with a number after its name, counted from
+    /// 2.
     pub fn untaken(&self) -> Self {
         let numbered = |number: u32| {
             let [name, extension] = [self.path.file_stem(), self.path.extension()];
@@ -77,7 +78,7 @@ impl PictureFile {
     /// Writes the picture.
     ///
     /// # Errors
-    /// The system's; then there is no file, or the one that was there before.
+    /// The system refused. An existing file of this name is then unchanged.
     pub fn write(&self, picture: &Picture) -> Result<(), FileError> {
         let Picture { width, height, rgb, .. } = picture;
         let mut bytes = Vec::new();
@@ -101,21 +102,22 @@ fn into_io(error: ImageError) -> io::Error {
     }
 }
 
-/// Refuses a file that surely cannot be written, before work is spent on what goes into it.
+/// Refuses a file that surely cannot be written, before its contents are computed.
 ///
 /// # Errors
-/// The name is a directory's, or names one that is missing.
+/// The name is that of a directory, or its directory is missing.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
     let refuse = |error| Err(FileError::Io { path: path.to_owned(), error });
     if path.is_dir() {
-        return refuse(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory; name a file"));
+        return refuse(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory; name a file in it"));
     }
     let Some(missing) = missing_part_of(directory_of(path)) else { return Ok(()) };
-    let reason = format!("there is no directory {}; make it first", missing.display());
+    let reason = format!("there is no directory {}; create it first", missing.display());
     refuse(io::Error::new(io::ErrorKind::NotFound, reason))
 }
 
-/// How much of the name of a directory is to be made, if anything: all of it, unless it goes on by `..` from what is not there.
+/// The part of a directory's path that has to be created, if any: all of it, unless `..` follows a component
+/// that does not exist.
 fn missing_part_of(directory: &Path) -> Option<&Path> {
     let first =
         directory.ancestors().take_while(|part| !part.as_os_str().is_empty() && !part.is_dir()).last()?;
@@ -125,14 +127,14 @@ fn missing_part_of(directory: &Path) -> Option<&Path> {
     directory.ancestors().find(is_straight)
 }
 
-/// Refuses a file that is another by another name, before that is overwritten with what is made of it.
+/// Refuses an output file that is the source file, perhaps under another name.
 ///
 /// # Errors
 /// Both are the same file.
 pub fn check_apart(path: &Path, source: &Path) -> Result<(), FileError> {
     match (path.canonicalize(), source.canonicalize()) {
         (Ok(file), Ok(source)) if file == source => {
-            let reason = "the scene itself is read from there; name another file";
+            let reason = "it is the file that the scene is read from; name another file";
             let error = io::Error::new(io::ErrorKind::AlreadyExists, reason);
             Err(FileError::Io { path: path.to_owned(), error })
         }
@@ -144,16 +146,16 @@ fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Writes a file under another name and renames it, so that nobody ever finds half of it.
+/// Writes a file under a temporary name and renames it, so that no other program reads half of it.
 ///
 /// # Errors
-/// The system's; then there is no file, or the one that was there before.
+/// The system refused. An existing file of this name is then unchanged.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let write = || -> io::Result<()> {
         let mut builder = tempfile::Builder::new();
         #[cfg(unix)]
         {
-            // As any other new file, and not for the owner alone: the system's mask still applies.
+            // The permissions of any new file (the umask still applies), not those of a temporary file.
             use std::os::unix::fs::PermissionsExt;
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
@@ -200,9 +202,9 @@ mod tests {
         }
     }
 
-    /// Of `x/..` nobody knows what it is as long as there is no `x`.
+    /// `x/..` has no meaning as long as there is no `x`.
     #[test]
-    fn what_is_missing_is_a_directory_that_can_be_made() {
+    fn the_missing_part_is_a_directory_that_can_be_created() {
         let folder = tempfile::tempdir().unwrap();
         let missing = |name: &str| {
             let directory = folder.path().join(name);

@@ -1,4 +1,5 @@
-//! A directory of scenes: a picture of each, and a page that shows them and how far they can be trusted.
+//! The gallery: a picture of each scene of a directory, and a page that shows them with measures of their
+//! accuracy.
 
 use core::fmt;
 use std::fmt::Write as _;
@@ -16,48 +17,49 @@ use crate::{
     write_file,
 };
 
-/// The scenes of a directory: its `.ron` files, by name.
+/// The scenes of a directory: its `.ron` files, sorted by name.
 #[derive(Clone, Debug)]
 pub struct Gallery {
     directory: PathBuf,
     files: Vec<PathBuf>,
-    /// Width and height of the pictures.
+    /// The width and height of the pictures, in pixels.
     pub size: (u32, u32),
-    /// How many places of each pixel the pictures look at; figures are of one.
+    /// The samples for each pixel of the pictures. Measurements use one sample.
     pub samples: u16,
 }
 
-/// Why there is no gallery.
+/// The reason why a gallery cannot be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum GalleryError {
-    /// The directory cannot be read. Mend what the system says.
+    /// The directory cannot be read. The system's text says why.
     Directory {
         /// The directory.
         path: PathBuf,
         /// The system's reason.
         error: io::Error,
     },
-    /// There is no `.ron` file in it. Name another.
+    /// The directory has no `.ron` file. Name another directory.
     Empty(PathBuf),
-    /// There is a `README.md` in it that is no gallery's, and would be lost. Move it, or the scenes.
+    /// The directory has a `README.md` that was not written by a gallery. Move it, so that it is not
+    /// overwritten.
     NotOurs(PathBuf),
-    /// A scene cannot be read. Mend it.
+    /// A scene cannot be read. Correct it.
     Load(LoadError),
-    /// A scene cannot be drawn. Mend what it says.
+    /// A scene cannot be drawn. The text says why.
     Scene(String),
-    /// POV-Ray gave no picture. Mend what it says.
+    /// POV-Ray failed.
     Povray {
-        /// The scene.
+        /// The name of the scene.
         scene: String,
-        /// Why.
+        /// The reason.
         error: RunError,
     },
-    /// The system refused a file. Mend what it says.
+    /// The system refused a file.
     File(FileError),
 }
 
-/// What is known of a scene.
+/// The texts and figures of one scene on the page.
 struct Exhibit {
     name: String,
     caption: String,
@@ -65,7 +67,7 @@ struct Exhibit {
     f32: String,
     fixed: String,
     povray: Option<f64>,
-    /// What POV-Ray is not told, or does in another way.
+    /// The differences to POV-Ray: parts that it cannot express or computes differently.
     remark: String,
 }
 
@@ -73,7 +75,7 @@ impl Gallery {
     /// Finds the scenes of a directory.
     ///
     /// # Errors
-    /// It cannot be read, or has none.
+    /// The directory cannot be read, or has no scenes.
     pub fn new(directory: &Path) -> Result<Self, GalleryError> {
         let refused = |error| GalleryError::Directory { path: directory.to_owned(), error };
         let mut files = Vec::new();
@@ -95,11 +97,12 @@ impl Gallery {
         &self.files
     }
 
-    /// Renders each scene into a `.png` beside its file, and writes `README.md`, which shows all and tells how each agrees with
-    /// the reference in f64 and with POV-Ray, where that is installed. `say` is told what is being done.
+    /// Renders each scene into a `.png` beside its file, and writes `README.md`. The page shows all pictures
+    /// and their agreement with the reference in f64 and with POV-Ray, if that is installed. `say` is called
+    /// with the name of each file.
     ///
     /// # Errors
-    /// See [`GalleryError`]. Pictures that were written before stay.
+    /// See [`GalleryError`]. Pictures that were written before the error stay.
     pub fn write(&self, say: &dyn Fn(&str)) -> Result<(), GalleryError> {
         let page = self.directory.join("README.md");
         if fs::read_to_string(&page).is_ok_and(|text| !text.starts_with(HEAD)) {
@@ -154,7 +157,7 @@ impl Gallery {
         })
     }
 
-    /// The page that shows everything.
+    /// The text of the page.
     fn page(&self, exhibits: &[Exhibit]) -> String {
         let (width, height) = self.size;
         let mut page =
@@ -165,7 +168,7 @@ impl Gallery {
                 groups.push(exhibit.group());
             }
         }
-        // What is worth most comes first.
+        // The showpieces come first.
         groups.sort_by_key(|group| *group != "show");
         for group in groups {
             let title = if group == "show" { "showpieces" } else { group };
@@ -198,21 +201,22 @@ impl Gallery {
         }
         let _ = write!(
             page,
-            "\n## Figures\n\nPSNR of the exact picture, one sample a pixel; and the share of pixels whose channels all lie within {ALIKE} of \
-             255 of POV-Ray's, in linear light, where it knows the same.\n\n{table}\n## Beside POV-Ray\n\nWhat it is not told, and what it does \
-             in another way:\n\n{remarks}"
+            "\n## Figures\n\nThe PSNR of the exact picture with one sample a pixel, and the share of pixels \
+             whose channels all lie\nwithin {ALIKE} of 255 of POV-Ray's, in linear light, for scenes that \
+             POV-Ray can express.\n\n{table}\n## Beside POV-Ray\n\nParts of scenes that POV-Ray cannot \
+             express or computes differently:\n\n{remarks}"
         );
         page
     }
 }
 
-/// How a page begins that this module wrote.
+/// The beginning of every page that this module writes.
 const HEAD: &str = "# Gallery\n\nWritten by `rayline gallery`";
 
-/// The most by which a channel may differ in pictures that are alike.
+/// The largest difference of a channel between pixels that count as alike.
 const ALIKE: u8 = 3;
 
-/// The share of pixels in percent that POV-Ray draws alike; or why that is not known.
+/// The share of pixels, in percent, that POV-Ray draws alike; or a text that says why it is unknown.
 fn beside_povray(
     scene: &LoadedScene<'_>,
     settings: &Settings,
@@ -236,7 +240,7 @@ fn beside_povray(
 }
 
 impl Exhibit {
-    /// What it is an example of: the first word of its name.
+    /// The group of the scene: the first word of its name.
     fn group(&self) -> &str {
         self.name.split('-').next().unwrap_or_default()
     }
@@ -251,9 +255,11 @@ impl fmt::Display for GalleryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Directory { path, error } => write!(f, "cannot read {}: {error}", path.display()),
-            Self::Empty(path) => write!(f, "there is no .ron file in {}", path.display()),
+            Self::Empty(path) => {
+                write!(f, "there is no .ron file in {}; name another directory", path.display())
+            }
             Self::NotOurs(path) => {
-                write!(f, "{} is no gallery's page and would be lost; move it", path.display())
+                write!(f, "{} was not written by a gallery and would be overwritten; move it", path.display())
             }
             Self::Load(error) => error.fmt(f),
             Self::Scene(text) => f.write_str(text),

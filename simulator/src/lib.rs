@@ -1,17 +1,19 @@
-//! Rayline on the desktop: pictures on several threads, scene files, and what can be measured and watched.
+//! Rayline on the desktop: multi-threaded pictures, scene files, a window, reports and measurements.
 //!
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
-//! - [`ron`] reads and writes scene files, [`nff`], [`obj`] and [`gltf`] read those of others, and [`LoadedScene`] finds a scene by name or file;
-//! - [`SceneFile`] writes scenes, also as Rust source and for POV-Ray;
-//! - [`Demands`] tells whether a scene fits boards;
-//! - [`PictureFile`] writes PNG and PPM, [`Stats`] the measurements;
-//! - [`Gallery`] renders a directory of scenes and holds them against other number systems and POV-Ray;
-//! - [`report_pixel`] tells all that happened to one pixel;
-//! - [`Bench`] measures how fast pictures are, and [`povray`] has another renderer draw them;
+//! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats, and
+//!   [`LoadedScene`] opens a scene by name or file;
+//! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
+//! - [`Demands`] estimates whether a scene fits boards;
+//! - [`PictureFile`] writes PNG and PPM files, and [`Stats`] holds the ray counts, time and memory of a
+//!   picture;
+//! - [`Gallery`] renders a directory of scenes and compares them with other number systems and POV-Ray;
+//! - [`report_pixel`] describes every ray of one pixel;
+//! - [`Bench`] measures the speed of rendering, and [`povray`] renders the same scenes with POV-Ray;
 //! - [`half_blocks`] shows a picture in a terminal;
-//! - [`Orbit`] moves a camera around what it looks at.
+//! - [`Orbit`] moves a camera around its target.
 //!
-//! The program `rayline` is a thin shell around these.
+//! The program `rayline` is a thin shell around this library.
 
 mod bench;
 mod check;

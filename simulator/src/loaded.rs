@@ -1,4 +1,4 @@
-//! A scene, found by its name or read from its file.
+//! Opening of scenes by name or from files.
 
 use core::fmt;
 use core::mem::MaybeUninit;
@@ -16,24 +16,24 @@ use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
 use crate::ron::{self, Position, RonError};
 
-/// A scene, found by its name or read from its file, with what is said about its picture.
+/// A built-in scene or a scene from a file, with the size and bounces of its picture.
 #[derive(Clone, Debug)]
 pub struct LoadedScene<'a> {
-    /// What to call its pictures.
+    /// The name of the scene, also for the files of its pictures.
     pub name: String,
     /// The scene.
     pub scene: Scene<'a>,
-    /// Width and height that it is meant to be seen in.
+    /// The width and height of its picture, in pixels.
     pub size: (u32, u32),
-    /// Bounces that it is meant to be seen with.
+    /// The number of bounces that the scene was made for.
     pub bounces: u8,
-    /// What was added to the scene that its file does not say, and what was left out.
+    /// Notes about everything that was added to the contents of the file, or left out.
     pub notes: Vec<String>,
-    /// Where it was read from; `None`: it is built in.
+    /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
 }
 
-/// What was read, with what is known of where its parts stand in the file.
+/// The imported scene, with the positions of its parts in the file as far as they are known.
 #[derive(Clone, Debug)]
 enum Import<'a> {
     Nff(nff::Import<'a>),
@@ -43,47 +43,50 @@ enum Import<'a> {
     Bytes,
 }
 
-/// Why there is no scene.
+/// The reason why a scene cannot be opened.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// There is no such built-in scene. Name one that there is, or a file that ends in
+    /// There is no built-in scene of this name. Use one of the built-in scenes, or a file that ends in
     /// `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb`.
     Unknown {
-        /// What was asked for.
+        /// The name.
         name: String,
     },
-    /// The system cannot read the file. Mend what it says.
+    /// The system cannot read the file. Its text says why.
     Read {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         error: io::Error,
     },
-    /// The file breaks the grammar of its format. Mend the line.
+    /// The file breaks the grammar of its format. Correct the line.
     Nff {
         /// The file.
         path: PathBuf,
         /// Line and reason.
         error: NffError,
     },
-    /// The file, or one that it names, cannot be read or breaks the grammar of its format. Mend the line.
+    /// The file, or a file that it refers to, cannot be read or breaks the grammar of its format. Correct the
+    /// line.
     Obj(ObjError),
-    /// The file, or one that it names, cannot be read or is broken. Mend the part that the error names.
+    /// The file, or a file that it refers to, cannot be read or is broken. Correct the part that the error
+    /// names.
     Gltf(GltfError),
-    /// The file holds bytes that are no scene. Write it again.
+    /// The bytes of the file are no scene. Write the file again.
     Bytes {
         /// The file.
         path: PathBuf,
-        /// What is wrong with them.
+        /// The reason.
         error: BytesError,
     },
-    /// The file cannot be read, or says what is not understood. Mend it where the error says.
+    /// The file cannot be read, or is not a valid scene. Correct it at the position in the error.
     Ron(RonError),
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads a `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb` file into `arena`, or finds a built-in scene.
+    /// Reads a `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb` file into `arena`, or finds a built-in
+    /// scene.
     ///
     /// # Errors
     /// The scene does not exist or cannot be read.
@@ -113,7 +116,7 @@ impl<'a> LoadedScene<'a> {
             let memory = arena.alloc_slice_fill_copy(room.min(most), MaybeUninit::uninit());
             match Scene::from_bytes(bytes, memory) {
                 Ok(scene) => break scene,
-                // No description is 256 times as long as its bytes.
+                // No description takes more than 256 times the memory of its bytes.
                 Err(BytesError::Memory { .. }) if room < most => room = room.saturating_mul(4),
                 Err(error) => return Err(LoadError::Bytes { path: path.to_owned(), error }),
             }
@@ -146,7 +149,7 @@ impl<'a> LoadedScene<'a> {
         Ok(Self { size, bounces: 4, ..Self::of_file(path, import.scene, Import::Nff(import)) })
     }
 
-    /// A scene as it is meant to be seen where its file does not say how.
+    /// A scene from a file, with the default size and bounces.
     fn of_file(path: &Path, scene: Scene<'a>, import: Import<'a>) -> Self {
         Self {
             name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
@@ -171,7 +174,7 @@ impl<'a> LoadedScene<'a> {
         })
     }
 
-    /// The options for its picture as it is meant to be seen.
+    /// The options for its picture, with its size and bounces.
     pub fn options(&self) -> RenderOptions {
         let (width, height) = self.size;
         RenderOptions::new(rayline::Settings {
@@ -180,7 +183,7 @@ impl<'a> LoadedScene<'a> {
         })
     }
 
-    /// Where in the scene's file an object is described.
+    /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.
     pub fn line_of_object(&self, index: usize) -> Option<usize> {
         match &self.file {
             Some((_, Import::Nff(import))) => import.line_of(Part::Object(index)),
@@ -189,11 +192,12 @@ impl<'a> LoadedScene<'a> {
         }
     }
 
-    /// What is wrong with this scene, in one line: with the file, and the line or the name that the part has there.
+    /// A message of one line for an error in this scene, with the file and the line or name of the part in
+    /// it.
     pub fn explain(&self, error: &SceneError) -> String {
         let Some((path, import)) = &self.file else { return format!("{}: {error}", self.name) };
         let path = path.display();
-        // What lies inside of an object has no place of its own.
+        // Parts inside of an object have the position of the object.
         let (part, inside) = match error.part {
             Part::Solid { object, solid } => (Part::Object(object), format!("solid {solid}: ")),
             Part::Model(object) => (Part::Object(object), "model: ".to_owned()),
@@ -207,7 +211,7 @@ impl<'a> LoadedScene<'a> {
 }
 
 impl Import<'_> {
-    /// Where the file describes a part of the scene, as it is written behind the name of the file and a colon.
+    /// The position of a part of the scene in the file, as text after the name of the file and a colon.
     fn place(&self, part: Part) -> Option<String> {
         match self {
             Self::Nff(import) => import.line_of(part).map(|line| line.to_string()),
@@ -236,7 +240,7 @@ impl fmt::Display for LoadError {
                 f.write_str(if meant.is_some() { " " } else { ". " })?;
                 write!(
                     f,
-                    "There are {}, and files that end in .ron, .rayline, .nff, .obj, .gltf or .glb",
+                    "Use {}, or a file that ends in .ron, .rayline, .nff, .obj, .gltf or .glb",
                     names.join(", ")
                 )
             }

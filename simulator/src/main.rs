@@ -12,10 +12,11 @@ use clap::Parser;
 fn main() -> ExitCode {
     match commands::run(cli::Cli::parse_from(cli::arguments())) {
         Ok(()) => ExitCode::SUCCESS,
-        // Whoever reads the output has seen enough.
+        // The reader of the output has closed the pipe: that is no failure.
         Err(error) if is_broken_pipe(&*error) => ExitCode::SUCCESS,
         Err(error) => {
-            // One line, whatever the names of files hold.
+            // Names of files may hold control characters: replace them, so that the message stays on one
+            // line.
             let message: String = error
                 .to_string()
                 .chars()

@@ -1,8 +1,8 @@
-//! What a mistyped name was meant to be.
+//! Suggestions for mistyped names.
 
 use core::fmt;
 
-/// The name that is most like this one, if any is like it at all.
+/// The known name that is most similar to this one, if one is similar enough.
 pub(crate) fn nearest<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     names
         .into_iter()
@@ -12,7 +12,7 @@ pub(crate) fn nearest<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) 
         .map(|(_, known)| known)
 }
 
-/// The end of a sentence that says that a name is unknown.
+/// The end of an error about an unknown name, which suggests a known one.
 pub(crate) struct DidYouMean<'n>(pub(crate) Option<&'n str>);
 
 impl fmt::Display for DidYouMean<'_> {

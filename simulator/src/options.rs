@@ -1,4 +1,4 @@
-//! What is decided about a picture besides its scene.
+//! The options for rendering a scene.
 
 use core::ops::Range;
 
@@ -6,7 +6,7 @@ use rayline::Settings;
 
 use crate::Display;
 
-/// What is decided about a picture besides its scene.
+/// The options for rendering a scene.
 ///
 /// ```
 /// use rayline::Settings;
@@ -15,44 +15,44 @@ use crate::Display;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderOptions {
-    /// What the core is told.
+    /// The settings of the core.
     pub settings: Settings,
-    /// What the core computes in.
+    /// The number system of the core.
     pub number: Number,
-    /// The display that the picture is made for.
+    /// The display that the picture is made for, by the color of its pixels.
     pub display: Display,
-    /// Whether every pixel is traced.
+    /// The quality of the picture.
     pub mode: Mode,
-    /// The lines to render; `None`: all.
+    /// The lines to render; `None` for all.
     pub lines: Option<Range<u32>>,
-    /// How many threads share the lines; 0: one for each processor. Changes no byte.
+    /// The number of threads; 0 for one on each processor. The picture does not depend on it.
     pub threads: usize,
 }
 
-/// Whether every pixel is traced.
+/// The quality of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Mode {
     /// Every pixel is traced.
     #[default]
     Exact,
-    /// Pixels are interpolated where their neighbors saw the same.
+    /// Pixels are interpolated where the rays of their neighbors hit the same.
     Realtime,
 }
 
 /// A number system of the core.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Number {
-    /// 32-bit floating point: what boards with an FPU compute in.
+    /// 32-bit floating point, for boards with an FPU.
     #[default]
     F32,
-    /// Fixed point with 32 bits: what boards without an FPU compute in.
+    /// Fixed point in 32 bits, for boards without an FPU.
     Fixed,
     /// 64-bit floating point: the reference.
     F64,
 }
 
 impl RenderOptions {
-    /// The whole picture in `f32` for [`Display::Rgb888`], on all processors.
+    /// Options for the whole picture, exact, in `f32`, for [`Display::Rgb888`], on all processors.
     pub const fn new(settings: Settings) -> Self {
         Self {
             settings,

@@ -1,20 +1,20 @@
-//! A camera that goes around what it looks at.
+//! A camera that orbits its target.
 
 use rayline::{Camera, Vec3};
 
-/// A camera that goes around a point on its line of sight.
+/// A camera that orbits a point on its line of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
     camera: Camera,
 }
 
-/// How close to its poles the camera comes: there, its up vector would lie along the line of sight.
+/// The largest sine of the camera's elevation. At the poles its up vector would lie along the line of sight.
 const STEEPEST: f64 = 0.98;
 
 impl Orbit {
-    /// Goes around the point that is at `distance` in the middle of the camera's picture.
+    /// An orbit around the point at `distance` in the middle of the camera's picture.
     ///
-    /// `None` where the camera has no line of sight, or the distance is not positive.
+    /// `None` if the camera has no line of sight or no up direction, or if the distance is not positive.
     pub fn new(camera: Camera, distance: f32) -> Option<Self> {
         let eye: Vec3<f64> = camera.eye.to();
         let forward = (camera.target.to() - eye).normalized()?;
@@ -23,12 +23,13 @@ impl Orbit {
         (distance > 0.0).then_some(Self { camera: Camera { target, ..camera } })
     }
 
-    /// The camera where it is now.
+    /// The camera at its current position.
     pub fn camera(&self) -> Camera {
         self.camera
     }
 
-    /// Goes around: to the right and up, in radians. It stops before the poles.
+    /// Moves the camera around the target, to the right and up, by angles in radians. It stops before the
+    /// poles.
     pub fn turn(&mut self, right: f64, up: f64) {
         let Camera { eye, target, up: pole, .. } = self.camera;
         let (center, from_center) = (target.to::<f64>(), (eye.to() - target.to()));
@@ -42,7 +43,7 @@ impl Orbit {
         self.camera.eye = (center + from_center).to_f32();
     }
 
-    /// Comes closer (`scale` below 1) or goes away (above).
+    /// Multiplies the distance to the target by `scale`.
     pub fn dolly(&mut self, scale: f64) {
         let center: Vec3<f64> = self.camera.target.to();
         self.camera.eye = (center + (self.camera.eye.to() - center) * scale).to_f32();

@@ -19,31 +19,31 @@ use crate::display::ForColor;
 use crate::realtime::Bands;
 use crate::{Mode, Number, RenderOptions};
 
-/// A picture as a display shows it, and what it took.
+/// A picture as a display shows it, with the numbers of its rays and its memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a line.
+    /// The width in pixels.
     pub width: u32,
-    /// Lines.
+    /// The height in lines.
     pub height: u32,
     /// Red, green and blue of each pixel, from the upper left, line by line.
     pub rgb: Vec<u8>,
-    /// The rays that were traced, and what was cut short.
+    /// The numbers of rays that were traced and that were cut.
     pub rays: RayCounts,
-    /// Bytes of memory that the prepared scene was lent.
+    /// The memory that was lent for the prepared scene, in bytes.
     pub prepared_bytes: usize,
 }
 
 impl Picture {
-    /// The peak signal to noise ratio in decibels, with another picture of the same size for the signal; `None` where the
-    /// two are the same.
+    /// The peak signal-to-noise ratio in decibels against a reference picture of the same size; `None` if
+    /// both are equal.
     pub fn psnr(&self, reference: &Self) -> Option<f64> {
         let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
         let sum: f64 = self.rgb.iter().zip(&reference.rgb).map(square).sum();
         (sum > 0.0).then(|| 10.0 * (255.0 * 255.0 * self.rgb.len() as f64 / sum).log10())
     }
 
-    /// The same as text, in dB, where there is any difference.
+    /// The peak signal-to-noise ratio as text in decibels, or `same bytes`.
     pub(crate) fn decibels(&self, reference: &Self) -> String {
         match self.psnr(reference) {
             Some(decibels) => format!("{decibels:.1}"),
@@ -52,22 +52,22 @@ impl Picture {
     }
 }
 
-/// Why there is no picture.
+/// The reason why a scene cannot be rendered.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// The scene was refused. Mend the part that it names.
+    /// The scene was refused. Correct the part that the error names.
     Scene(SceneError),
     /// A setting is out of range. Change it.
     Settings(SettingsError),
-    /// There are no such lines. Name lines that the picture has.
+    /// The picture does not have these lines. Use lines that it has.
     Line(LineError),
     /// The picture is too large for this machine's memory. Render fewer lines at a time.
     Memory {
-        /// Bytes that it takes.
+        /// The memory that the picture takes, in bytes.
         needed: u64,
     },
-    /// The system grants no such number of threads. Ask for fewer.
+    /// The system cannot start this number of threads. Use fewer.
     Threads(rayon::ThreadPoolBuildError),
 }
 
@@ -82,15 +82,15 @@ pub enum RenderError {
 /// ```
 ///
 /// # Errors
-/// What is wrong with the scene or the options, before the first ray is traced.
+/// The scene or an option was refused. No ray was traced then.
 pub fn render(scene: &Scene<'_>, options: &RenderOptions) -> Result<Picture, RenderError> {
     render_watched(scene, options, &|| ())
 }
 
-/// As [`render`], and calls `line_done` after each line, in no particular order.
+/// Renders a picture like [`render`], and calls `line_done` after each line, in no particular order.
 ///
 /// # Errors
-/// As [`render`].
+/// The errors of [`render`].
 pub fn render_watched(
     scene: &Scene<'_>,
     options: &RenderOptions,
@@ -135,7 +135,7 @@ pub(crate) fn memory_for<R: Real>(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
     vec![MaybeUninit::uninit(); scene.bytes::<R>()]
 }
 
-/// Room for a picture, or how much it would take.
+/// A black picture of this size.
 fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     let needed = u64::from(width) * u64::from(height) * 3;
     let mut rgb: Vec<u8> = Vec::new();
@@ -146,7 +146,7 @@ fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     Ok(rgb)
 }
 
-/// Some lines that are to be rendered.
+/// The job of rendering some lines in exact quality.
 struct Lines<'j, 'm, R: Real> {
     renderer: &'j Renderer<'j, 'm, R>,
     first: Range<u32>,
@@ -179,7 +179,7 @@ impl<R: Real> ForColor for Lines<'_, '_, R> {
             a += b;
             Ok(a)
         };
-        // A picture without columns has no bytes to share out, whatever the length of a chunk.
+        // The length of a chunk must not be 0, even if a picture has no columns and so no bytes.
         self.rgb
             .par_chunks_mut((width * LINES_AT_ONCE * 3).max(1))
             .enumerate()

@@ -1,7 +1,7 @@
-//! Pictures in realtime quality, by several threads.
+//! Rendering in realtime quality, by several threads.
 //!
-//! Lines are the same in any order, so each thread draws a part of the picture. A part begins with a row of the grid
-//! that the part above has traced too: more threads trace a few more rays.
+//! Each thread draws a part of the picture, because lines do not depend on their order. A part begins with a
+//! row of the grid that the part above traces too, so that more threads trace a few more rays.
 
 use core::convert::Infallible;
 use core::marker::PhantomData;
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use crate::display::ForColor;
 
-/// Some lines that are to be drawn in realtime quality.
+/// The job of rendering some lines in realtime quality.
 pub(crate) struct Bands<'j, 'm, R: Real> {
     pub(crate) renderer: &'j Renderer<'j, 'm, R>,
     pub(crate) lines: Range<u32>,
@@ -35,7 +35,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
         C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
     {
         let Self { renderer, lines, rgb, line_done } = self;
-        // In small pictures everything is smaller.
+        // Small pictures show smaller details, so they need a finer grid.
         let quality = if renderer.width() < 240 { Realtime::fine() } else { Realtime::new() };
         let band = quality.grid.pixels();
         let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
@@ -57,7 +57,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
                     Ok(_) => {}
                     Err(DrawError::Display { error, .. }) => match error {},
                     Err(DrawError::Line(error)) => return Err(error),
-                    // There is no other error.
+                    // There is no other error at present.
                     Err(_) => return Ok(rays),
                 }
             }
@@ -66,7 +66,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
             a += b;
             Ok(a)
         };
-        // A picture without columns has no bytes to share out, whatever the length of a chunk.
+        // The length of a chunk must not be 0, even if a picture has no columns and so no bytes.
         rgb.par_chunks_mut((line_bytes * part).max(1))
             .enumerate()
             .map(draw)
@@ -74,10 +74,10 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
     }
 }
 
-/// Lines of a picture as a display.
+/// A display that writes lines to the bytes of a picture.
 struct Canvas<'c, C> {
     width: u32,
-    /// The line of the picture that the bytes begin with.
+    /// The number of the line at the beginning of the bytes.
     first: u32,
     rgb: &'c mut [u8],
     color: PhantomData<C>,

@@ -1,4 +1,4 @@
-//! Everything that happened to one pixel, for people to read.
+//! A report of the rays, hits and lights of one pixel, for people to read.
 
 use core::fmt::{self, Write};
 
@@ -9,27 +9,27 @@ use rayline::{Cut, Event, Hit, LinearRgb, PreparedScene, Probe, RayKind, Real, R
 use crate::picture::memory_for;
 use crate::{LoadedScene, Number, RenderError, RenderOptions, render};
 
-/// Why there is no report.
+/// The reason why there is no report.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ReportError {
     /// The pixel is outside the picture. Choose one inside.
     Outside {
-        /// Its place.
+        /// Its column and line.
         pixel: (i64, i64),
-        /// Width and height of the picture.
+        /// The width and height of the picture, in pixels.
         size: (u32, u32),
     },
-    /// There is no picture.
+    /// The scene cannot be rendered.
     Render(RenderError),
 }
 
-/// Tells everything that happened to a pixel, given by its column and line: each ray, what it hit, the lights there, and the color in the
-/// end. Rays that a hit sends out are indented below it. Of each light it tells what it adds to the pixel: that adds up to the light of the
-/// pixel, in each channel.
+/// Describes how the color of a pixel, given by its column and line, comes about: each ray, its hit, the
+/// lights at the hit, and the final color. The rays that start at a hit are indented below it. The amounts
+/// "to the pixel" add up to the light of the pixel, in each channel.
 ///
 /// # Errors
-/// The pixel is outside the picture, or there is no picture.
+/// The pixel is outside the picture, or the scene cannot be rendered.
 pub fn report_pixel(
     scene: &LoadedScene<'_>,
     options: &RenderOptions,
@@ -72,7 +72,7 @@ fn report_in<R: Real>(
     let (light, rays) = renderer.pixel(x, y, &mut tree);
     let mut text = tree.text;
 
-    // The display's color comes from the same path as in a picture.
+    // Compute the displayed color by the same code as for a picture.
     let line = Some(u32::from(y)..u32::from(y) + 1);
     let line = render(&loaded.scene, &RenderOptions { lines: line, ..options.clone() })?;
     let shown: String =
@@ -88,19 +88,19 @@ fn report_in<R: Real>(
     Ok(text)
 }
 
-/// Writes down what happens, each ray indented by its bounces.
+/// The probe that writes the report, each ray indented by its number of bounces.
 struct Tree<'s> {
     loaded: &'s LoadedScene<'s>,
     text: String,
     depth: usize,
     samples: u32,
-    /// Of the ray that was traced last.
+    /// The direction of the last ray.
     direction: Option<Vec3>,
-    /// The share of light from where that ray ends that reaches the pixel.
+    /// The share of the light along the last ray that reaches the pixel.
     share: LinearRgb,
-    /// The share that a sample has in the pixel.
+    /// The share of one sample in the pixel.
     sample_share: f32,
-    /// What the number system's unit of length is in the scene's.
+    /// The kernel's unit of length, in units of the scene.
     unit: f32,
 }
 
@@ -110,12 +110,12 @@ impl Tree<'_> {
         let _ = writeln!(self.text, "{:1$}{line}", "", depth * 2);
     }
 
-    /// Takes the share of light from where a ray ends that reaches the pixel.
+    /// Sets the share of the light along the last ray that reaches the pixel.
     fn end<R: Real>(&mut self, throughput: LinearRgb<R>) {
         self.share = throughput.to_f32() * self.sample_share;
     }
 
-    /// What this light from where the ray ends adds to the pixel.
+    /// The text for the contribution of light along the last ray to the pixel.
     fn part(&self, light: LinearRgb) -> String {
         format!("to the pixel {}", color(light * self.share))
     }
@@ -151,7 +151,8 @@ impl Tree<'_> {
         self.line(
             self.depth + 1,
             format_args!(
-                "hits the {side} of {object} at {point}, distance {distance}, normal {normal}, color {surface_color}"
+                "hits the {side} of {object} at {point}, distance {distance}, normal {normal}, color \
+                 {surface_color}"
             ),
         );
     }
@@ -183,10 +184,10 @@ impl Tree<'_> {
 
     fn cut(&mut self, cut: Cut) {
         let reason = match cut {
-            Cut::Bounces => "a ray is left out: the bound on bounces is reached",
+            Cut::Bounces => "a ray is left out: the limit of bounces is reached",
             Cut::Throughput => "a ray is left out: its share would be below the cut-off",
-            Cut::Rays => "all else is left out: the pixel has spent its rays",
-            Cut::ShadowLayers => "a light is left out: too many transparent surfaces before it",
+            Cut::Rays => "all further rays are left out: the limit of rays per pixel is reached",
+            Cut::ShadowLayers => "a light is left out: too many transparent surfaces in front of it",
         };
         self.line(self.depth + 1, format_args!("{reason}"));
     }
@@ -206,18 +207,15 @@ impl<R: Real> Probe<R> for Tree<'_> {
                 let (background, part) = (color(background), self.part(background));
                 self.line(
                     self.depth + 1,
-                    format_args!("hits nothing, sees the background {background}, {part}"),
+                    format_args!("hits nothing; the background is {background}, {part}"),
                 );
             }
-            // Many surfaces show none.
+            // Most surfaces have neither ambient light nor emission.
             Event::Surface { shown } if shown == LinearRgb::BLACK => {}
             Event::Surface { shown } => {
                 let shown = shown.to_f32();
                 let (shown, part) = (color(shown), self.part(shown));
-                self.line(
-                    self.depth + 1,
-                    format_args!("ambient light and light of its own: adds {shown}, {part}"),
-                );
+                self.line(self.depth + 1, format_args!("ambient light and emission: adds {shown}, {part}"));
             }
             Event::Light { light, toward, through, shown } => {
                 let (toward, through) = (vector(toward.to_f32()), number(through.to_f32() * 100.0));
@@ -226,7 +224,7 @@ impl<R: Real> Probe<R> for Tree<'_> {
                 self.line(
                     self.depth + 1,
                     format_args!(
-                        "light {light} toward {toward}: {through} % comes through, adds {shown}, {part}"
+                        "light {light} toward {toward}: {through} % gets through, adds {shown}, {part}"
                     ),
                 );
             }
@@ -243,7 +241,7 @@ fn color(LinearRgb { r, g, b }: LinearRgb) -> String {
     format!("({}, {}, {})", number(r), number(g), number(b))
 }
 
-/// A number with four digits that count, and no zeros after them.
+/// A number with four significant digits, without trailing zeros.
 fn number(value: f32) -> String {
     let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
     let decimals = (3.0 - magnitude).clamp(0.0, 9.0) as usize;

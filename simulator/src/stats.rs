@@ -1,4 +1,4 @@
-//! What a picture took, for programs to read.
+//! Statistics of a picture, for programs to read.
 
 use core::time::Duration;
 
@@ -8,58 +8,58 @@ use serde::Serialize;
 
 use crate::Picture;
 
-/// What a picture took.
+/// The statistics of a picture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stats {
-    /// Rays that were traced.
+    /// The numbers of rays that were traced.
     pub rays: Rays,
-    /// What they met.
+    /// The numbers of rays that hit an object.
     pub hits: Hits,
-    /// What was cut short.
+    /// The numbers of rays and lights that were left out.
     pub cuts: Cuts,
-    /// Time from the scene's description to the finished picture.
+    /// The time from the description of the scene to the finished picture, in seconds.
     pub seconds: f64,
-    /// Bytes of the scene's description: what it takes of a board's flash.
+    /// The size of the scene's description, about what it takes in a board's flash, in bytes.
     pub scene_bytes: usize,
-    /// Bytes of memory that the prepared scene was lent: what it takes of a board's RAM.
+    /// The memory that was lent for the prepared scene, about what it takes in a board's RAM, in bytes.
     pub prepared_bytes: usize,
 }
 
-/// Rays by kind.
+/// The numbers of rays by kind.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Rays {
-    /// From the eye.
+    /// Rays from the eye.
     pub camera: u64,
-    /// Toward lights.
+    /// Rays toward lights.
     pub shadow: u64,
-    /// Mirrored.
+    /// Mirrored rays.
     pub reflected: u64,
-    /// Through transparent surfaces.
+    /// Rays through transparent surfaces.
     pub refracted: u64,
 }
 
-/// Rays that met an object.
+/// The numbers of rays that hit an object.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Hits {
-    /// Of those from the eye.
+    /// Camera rays that hit an object.
     pub camera: u64,
 }
 
-/// How often light was left out, by reason.
+/// How many times light was left out, by reason.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Cuts {
-    /// The bound on bounces.
+    /// The limit of bounces.
     pub bounces: u64,
     /// The cut-off of small shares.
     pub throughput: u64,
-    /// The bound on rays per pixel.
+    /// The limit of rays per pixel.
     pub rays: u64,
-    /// The bound on transparent surfaces before a light.
+    /// The limit of transparent surfaces in front of a light.
     pub shadow_layers: u64,
 }
 
 impl Stats {
-    /// What this picture of that scene took.
+    /// The statistics of this picture of the scene.
     pub fn new(scene: &Scene<'_>, picture: &Picture, time: Duration) -> Self {
         let RayCounts {
             camera,
@@ -88,7 +88,7 @@ impl Stats {
     }
 }
 
-/// Bytes of a description, with all that it refers to.
+/// The size of a description in bytes, with vertices and planes that it refers to.
 fn scene_bytes(scene: &Scene<'_>) -> usize {
     let outlines = scene.objects.iter().map(|object| match object.shape {
         Shape::Polygon(polygon) => size_of_val(polygon.vertices),

@@ -2,14 +2,14 @@
 
 use core::fmt;
 
-/// A table whose columns are as wide as what stands in them; names to the left, figures to the right.
+/// A table whose columns are as wide as their widest cell. Names are aligned left, figures right.
 pub(crate) struct Table {
     names: usize,
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
-    /// A table with these heads, the first `names` of which stand over names.
+    /// An empty table with these heads. The first `names` columns hold names, the others figures.
     pub(crate) fn new<const COLUMNS: usize>(names: usize, heads: [&str; COLUMNS]) -> Self {
         Self { names, rows: vec![heads.map(str::to_owned).to_vec()] }
     }
@@ -52,7 +52,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// A whole number with a comma between thousands.
+/// An integer as text, with commas between thousands.
 pub(crate) fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();

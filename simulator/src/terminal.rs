@@ -1,5 +1,5 @@
-//! Pictures for a terminal: a half block for every two pixels, its upper half in the color of the text and its lower
-//! half in that of the background.
+//! Pictures for a terminal. A half block shows two pixels: the upper one in the color of the text, the lower
+//! one in that of the background.
 
 use core::fmt::Write;
 
@@ -8,13 +8,14 @@ use image::imageops::{FilterType, resize};
 
 use crate::Picture;
 
-/// The text that shows a picture in a terminal, as large as fits into so many columns and rows, in 24-bit colors.
+/// The text that shows a picture in a terminal in 24-bit colors, as large as fits into this number of columns
+/// and rows.
 pub fn half_blocks(picture: &Picture, columns: u32, rows: u32) -> String {
     let mut text = String::new();
     let Some(image) = RgbImage::from_raw(picture.width, picture.height, picture.rgb.clone()) else {
         return text;
     };
-    // A cell is about twice as high as wide, so half of one is a square.
+    // A character cell is about twice as high as wide, so half of it is a square.
     let (room_across, room_down) = (u64::from(columns), u64::from(rows) * 2);
     let (width, height) = (u64::from(picture.width.max(1)), u64::from(picture.height.max(1)));
     let (across, down) = if width * room_down > height * room_across {
@@ -65,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_shows_nothing() {
+    fn empty_pictures_give_no_text() {
         assert_eq!(half_blocks(&picture(0, 0, Vec::new()), 80, 24), "");
         assert_eq!(half_blocks(&picture(1, 2, vec![0; 6]), 0, 0), "");
     }

@@ -1,9 +1,9 @@
-//! Text files as editors write them.
+//! Decoding of text files.
 
-/// The text without the byte order mark that some editors put before it.
+/// Decodes UTF-8, and skips the byte order mark that some editors write.
 ///
 /// # Errors
-/// The first line that is not UTF-8, counted from 1.
+/// The number of the first line that is not UTF-8, counted from 1.
 pub(crate) fn of_bytes(bytes: &[u8]) -> Result<&str, usize> {
     core::str::from_utf8(without_mark(bytes)).map_err(|error| {
         let good = without_mark(bytes).iter().take(error.valid_up_to());
@@ -11,7 +11,7 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> Result<&str, usize> {
     })
 }
 
-/// What follows the byte order mark, if there is one.
+/// The bytes after the byte order mark, if there is one.
 pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes)
 }

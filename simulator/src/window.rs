@@ -1,4 +1,4 @@
-//! A scene in a window, drawn line by line through embedded-graphics' simulator as a board would draw it.
+//! The window: it draws a scene line by line, as a board would, through embedded-graphics' simulator.
 
 use core::convert::Infallible;
 use core::fmt;
@@ -20,7 +20,7 @@ use crate::display::ForColor;
 use crate::picture::memory_for;
 use crate::{LoadedScene, Number, Orbit, RenderOptions};
 
-/// Why there is no window, or no longer one.
+/// The reason why the window cannot open, or closed.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum WindowError {
@@ -28,10 +28,10 @@ pub enum WindowError {
     NoDisplay(String),
     /// The picture is too large for a window. Choose a smaller size.
     TooLarge {
-        /// The longest side that fits.
+        /// The largest width and height, in pixels.
         most: u32,
     },
-    /// The scene was refused. Mend the part that it names.
+    /// The scene was refused. Correct the part that the error names.
     Scene(SceneError),
     /// A setting is out of range. Change it.
     Settings(SettingsError),
@@ -41,29 +41,29 @@ pub enum WindowError {
     Save(Box<dyn Error>),
 }
 
-/// Saves a picture of a scene as it is seen in the window.
+/// A function that saves a picture of the scene as the window shows it.
 pub type Save<'s> = dyn FnMut(&Scene<'_>) -> Result<(), Box<dyn Error>> + 's;
 
-/// The longest side of a window: textures of this size work on any graphics card.
+/// The largest width and height of a window, in pixels: any graphics card has textures of this size.
 const MAX_WINDOW: u32 = 4096;
 
-/// Small displays are enlarged to about this.
+/// Small pictures are enlarged to about this size, in pixels.
 const COMFORTABLE: u32 = 640;
 
-/// One press of an arrow key, in radians: 5°.
+/// The angle of one press of an arrow key, in radians: 5°.
 const TURN: f64 = 0.087;
 
-/// One press of plus or minus.
+/// The factor of the distance for one press of plus or minus.
 const DOLLY: f64 = 1.1;
 
-/// How long is drawn before the window is looked after.
+/// The time of drawing between two updates of the window.
 const PATIENCE: Duration = Duration::from_millis(15);
 
-/// Rays between two looks at the clock.
+/// The rays between two readings of the clock.
 const BUDGET_RAYS: u32 = 1000;
 
-/// Shows a scene in a window until it is closed or Q is pressed. Arrow keys go around the point in the middle of
-/// the picture, plus and minus come closer and go away, S calls `save`.
+/// Shows a scene in a window until it is closed or Q is pressed. Arrow keys orbit the point in the middle of
+/// the picture, plus and minus change the distance to it, and S calls `save`.
 ///
 /// # Errors
 /// There is no display, the scene is refused, or `save` failed.
@@ -84,17 +84,19 @@ pub fn show_window(
     }
 }
 
-/// Looks for a display that people can see: without one, the simulator's window would panic, or be shown to nobody
+/// Checks that there is a visible display. Without one, the simulator's window would panic, or run invisibly
 /// forever.
 fn check_display() -> Result<(), WindowError> {
     let video = sdl2::init().and_then(|context| context.video()).map_err(WindowError::NoDisplay)?;
     match video.current_video_driver() {
-        "dummy" | "offscreen" | "evdev" => Err(WindowError::NoDisplay("there is no display".to_owned())),
+        "dummy" | "offscreen" | "evdev" => {
+            Err(WindowError::NoDisplay("there is no display; start it from a desktop session".to_owned()))
+        }
         _ => Ok(()),
     }
 }
 
-/// A scene that is looked at.
+/// The state of the window: a scene with a moving camera.
 struct View<'s, 'k, R> {
     scene: &'s LoadedScene<'s>,
     options: &'s RenderOptions,
@@ -103,7 +105,7 @@ struct View<'s, 'k, R> {
     number: core::marker::PhantomData<R>,
 }
 
-/// What a person asked for.
+/// A request from the keyboard or the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Request {
     Turn { right: f64, up: f64 },
@@ -123,7 +125,7 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         let camera = scene.scene.camera;
         let fallback = (camera.target - camera.eye).length();
         let distance = distance_ahead(&prepared, &camera).unwrap_or(fallback);
-        // A camera that was prepared has a line of sight.
+        // The camera was prepared, so it has a line of sight and this error cannot occur.
         let orbit = Orbit::new(camera, distance).ok_or(WindowError::Scene(SceneError {
             part: rayline::Part::Camera,
             fault: rayline::Fault::EyeAtTarget,
@@ -131,7 +133,7 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         Ok(Self { scene, options, save, orbit, number: core::marker::PhantomData })
     }
 
-    /// Does what a person asked for, and tells whether the picture must be drawn anew; `None`: the end.
+    /// Carries out a request. Returns whether the camera moved, or `None` if the window is to be closed.
     fn obey(&mut self, request: Request) -> Result<Option<bool>, WindowError> {
         match request {
             Request::Turn { right, up } => self.orbit.turn(right, up),
@@ -146,7 +148,7 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         Ok(Some(true))
     }
 
-    /// Draws a picture until the camera is moved; tells whether to go on.
+    /// Draws a picture until the camera is moved. Returns false if the window is to be closed.
     fn show<C: DisplayColor + Into<Rgb888> + From<Rgb888>>(
         &mut self,
         frame: &mut Frame<'_, '_, '_, R, rayline::shape::Shape<'_>, C>,
@@ -156,7 +158,7 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         loop {
             draw_for_a_while(frame, display)?;
             window.update(display);
-            // All that has happened, before the next picture: a held key must not fall behind.
+            // Carry out all waiting requests before the next picture, so that a held key does not lag.
             let requests: Vec<Request> = window.events().filter_map(request).collect();
             let mut moved = false;
             for request in requests {
@@ -189,7 +191,7 @@ impl<R: Real> ForColor for View<'_, '_, R> {
         'scene: loop {
             let mut prepared = PreparedScene::<R, _>::new(&scene, &mut memory).map_err(WindowError::Scene)?;
             loop {
-                // The camera stays where it is when it would be refused.
+                // If the moved camera is refused, return to this one.
                 let seen = self.orbit;
                 let renderer = Renderer::new(&prepared, settings).map_err(WindowError::Settings)?;
                 let mut frame = renderer
@@ -202,7 +204,7 @@ impl<R: Real> ForColor for View<'_, '_, R> {
                 if prepared.set_camera(&camera).is_ok() {
                     continue;
                 }
-                // Another scale may be right for it, in fixed point.
+                // In fixed point the scene may need another scale for this camera.
                 let moved = Scene { camera, ..scene };
                 if PreparedScene::<R, _>::new(&moved, &mut memory_for::<R>(&moved)).is_ok() {
                     scene = moved;
@@ -214,7 +216,7 @@ impl<R: Real> ForColor for View<'_, '_, R> {
     }
 }
 
-/// Draws until the window needs to be looked after, or the picture is complete.
+/// Draws until the window has to be updated or the picture is complete.
 fn draw_for_a_while<R: Real, C: DisplayColor>(
     frame: &mut Frame<'_, '_, '_, R, rayline::shape::Shape<'_>, C>,
     display: &mut SimulatorDisplay<C>,
@@ -228,7 +230,7 @@ fn draw_for_a_while<R: Real, C: DisplayColor>(
     Ok(())
 }
 
-/// What a key means.
+/// The request of an event, if it is one.
 fn request(event: SimulatorEvent) -> Option<Request> {
     let keycode = match event {
         SimulatorEvent::Quit => return Some(Request::Quit),
@@ -248,7 +250,7 @@ fn request(event: SimulatorEvent) -> Option<Request> {
     }
 }
 
-/// How far away the object is that the camera looks at.
+/// The distance to the object in the middle of the picture, if there is one.
 fn distance_ahead<R: Real>(prepared: &PreparedScene<'_, R>, camera: &Camera) -> Option<f32> {
     let unit = prepared.scale();
     let direction = (camera.target - camera.eye).normalized()?.to();
@@ -260,7 +262,7 @@ fn display_side(settings: &rayline::Settings) -> u32 {
     settings.width.max(settings.height)
 }
 
-/// Shows small displays large enough to see their pixels.
+/// Enlarges small pictures, so that their pixels can be seen.
 fn enlarged(side: u32) -> OutputSettings {
     let scale = COMFORTABLE.checked_div(side).unwrap_or(1).max(1);
     OutputSettingsBuilder::new().scale(scale).build()

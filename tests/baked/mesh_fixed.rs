@@ -1,5 +1,5 @@
 // Written by rayline: change the scene and write it again.
-/// The scene as it was described: nothing of it is in flash unless it is used.
+/// The description of the scene. Only the parts of it that are used take flash.
 pub const DESCRIPTION: rayline::Scene<'static> = {
     #[allow(unused_imports)]
     use rayline::{*, shape::*};
@@ -71,11 +71,11 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
 rayline::shape_set! {
     /// The shapes of the scene, and no others.
     pub enum Shapes;
-    /// The same, prepared.
+    /// The prepared shapes of the scene.
     pub enum PreparedShapes {
-        /// From the library.
+        /// A built-in shape.
         Mesh(&'static rayline::shape::BakedMesh<rayline::math::Fixed>),
-        /// From the library.
+        /// A built-in shape.
         Plane(rayline::shape::Plane),
     }
 }
@@ -136,10 +136,10 @@ pub static SCENE: rayline::Scene<'static, Shapes> = rayline::Scene {
     lights: DESCRIPTION.lights,
 };
 
-/// The set that the scene is prepared with.
+/// The set of shapes, with its lifetime.
 pub type Set = Shapes;
 
-/// Bytes of memory that the scene takes when it is prepared for a number system.
+/// The bytes of memory that the prepared scene takes in the number system `R`.
 pub const fn prepared_bytes<R: rayline::Real>() -> usize {
     rayline::prepared_bytes::<R, Set>(
         DESCRIPTION.objects.len(),

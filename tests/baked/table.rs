@@ -1,5 +1,5 @@
 // Written by rayline: change the scene and write it again.
-/// The scene as it was described: nothing of it is in flash unless it is used.
+/// The description of the scene. Only the parts of it that are used take flash.
 pub const DESCRIPTION: rayline::Scene<'static> = {
     #[allow(unused_imports)]
     use rayline::{*, shape::*};
@@ -210,19 +210,19 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
 rayline::shape_set! {
     /// The shapes of the scene, and no others.
     pub enum Shapes<'a>;
-    /// The same, prepared.
+    /// The prepared shapes of the scene.
     pub enum PreparedShapes {
-        /// From the library.
+        /// A built-in shape.
         Cone(rayline::shape::Cone),
-        /// From the library.
+        /// A built-in shape.
         Csg(rayline::shape::Csg<'a>),
-        /// From the library.
+        /// A built-in shape.
         Ellipsoid(rayline::shape::Ellipsoid),
-        /// From the library.
+        /// A built-in shape.
         Rectangle(rayline::shape::Rectangle),
-        /// From the library.
+        /// A built-in shape.
         Sphere(rayline::shape::Sphere),
-        /// From the library.
+        /// A built-in shape.
         Torus(rayline::shape::Torus),
     }
 }
@@ -260,10 +260,10 @@ pub static SCENE: rayline::Scene<'static, Shapes<'static>> = rayline::Scene {
     lights: DESCRIPTION.lights,
 };
 
-/// The set that the scene is prepared with.
+/// The set of shapes, with its lifetime.
 pub type Set = Shapes<'static>;
 
-/// Bytes of memory that the scene takes when it is prepared for a number system.
+/// The bytes of memory that the prepared scene takes in the number system `R`.
 pub const fn prepared_bytes<R: rayline::Real>() -> usize {
     rayline::prepared_bytes::<R, Set>(
         DESCRIPTION.objects.len(),

@@ -1,4 +1,4 @@
-//! Times of whole pictures on one thread, from the scene's description on: `cargo bench -p rayline-tests`.
+//! Times of whole pictures on one thread, with the preparation of the scene: `cargo bench -p rayline-tests`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use rayline::Settings;
@@ -18,7 +18,7 @@ fn pictures(criterion: &mut Criterion) {
     group.finish();
 }
 
-// What the macros make cannot be documented.
+// The items of criterion's macros cannot be documented.
 #[allow(missing_docs)]
 mod harness {
     use super::*;

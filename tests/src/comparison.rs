@@ -1,20 +1,21 @@
-//! The bar that pictures are held to.
+//! The comparison of two pictures, and the agreement that tests demand.
 
 use std::path::Path;
 
 use crate::Picture;
 
-/// The most by which a channel of a pixel may be off.
+/// The largest difference of a channel, of 255, in a pixel that counts as alike.
 const TOLERANCE: u8 = 2;
-/// The share of pixels that must be within it: edges may fall on either side of a pixel's center.
+/// The share of pixels that must be alike. The others may lie on edges, which rounding moves across the
+/// centers of pixels.
 const BAR: f64 = 0.995;
 
-/// How two pictures differ.
+/// The differences of two pictures.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// The share of pixels, 0 to 1, whose channels all are within 2 of 255.
+    /// The share of pixels, 0 to 1, whose channels all differ by at most 2 of 255.
     pub alike: f64,
-    /// The others: x, y and the largest difference of a channel.
+    /// All other pixels: x, y and the largest difference of a channel.
     pub off: Vec<(u32, u32, u8)>,
     /// The difference of each channel of each pixel.
     pub difference: Picture,
@@ -43,8 +44,9 @@ impl Comparison {
     }
 }
 
-/// Panics where fewer than 99.5 % of pixels are within 2 of 255 on every channel, and leaves both pictures and
-/// their difference (times 16) in `directory`. The names say what is seen and who drew it.
+/// Panics if fewer than 99.5 % of the pixels differ by at most 2 of 255 in every channel, and then writes
+/// both pictures and their difference (times 16) to `directory`. The files are named by the scene and the two
+/// renderers.
 pub fn assert_alike(
     directory: &Path,
     scene: &str,

@@ -1,4 +1,4 @@
-//! Pictures by the core, the program under test.
+//! Pictures by the core, the code under test.
 
 use std::mem::MaybeUninit;
 
@@ -7,13 +7,13 @@ use rayline::{PreparedScene, RayCounts, Real, Renderer, Scene, Settings};
 
 use crate::Picture;
 
-/// The picture of a scene by the core in the number system `R`.
+/// Draws a scene with the core in the number system `R`.
 pub fn core_picture<R: Real>(scene: &Scene<'_>, settings: Settings) -> Picture {
     let (pixels, _) = render::<R>(scene, settings);
     Picture { width: settings.width, pixels }
 }
 
-/// What the core counts while it draws a scene in `f32`.
+/// The core's ray counts for drawing a scene in `f32`.
 pub fn ray_counts(scene: &Scene<'_>, settings: Settings) -> RayCounts {
     render::<f32>(scene, settings).1
 }

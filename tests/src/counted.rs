@@ -1,4 +1,4 @@
-//! A number system that counts what is computed with it.
+//! A number system that counts its operations.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -7,11 +7,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use rayline::Vec3;
 use rayline::math::{self, Linear, Product, Real};
 
-/// An `f32` that counts operations, for each thread by itself.
+/// An `f32` that counts operations, separately for each thread.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted(f32);
 
-/// How many operations were carried out.
+/// The numbers of operations by kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Operations {
     /// Sums and differences.
@@ -25,7 +25,7 @@ pub struct Operations {
 }
 
 impl Operations {
-    /// All of them.
+    /// The number of all operations.
     pub fn all(self) -> u64 {
         self.sums + self.products + self.slow + self.comparisons
     }
@@ -35,7 +35,7 @@ thread_local! {
     static OPERATIONS: Cell<Operations> = const { Cell::new(Operations::NONE) };
 }
 
-/// What `work` takes on this thread, beside its result.
+/// The result of `work`, and its operations on this thread.
 pub fn operations_of<T>(work: impl FnOnce() -> T) -> (T, Operations) {
     OPERATIONS.set(Operations::NONE);
     let result = work();
@@ -112,7 +112,7 @@ impl Div for Counted {
 
 impl Neg for Counted {
     type Output = Self;
-    // Most often a part of the operation that comes next.
+    // Not counted: a negation is mostly a part of the next operation.
     fn neg(self) -> Self {
         Self(-self.0)
     }

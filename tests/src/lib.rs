@@ -1,7 +1,7 @@
-//! What the tests share: the scenes, pictures of them by the core and by an independent textbook renderer, and the
-//! bar that pictures are held to.
+//! Code that the tests share: the scenes, pictures of them by the core and by an independent textbook
+//! renderer, and the comparison of pictures.
 
-// This crate is test code: where something is wrong, it panics.
+// This crate is test code, which may panic.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
 mod comparison;

@@ -1,4 +1,4 @@
-//! Pictures by POV-Ray, a renderer that others wrote.
+//! Pictures by POV-Ray, an independent renderer.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use rayline_simulator::povray;
 
 use crate::Picture;
 
-/// A picture by POV-Ray, and what POV-Ray reports of its work.
+/// A picture by POV-Ray, with its report.
 #[derive(Clone, Debug)]
 pub struct PovrayPicture {
     /// The picture in 8-bit linear light.
@@ -16,7 +16,7 @@ pub struct PovrayPicture {
 }
 
 impl PovrayPicture {
-    /// Renders a scene in `directory`; `None` where `povray` is not installed.
+    /// Renders a scene with files in `directory`; `None` if `povray` is not installed.
     pub fn render(scene: &Scene<'_>, settings: Settings, directory: &Path, name: &str) -> Option<Self> {
         std::fs::create_dir_all(directory).unwrap();
         let Some(report) = povray::render(scene, &settings, directory, name).unwrap() else {
@@ -27,7 +27,7 @@ impl PovrayPicture {
         Some(Self { picture: Picture { width: settings.width, pixels }, report })
     }
 
-    /// The first number of the line of POV-Ray's report that begins with `label`; 0 where there is none.
+    /// The first number in the line of POV-Ray's report that begins with `label`; 0 if there is none.
     pub fn reported(&self, label: &str) -> u64 {
         self.report.count(label).unwrap_or(0)
     }

@@ -1,4 +1,4 @@
-//! Random parts of scenes.
+//! Strategies for random parts of scenes.
 
 use proptest::prelude::*;
 use rayline::shape::{
@@ -11,7 +11,7 @@ use rayline::{
     Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood,
 };
 
-/// Coordinates and lengths: mostly near, a few as far away as may be, and those that often are special.
+/// Coordinates and lengths: mostly small, a few of any legal size, and typical special values.
 pub fn numbers() -> BoxedStrategy<f32> {
     prop_oneof![
         20 => -10.0f32..10.0,
@@ -21,12 +21,12 @@ pub fn numbers() -> BoxedStrategy<f32> {
     .boxed()
 }
 
-/// Points and directions of such coordinates.
+/// Points and directions with these coordinates.
 pub fn vectors(number: &BoxedStrategy<f32>) -> BoxedStrategy<Vec3> {
     [number.clone(), number.clone(), number.clone()].prop_map(|[x, y, z]| Vec3::new(x, y, z)).boxed()
 }
 
-/// Shapes of all kinds, of such coordinates and lengths; not all are legal.
+/// Shapes of all kinds with these coordinates and lengths; not all are legal.
 pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
     let vector = vectors(number);
     prop_oneof![
@@ -94,7 +94,7 @@ pub fn shapes(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
     .boxed()
 }
 
-/// A box with one axis along `along` and another, of some length, as near as can be to `aside`.
+/// A box with one axis along `along`, and another of this length as close as possible to `aside`.
 pub fn turned_box(center: Vec3, along: Vec3, aside: Vec3, length: f32) -> Cuboid {
     let across = along.cross(aside);
     let last = across.cross(along);
@@ -102,7 +102,7 @@ pub fn turned_box(center: Vec3, along: Vec3, aside: Vec3, length: f32) -> Cuboid
     Cuboid::oriented(center, [along, scaled(across), scaled(last)])
 }
 
-/// A box of which planes at these points cut something off, as seen from the middle.
+/// A box that is cut by planes through these points, given relative to its center, with normals away from it.
 pub fn cut_box(center: Vec3, half: Vec3, cuts: &[Vec3]) -> ConvexPolyhedron<'static> {
     let ways = [Vec3::new(half.x, 0.0, 0.0), Vec3::new(0.0, half.y, 0.0), Vec3::new(0.0, 0.0, half.z)];
     let faces = ways.into_iter().flat_map(|way| [-way, way]).chain(cuts.iter().copied());
@@ -110,8 +110,8 @@ pub fn cut_box(center: Vec3, half: Vec3, cuts: &[Vec3]) -> ConvexPolyhedron<'sta
     ConvexPolyhedron::new(planes.leak())
 }
 
-/// Meshes of such vertices and so many triangles, with and without normals and texture coordinates; some of the triangles have no
-/// area.
+/// Meshes with these vertices and numbers of triangles, with and without normals and texture coordinates.
+/// Some triangles have no area.
 pub fn meshes(
     vector: BoxedStrategy<Vec3>,
     triangles: std::ops::Range<usize>,
@@ -135,7 +135,7 @@ pub fn meshes(
         .boxed()
 }
 
-/// Blobs at such places and of such radii, of which some take away.
+/// Metaballs with these centers and radii; some blobs have a negative strength.
 pub fn metaballs(
     vector: BoxedStrategy<Vec3>,
     radius: BoxedStrategy<f32>,
@@ -146,7 +146,7 @@ pub fn metaballs(
     proptest::collection::vec(blob, 1..6).prop_map(|blobs| Metaballs::new(blobs.leak())).boxed()
 }
 
-/// Models of such coordinates in such a size, at up to six such places and turned by such angles.
+/// Up to six instances of models with these coordinates, sizes, positions and angles.
 pub fn instances(
     vector: BoxedStrategy<Vec3>,
     number: BoxedStrategy<f32>,
@@ -170,7 +170,7 @@ pub fn instances(
         .boxed()
 }
 
-/// Two or three solids of such coordinates and lengths, put together in any way.
+/// A CSG of two or three solids with these coordinates and lengths, with any operators.
 fn solids_put_together(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'static>> {
     let vector = vectors(number);
     let solid = prop_oneof![
@@ -205,13 +205,13 @@ fn solids_put_together(number: &BoxedStrategy<f32>) -> BoxedStrategy<Shape<'stat
     steps.prop_map(|steps| Shape::Csg(Csg::new(steps.leak()))).boxed()
 }
 
-/// Optics of all kinds, or none. They are leaked: materials borrow them.
+/// Optics of all kinds, or none. They are leaked, because materials borrow them.
 pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Optics>> {
     let color =
         [number.clone(), number.clone(), number.clone()].prop_map(|[r, g, b]| LinearRgb::new(r, g, b));
     let fresnel = prop_oneof![Just(Fresnel::Constant), Just(Fresnel::Schlick), Just(Fresnel::Exact)];
     let highlight = prop_oneof![Just(Highlight::Phong), Just(Highlight::BlinnPhong)];
-    // In f32, ratios of more than about 8 leave directions too far from unit length.
+    // In f32, ratios of indices above about 8 make directions too long or too short.
     let outside = (0.7f32..1.6, color.clone()).prop_map(|(ior, absorption)| Medium { ior, absorption });
     let outside = proptest::option::of(outside);
     let colors = (color.clone(), color.clone(), color.clone(), color);
@@ -235,14 +235,14 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
     prop_oneof![1 => Just(None), 1 => some].boxed()
 }
 
-/// Falloffs of these coefficients, or none.
+/// Falloffs with these coefficients, or none.
 fn falloffs(number: &BoxedStrategy<f32>) -> BoxedStrategy<Falloff> {
     let some = [number.clone(), number.clone(), number.clone()]
         .prop_map(|[constant, linear, quadratic]| Falloff { constant, linear, quadratic });
     prop_oneof![1 => Just(Falloff::NONE), 1 => some].boxed()
 }
 
-/// Lights of all kinds, of such coordinates and colors; not all are legal.
+/// Lights of all kinds with these coordinates and colors; not all are legal.
 pub fn lights(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> BoxedStrategy<Light> {
     let vector = vectors(number);
     prop_oneof![
@@ -253,7 +253,7 @@ pub fn lights(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> 
     .boxed()
 }
 
-/// Lamps with falloffs, cones or both, and ambient lights.
+/// Lamps with falloff, a cone or both, and ambient lights.
 pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> BoxedStrategy<Light> {
     let cone = (vectors(number), 0.0f32..1.5, 0.01f32..1.5).prop_map(|(direction, bright, more)| LightCone {
         direction,
@@ -268,7 +268,7 @@ pub fn lamps(number: &BoxedStrategy<f32>, color: &BoxedStrategy<LinearRgb>) -> B
     prop_oneof![3 => lamp, 1 => color.clone().prop_map(|color| Light::Ambient { color: color * 0.1 })].boxed()
 }
 
-/// Backgrounds of all kinds, of such numbers and colors; not all are legal.
+/// Backgrounds of all kinds with these numbers and colors; not all are legal.
 pub fn backgrounds(
     number: &BoxedStrategy<f32>,
     color: &BoxedStrategy<LinearRgb>,
@@ -310,7 +310,7 @@ fn ends() -> impl Strategy<Value = Ends> {
     prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)]
 }
 
-/// Patterns and images of such numbers and colors; not all are legal.
+/// Patterns and images with these numbers and colors; not all are legal.
 pub fn textures(
     number: &BoxedStrategy<f32>,
     color: &BoxedStrategy<LinearRgb>,
@@ -353,7 +353,7 @@ pub fn textures(
         .boxed()
 }
 
-/// Up to two maps of such numbers and colors; not all are legal.
+/// Up to two maps with these numbers and colors; not all are legal.
 pub fn maps(
     number: &BoxedStrategy<f32>,
     color: &BoxedStrategy<LinearRgb>,

@@ -1,11 +1,11 @@
-//! The scenes that are compared: all built-in ones, and all files in `scenes/`.
+//! The scenes that tests compare: all built-in scenes, and all files in `scenes/`.
 
 use std::path::PathBuf;
 
 use bumpalo::Bump;
 use rayline::{Scene, Settings, Transfer, builtin};
 
-/// Makes a test of each scene, named after it, that calls `check` with the name.
+/// Makes a test for each scene, which is named after the scene and calls `check` with its name.
 #[macro_export]
 macro_rules! each_scene {
     ($check:ident) => {
@@ -17,7 +17,7 @@ macro_rules! each_scene {
     };
     ($check:ident: $($name:ident)*) => {
         #[test]
-        fn no_scene_is_forgotten() {
+        fn every_scene_has_a_test() {
             assert_eq!($crate::scene_names(), [$(stringify!($name)),*]);
         }
 
@@ -28,7 +28,7 @@ macro_rules! each_scene {
     };
 }
 
-/// The names of all built-in scenes, then those of the files in alphabetical order.
+/// The names of all built-in scenes, followed by those of the files in alphabetical order.
 pub fn scene_names() -> Vec<String> {
     let mut files: Vec<String> = std::fs::read_dir(directory())
         .unwrap()
@@ -41,7 +41,7 @@ pub fn scene_names() -> Vec<String> {
     builtin.chain(files).collect()
 }
 
-/// Shows a scene and the number of bounces that it is meant to be seen with.
+/// Calls `look` with a scene and the number of bounces that it was made for.
 pub fn with_scene<T>(name: &str, look: impl FnOnce(&Scene<'_>, u8) -> T) -> T {
     if let Some(builtin) = builtin::ALL.iter().find(|builtin| builtin.name == name) {
         return look(builtin.scene, builtin.bounces);
@@ -52,7 +52,7 @@ pub fn with_scene<T>(name: &str, look: impl FnOnce(&Scene<'_>, u8) -> T) -> T {
     look(&import.scene, Settings::new(1, 1).bounces)
 }
 
-/// How scenes are compared: 256×256 pixels in linear light, one ray through each pixel's center.
+/// The settings for comparisons: 256×256 pixels in linear light, one ray through the center of each pixel.
 pub fn settings(bounces: u8) -> Settings {
     Settings { bounces, transfer: Transfer::Linear, ..Settings::new(256, 256) }
 }

@@ -1,4 +1,4 @@
-//! A display for tests.
+//! A display that tests draw to.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -7,21 +7,21 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use rayline::{Real, Renderer};
 
-/// A display that keeps every pixel and every window, and can fail before any pixel.
+/// A display that records every pixel and every window, and can fail at any pixel.
 #[derive(Clone, Debug)]
 pub struct Screen {
-    /// Its size; the number of its pixels.
+    /// The size in pixels.
     pub size: Size,
     /// The pixels that were drawn, line by line.
     pub pixels: Vec<Option<Rgb888>>,
-    /// The areas that were filled, in their order.
+    /// The areas that were filled, in order.
     pub windows: Vec<Rectangle>,
-    /// It fails once so many pixels have been drawn.
+    /// The number of pixels after which the display fails.
     pub pixels_until_failure: Option<usize>,
 }
 
 impl Screen {
-    /// A blank screen of the picture's size.
+    /// A blank screen with the size of the renderer's picture.
     pub fn new<R: Real>(renderer: &Renderer<R>) -> Self {
         let size = Size::new(renderer.width(), renderer.height());
         let count = (size.width * size.height) as usize;
@@ -34,7 +34,7 @@ impl Screen {
     }
 }
 
-/// What a [`Screen`] fails with.
+/// The error of a [`Screen`].
 #[derive(Debug, PartialEq, Eq)]
 pub struct Unplugged;
 

@@ -1,7 +1,7 @@
-//! What a ray sees that hits nothing: a color, a sky that changes with the height above the horizon, or a picture all around.
+//! The background, seen by rays that hit nothing: one color, a sky gradient, or a panorama image.
 //!
-//! A ray sees it in its direction, however far away everything else is: rays from the eye, mirrored and refracted ones alike. It
-//! lights nothing by itself.
+//! The background is infinitely far away: its color depends on the direction of a ray alone. Camera rays,
+//! mirrored rays and refracted rays see it alike. It does not light objects.
 
 mod panorama;
 mod sky;
@@ -17,7 +17,7 @@ use crate::texture::{Needing, level_mark, present};
 use panorama::PreparedPanorama;
 use sky::PreparedSky;
 
-/// What a ray sees that hits nothing.
+/// The background: the color of rays that hit nothing.
 ///
 /// ```
 /// use rayline::{Background, LinearRgb, Sky};
@@ -31,11 +31,11 @@ use sky::PreparedSky;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Background<'a> {
-    /// The same color everywhere: 0 or more.
+    /// One color for all directions; channels are 0 or more.
     Solid(LinearRgb),
-    /// Colors by the height above the horizon. Needs the feature `textures`.
+    /// A gradient by the height above the horizon. Needs the feature `textures`.
     Gradient(&'a Sky),
-    /// A picture all around. Needs the feature `textures`.
+    /// An image all around the scene. Needs the feature `textures`.
     Image(&'a Panorama<'a>),
 }
 
@@ -48,12 +48,12 @@ impl<'a> Background<'a> {
     /// No light.
     pub const BLACK: Self = Self::gray(0.0);
 
-    /// The same gray everywhere.
+    /// The gray of this value, 0 or more, in all directions.
     pub const fn gray(value: f32) -> Self {
         Self::Solid(LinearRgb::gray(value))
     }
 
-    /// Whether it asks for the feature `textures`.
+    /// Whether the background needs the feature `textures`.
     pub(crate) const fn needs_textures(&self) -> bool {
         !matches!(self, Self::Solid(_))
     }
@@ -102,11 +102,11 @@ impl From<LinearRgb> for Background<'_> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PreparedBackground<'m, R: Real> {
     Solid(LinearRgb<R>),
-    /// Without the feature there is none, and no code for it.
+    /// Never made without the feature `textures`; the compiler then drops the code for it.
     Varying(Needing<'m, Surroundings<'m, R>>),
 }
 
-/// What differs from one direction to another.
+/// A background that depends on the direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Surroundings<'m, R: Real> {
     Sky(PreparedSky<R>),
@@ -114,7 +114,7 @@ pub(crate) enum Surroundings<'m, R: Real> {
 }
 
 impl<R: Real> PreparedBackground<'_, R> {
-    /// What is seen in a direction, a unit vector.
+    /// The color that is seen along `direction`, a unit vector.
     #[inline(always)]
     pub(crate) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         match self {
@@ -123,7 +123,7 @@ impl<R: Real> PreparedBackground<'_, R> {
         }
     }
 
-    /// The color, where it is the same everywhere.
+    /// The color of a background that is the same in all directions.
     #[inline(always)]
     pub(crate) fn solid(&self) -> Option<LinearRgb<R>> {
         match self {
@@ -132,8 +132,9 @@ impl<R: Real> PreparedBackground<'_, R> {
         }
     }
 
-    /// A number for what is seen in a direction, which had this color: others have another where a straight line between
-    /// the two colors would not do. 0 where it is the same everywhere.
+    /// A number for the part of the background that is seen along `direction`, in this color. Two directions
+    /// have different numbers where interpolating between their two colors would be wrong. A solid background
+    /// has the number 0.
     #[inline(always)]
     pub(crate) fn mark(&self, direction: Vec3<R>, color: LinearRgb<R>) -> u32 {
         match self {
@@ -145,7 +146,7 @@ impl<R: Real> PreparedBackground<'_, R> {
         }
     }
 
-    /// Whether it surely is the same as another. Pictures are told by where they lie, not pixel by pixel.
+    /// Whether two backgrounds are surely equal. Panoramas are compared by address, not pixel by pixel.
     pub(crate) fn is_same(&self, other: &PreparedBackground<'_, R>) -> bool {
         match (self, other) {
             (Self::Solid(one), PreparedBackground::Solid(other)) => one == other,
@@ -160,7 +161,7 @@ impl<R: Real> PreparedBackground<'_, R> {
 }
 
 impl<R: Real> Surroundings<'_, R> {
-    /// In one place, however many ask for it.
+    /// Not inlined, so that all callers share one copy of the code.
     #[inline(never)]
     fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         match self {

@@ -1,5 +1,5 @@
-//! A picture all around: longitude across, latitude up (Blinn and Newell, "Texture and Reflection in Computer Generated Images", CACM
-//! 1976).
+//! An image all around the scene, longitude across and latitude up (Blinn and Newell, "Texture and Reflection
+//! in Computer Generated Images", CACM 1976).
 
 use core::ptr;
 
@@ -9,14 +9,15 @@ use crate::math::{Real, Vec3};
 use crate::shape::globe;
 use crate::texture::{Image, PreparedImage};
 
-/// An equirectangular picture all around: its width is a turn about the y axis, its height half a turn, from straight below to
-/// straight above. Its middle lies toward -z, and what is right in it lies toward +x.
+/// An equirectangular image all around the scene: its width is a full turn about the y axis, its height half
+/// a turn, from straight below to straight above. The middle of the image lies toward -z, and its right half
+/// lies toward +x.
 ///
-/// It repeats across and ends above and below, whatever its [`ends`](Image::ends) say.
+/// The image repeats horizontally and is clamped vertically; its field [`ends`](Image::ends) is ignored.
 ///
 /// ```
 /// use rayline::{Background, Encoding, Ends, Filter, Image, Panorama, Pixels, Vec3};
-/// /// Four pixels wide, two high: blue above, green below, a white place ahead on the right.
+/// /// Four pixels wide, two high: blue above, green below, and one white pixel ahead on the right.
 /// const MEADOW: Image = Image {
 ///     width: 4,
 ///     height: 2,
@@ -25,17 +26,17 @@ use crate::texture::{Image, PreparedImage};
 ///     filter: Filter::Bilinear,
 ///     ends: Ends::Repeat,
 /// };
-/// // A quarter of a turn to the left, as seen from inside.
+/// // Turned by a quarter of a turn to the left, as seen from inside.
 /// static TURNED: Panorama = Panorama { rotation: Vec3::new(0.0, 1.5708, 0.0), ..Panorama::new(MEADOW) };
 /// let _background = Background::Image(&TURNED);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Panorama<'a> {
-    /// The picture.
+    /// The image.
     pub image: Image<'a>,
-    /// By which angles it is turned about the x axis, then about y, then about z; in radians, counterclockwise as seen from the
-    /// axis' end.
+    /// The rotation about the x axis, then about y, then about z: angles in radians, counterclockwise as seen
+    /// from the end of the axis.
     pub rotation: Vec3,
 }
 
@@ -43,7 +44,7 @@ pub struct Panorama<'a> {
 crate::read::read_struct!([] Panorama as Panorama<'m> { image, rotation = Vec3::ZERO });
 
 impl<'a> Panorama<'a> {
-    /// The picture as it is.
+    /// The image without rotation.
     pub const fn new(image: Image<'a>) -> Self {
         Self { image, rotation: Vec3::ZERO }
     }
@@ -65,19 +66,20 @@ impl<'a> Panorama<'a> {
 pub(crate) struct PreparedPanorama<'m, R: Real> {
     described: &'m Panorama<'m>,
     image: PreparedImage<'m, R>,
-    /// Those of the picture, in space.
+    /// The axes of the image, as unit vectors in the scene.
     axes: [Vec3<R>; 3],
 }
 
 impl<R: Real> PreparedPanorama<'_, R> {
     pub(super) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         let [x, y, z] = self.axes.map(|axis| axis.dot(direction));
-        // Longitude from +z toward -x, as a globe has it from x toward -z: seen from inside, to the right.
+        // Longitude runs from +z toward -x, which is to the right as seen from inside. `globe` counts from x
+        // toward -z.
         let [across, up] = globe(Vec3::new(z, y, x));
         self.image.at(across, up)
     }
 
-    /// Whether it surely is the same as another.
+    /// Whether both were prepared from the same description, compared by address.
     pub(super) fn is_same(&self, other: &PreparedPanorama<'_, R>) -> bool {
         ptr::addr_eq(self.described, other.described)
     }
@@ -89,7 +91,7 @@ mod tests {
     use crate::math::Fixed;
     use crate::texture::{Encoding, Ends, Filter, Pixels};
 
-    /// Eight columns of gray, darker from left to right, and two lines, the upper one red.
+    /// Eight columns that become darker from left to right, in two lines; the upper one is pure red.
     const AROUND: Image = Image {
         width: 8,
         height: 2,
@@ -111,7 +113,7 @@ mod tests {
 
     fn assert_around<R: Real>() {
         let panorama = Panorama::new(AROUND);
-        // Eighths of a turn from the left edge, which is behind: to the left, ahead, to the right, and behind again.
+        // In eighths of a turn from the left edge: behind, left, ahead, right, and behind again.
         for (x, z, red) in [
             (-0.1, 1.0, 255.0),
             (-1.0, 0.1, 223.0),
@@ -131,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_right_in_the_picture_is_on_the_right() {
+    fn the_right_half_of_the_image_is_on_the_right() {
         assert_around::<f32>();
         assert_around::<f64>();
         assert_around::<Fixed>();
@@ -146,7 +148,8 @@ mod tests {
             // Behind, where the edges meet.
             (Vec3::new(0.0, 0.0, 1.0), 143.0, 4.5),
             (Vec3::new(1e-3, 0.0, 1.0), 143.0, 4.5),
-            // An eighth of a turn above the horizon is the middle of the upper line; higher up it goes on.
+            // An eighth of a turn above the horizon is the middle of the upper line; above it the line is
+            // extended.
             (Vec3::new(0.0, 1.0, -1.0), 143.0, 0.0),
             (Vec3::new(0.0, 9.0, -1.0), 143.0, 0.0),
             (Vec3::new(0.0, -9.0, -1.0), 143.0, 9.0),
@@ -165,11 +168,12 @@ mod tests {
     }
 
     #[test]
-    fn it_turns_as_textures_do() {
+    fn panoramas_turn_like_textures() {
         let quarter = core::f32::consts::FRAC_PI_2;
         let turned = |rotation| Panorama { rotation, ..Panorama::new(AROUND) };
         for (rotation, direction) in [
-            // About y, what was ahead comes to the left; about x, it rises; about z, up comes to the left.
+            // A turn about y moves ahead to the left, one about x moves ahead up, one about z moves up to the
+            // left.
             (Vec3::new(0.0, quarter, 0.0), [(0.1, 0.2, -1.0), (-1.0, 0.2, -0.1)]),
             (Vec3::new(quarter, 0.0, 0.0), [(0.1, 0.2, -1.0), (0.1, 1.0, 0.2)]),
             (Vec3::new(0.0, 0.0, quarter), [(0.1, 0.2, -1.0), (-0.2, 0.1, -1.0)]),

@@ -1,19 +1,19 @@
-//! Colors by the height above the horizon.
+//! A sky: a color gradient by the height above the horizon.
 
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::{Fault, check_direction};
 use crate::math::{Real, Vec3};
 use crate::texture::blend;
 
-/// Colors by the height above the horizon.
+/// A color gradient by the height above the horizon.
 ///
-/// The height h of a direction is the sine of its angle above the horizon: 1 straight up, 0 at the horizon, -1 straight down. Seen
-/// is `horizon · (1 - |h|) + zenith · |h|`, and below the horizon the same with `nadir` for `zenith`: straight lines from color to color in
-/// linear light. Colors are 0 or more, and may be above 1.
+/// The height h of a direction is the sine of its angle above the horizon: 1 straight up, 0 at the horizon,
+/// -1 straight down. Above the horizon the color is `horizon · (1 - |h|) + zenith · |h|`, below it `horizon ·
+/// (1 - |h|) + nadir · |h|`, in linear light. Channels are 0 or more, and may be above 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sky {
-    /// Where up is; of any length but 0.
+    /// The direction of the zenith; any length but 0.
     pub up: Vec3,
     /// The color straight above.
     pub zenith: LinearRgb,
@@ -27,7 +27,8 @@ pub struct Sky {
 crate::read::read_struct!([] Sky as Sky { up = Vec3::new(0.0, 1.0, 0.0), zenith, horizon, nadir });
 
 impl Sky {
-    /// From one color to the other above the horizon, with up along the y axis; below, the color at the horizon.
+    /// A sky from `horizon` to `zenith`, with up along the y axis; below the horizon it has the color
+    /// `horizon`.
     pub const fn new(horizon: LinearRgb, zenith: LinearRgb) -> Self {
         Self { up: Vec3::new(0.0, 1.0, 0.0), zenith, horizon, nadir: horizon }
     }
@@ -59,7 +60,7 @@ impl<R: Real> PreparedSky<R> {
     pub(super) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         let height = self.up.dot(direction);
         let (end, share) = if height < R::ZERO { (self.nadir, -height) } else { (self.zenith, height) };
-        // Unit vectors are a little longer or shorter than 1.
+        // The rounded length of a unit vector may be slightly above 1.
         blend(self.horizon, end, if share < R::ONE { share } else { R::ONE })
     }
 
@@ -91,7 +92,7 @@ mod tests {
             ((0.0, 0.0, -1.0), [1.0, 0.75, 0.5]),
             ((1.0, 0.0, 0.0), [1.0, 0.75, 0.5]),
             ((0.0, -1.0, 0.0), [0.125; 3]),
-            // A third of a right angle: the height is 1/2, in whatever direction.
+            // 30 degrees above the horizon: the height is 1/2, whatever the compass direction.
             ((0.75f32.sqrt(), 0.5, 0.0), [0.5, 0.5, 1.25]),
             ((0.0, 0.5, 0.75f32.sqrt()), [0.5, 0.5, 1.25]),
             ((0.6, -0.8, 0.0), [0.3, 0.25, 0.2]),
@@ -99,7 +100,7 @@ mod tests {
             let (x, y, z) = direction;
             let got = seen(SKY, x, y, z);
             assert!(got.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6), "{got:?}, not {color:?}");
-            // The same on its side, whatever the length of the vector.
+            // A sky lying on its side, with an up vector that is no unit vector.
             let aside = seen(Sky { up: Vec3::new(0.0, 0.0, -7.0), ..SKY }, x, z, -y);
             assert!(aside.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6), "{aside:?}, not {color:?}");
         }
@@ -116,7 +117,7 @@ mod tests {
 
     #[test]
     fn no_color_leaves_its_ends() {
-        // One of two colors that are both 0 stays so, although unit vectors may be longer than 1.
+        // A color at the zenith stays 0, although a rounded unit vector may be longer than 1.
         let sky = Sky::new(LinearRgb::gray(1.0), LinearRgb::gray(0.0)).prepare::<f32>().unwrap();
         let color = sky.color(Vec3::new(0.0, 1.0 + 1e-6, 0.0));
         assert_eq!(color, LinearRgb::gray(0.0));

@@ -1,4 +1,5 @@
-//! Descriptions as Rust: what serde tells of a value is enough to write it down, as all its fields are public.
+//! A serde serializer that writes descriptions as Rust expressions. All fields are public, so that a literal
+//! is possible.
 
 use core::fmt::{self, Display};
 use std::format;
@@ -11,23 +12,23 @@ use serde::ser::{
 
 use super::BakeError;
 
-/// What a description refers to, rather than holds.
+/// The types that descriptions hold by reference, written with `&`.
 const BORROWED: [&str; 5] = ["Model", "Optics", "Panorama", "Placed", "Sky"];
 
-/// So deep inside, each part has a line of its own.
+/// The depth of nesting down to which each part has a line of its own.
 const LINES: usize = 5;
 
-/// A description as Rust, as far as it is written.
+/// The Rust expression that is being written.
 pub(super) struct Literal {
     text: String,
     depth: usize,
 }
 
 impl Literal {
-    /// The expression for a value.
+    /// Writes the expression for a value.
     ///
     /// # Errors
-    /// It is of a kind that no description is.
+    /// The value is of a kind that descriptions do not have.
     pub(super) fn of(value: &impl Serialize) -> Result<String, BakeError> {
         let mut literal = Self { text: String::new(), depth: 1 };
         value.serialize(&mut literal)?;
@@ -44,7 +45,8 @@ impl Literal {
         self.write(format_args!("{borrow}{name}"))
     }
 
-    /// Begins what has parts, each on a line of its own if `lines` and not too deep inside.
+    /// Begins a value with parts. Each part has a line of its own if `lines` is true and the nesting is not
+    /// too deep.
     fn parts(&mut self, begin: &str, end: &'static str, lines: bool) -> Parts<'_> {
         self.text.push_str(begin);
         self.depth += 1;
@@ -57,7 +59,7 @@ impl Literal {
     }
 }
 
-/// The parts of what is being written.
+/// The parts of the value that is being written.
 pub(super) struct Parts<'l> {
     literal: &'l mut Literal,
     is_empty: bool,
@@ -81,7 +83,7 @@ impl Parts<'_> {
         Ok(())
     }
 
-    /// What stands inside of the brackets where there are no lines.
+    /// The space inside of the brackets of a value on one line.
     fn pad(&self) -> &'static str {
         if self.end == "}" { " " } else { "" }
     }
@@ -113,7 +115,11 @@ macro_rules! parts {
         }
     )+};
 }
-parts!(SerializeSeq serialize_element, SerializeTuple serialize_element, SerializeTupleStruct serialize_field);
+parts!(
+    SerializeSeq serialize_element,
+    SerializeTuple serialize_element,
+    SerializeTupleStruct serialize_field
+);
 
 macro_rules! fields {
     ($($Trait:ident),+) => {$(
@@ -272,9 +278,9 @@ impl<'l> Serializer for &'l mut Literal {
     );
 }
 
-/// A value of a kind that no description has.
+/// The error for a value of a kind that descriptions do not have.
 fn unforeseen(kind: &str) -> BakeError {
-    BakeError(format!("no description has such a value: {kind}"))
+    BakeError(format!("a scene cannot hold a value of this kind: {kind}"))
 }
 
 impl Error for BakeError {

@@ -1,4 +1,4 @@
-//! Meshes as Rust, as they are prepared.
+//! Prepared meshes as Rust source.
 
 use core::fmt::Write;
 use std::format;
@@ -12,12 +12,12 @@ use crate::shape::{BakedParts, Mesh, Shape, SmallNormal};
 
 /// A number system that meshes can be baked for: `f32` and [`Fixed`].
 pub trait BakedNumber: Real {
-    /// What its type is called.
+    /// The path of the number's type.
     const NAME: &'static str;
-    /// What the type of its bits is called.
+    /// The name of the integer type that holds its bits.
     const BITS: &'static str;
 
-    /// The number as an argument of the source's function `n`.
+    /// The number as an argument of the function `n` in the written source.
     fn argument(self) -> String;
 }
 
@@ -39,7 +39,8 @@ impl BakedNumber for Fixed {
     }
 }
 
-/// Every mesh of a scene, and the function that tells which one an object is; nothing where there are none.
+/// Source for all meshes of a scene, and for a function `mesh` from the number of an object to its mesh.
+/// Empty for a scene without meshes.
 pub(super) fn all<N: BakedNumber>(scene: &Scene<'_>) -> Result<String, BakeError> {
     let meshes = scene.objects.iter().enumerate().filter_map(|(index, object)| match &object.shape {
         Shape::Mesh(mesh) => Some((index, mesh)),
@@ -73,21 +74,22 @@ const fn v(x: {bits}, y: {bits}, z: {bits}) -> rayline::Vec3<{number}> {{
     ))
 }
 
-/// The mesh of an object.
+/// Source for the mesh of one object.
 fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Result<String, BakeError> {
     let vector =
         |Vec3 { x, y, z }: Vec3<N>| format!("v({}, {}, {})", x.argument(), y.argument(), z.argument());
     let row =
         |numbers: &[N; 4]| format!("[{}]", joined(numbers, |number| format!("n({})", number.argument())));
     let source = mesh.bake(scene.scale::<N>(), |parts| {
-        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds: [min, max], scale, extent } =
-            parts;
+        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent } = parts;
+        let [min, max] = bounds;
         let nodes = joined(nodes, |node| {
             let [lower, upper] = node.planes().map(|planes| joined(&planes, row));
             format!("rayline::shape::BoxNode::new([{lower}], [{upper}], {:?})", node.contents())
         });
         format!(
-            "static MESH_{index}: rayline::shape::BakedMesh<{}> = rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
+            "static MESH_{index}: rayline::shape::BakedMesh<{}> = \
+rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
     triangles: &{triangles:?},
     uvs: &{uvs:?},
     vertices: &[{}],

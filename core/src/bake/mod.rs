@@ -1,9 +1,10 @@
-//! Scenes as Rust source, for flash: a `static` in a set of just the shapes that the scene has, so that the linker drops all others.
+//! Scenes as Rust source, for flash: a `static` scene with a set of only those shapes that occur in it, so
+//! that the linker drops the code of all others.
 //!
-//! A program takes it in with `include!`. Written by a build script, or by `rayline bake`.
+//! A build script or `rayline bake` writes the source, and a program includes it with `include!`.
 //!
-//! Meshes are written as they are prepared, with their hierarchies: they take no RAM. That is why a number system must be chosen, the
-//! one that the program computes in.
+//! Meshes are written in their prepared form, with their hierarchies, so that they take no RAM. For that,
+//! name the number system in which the program computes.
 //!
 //! ```
 //! let source = rayline::bake::scene::<f32>(&rayline::builtin::CLASSIC)?;
@@ -25,7 +26,7 @@ pub use mesh::BakedNumber;
 use crate::scene::Scene;
 use crate::shape::Shape;
 
-/// A scene could not be written as Rust.
+/// The reason why a scene cannot be written as Rust source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BakeError(String);
 
@@ -37,11 +38,14 @@ impl fmt::Display for BakeError {
 
 impl core::error::Error for BakeError {}
 
-/// Rust source that defines, in a module of your own: `SCENE`, the scene; `Shapes`, its set of shapes, and `Set`, that for
-/// any time; and `prepared_bytes`, the memory that it takes in a number system, which is `N` if it has meshes.
+/// Writes a scene as Rust source, for a module of your own.
+///
+/// The source defines `SCENE`, the scene; `Shapes`, its set of shapes; `Set`, that set with its lifetime; and
+/// `prepared_bytes`, the bytes of memory that the prepared scene takes. A scene with meshes can be prepared
+/// only for the number system `N`.
 ///
 /// # Errors
-/// It has no objects, and so no set of shapes; or a mesh cannot be prepared.
+/// The scene has no objects, and so no set of shapes; or a mesh cannot be prepared.
 pub fn scene<N: BakedNumber>(scene: &Scene<'_>) -> Result<String, BakeError> {
     if scene.objects.is_empty() {
         return Err(BakeError("the scene has no objects; add one".to_string()));
@@ -49,46 +53,67 @@ pub fn scene<N: BakedNumber>(scene: &Scene<'_>) -> Result<String, BakeError> {
     let description = Literal::of(scene)?;
     let meshes = mesh::all::<N>(scene)?;
     let names: BTreeMap<&str, Kind> = scene.objects.iter().map(|object| name(&object.shape)).collect();
-    let lifetime = |is_there: bool, lifetime| if is_there { lifetime } else { "" };
-    let borrows = names.values().any(|kind| *kind == Kind::Borrowing);
-    let (declared, used) = (lifetime(borrows, "<'a>"), lifetime(borrows, "<'static>"));
-    let variants = names.iter().map(|(name, kind)| {
-        let shape = match kind {
-            Kind::Owned => format!("rayline::shape::{name}"),
-            Kind::Borrowing => format!("rayline::shape::{name}<'a>"),
-            Kind::Baked => format!("&'static rayline::shape::Baked{name}<{}>", N::NAME),
-        };
-        format!("        /// From the library.\n        {name}({shape}),\n")
-    });
-    let arms = names.iter().map(|(name, kind)| match kind {
-        Kind::Baked => format!("        rayline::shape::Shape::{name}(_) => Shapes::{name}(mesh(object)),\n"),
-        _ => format!("        rayline::shape::Shape::{name}(shape) => Shapes::{name}(shape),\n"),
-    });
     Ok(format!(
         "// Written by rayline: change the scene and write it again.
-/// The scene as it was described: nothing of it is in flash unless it is used.
+/// The description of the scene. Only the parts of it that are used take flash.
 pub const DESCRIPTION: rayline::Scene<'static> = {{
     #[allow(unused_imports)]
     use rayline::{{*, shape::*}};
     {description}
 }};
 
-rayline::shape_set! {{
+{set}{meshes}{objects}",
+        set = set_source::<N>(&names),
+        objects = objects_source(&names, scene.objects.len()),
+    ))
+}
+
+/// The type of the set of shapes, with this lifetime if a shape borrows.
+fn shapes(names: &BTreeMap<&str, Kind>, lifetime: &str) -> String {
+    let borrows = names.values().any(|kind| *kind == Kind::Borrowing);
+    if borrows { format!("Shapes<{lifetime}>") } else { "Shapes".to_string() }
+}
+
+/// Source for the set of shapes.
+fn set_source<N: BakedNumber>(names: &BTreeMap<&str, Kind>) -> String {
+    let variants = names.iter().map(|(name, kind)| {
+        let shape = match kind {
+            Kind::Owned => format!("rayline::shape::{name}"),
+            Kind::Borrowing => format!("rayline::shape::{name}<'a>"),
+            Kind::Baked => format!("&'static rayline::shape::Baked{name}<{}>", N::NAME),
+        };
+        format!("        /// A built-in shape.\n        {name}({shape}),\n")
+    });
+    format!(
+        "rayline::shape_set! {{
     /// The shapes of the scene, and no others.
-    pub enum Shapes{declared};
-    /// The same, prepared.
+    pub enum {declared};
+    /// The prepared shapes of the scene.
     pub enum PreparedShapes {{
 {variants}    }}
 }}
 
-{meshes}const fn narrowed(object: usize) -> Shapes{used} {{
+",
+        declared = shapes(names, "'a"),
+        variants = variants.collect::<String>(),
+    )
+}
+
+/// Source for the objects of these shapes, and for the items that depend on them.
+fn objects_source(names: &BTreeMap<&str, Kind>, count: usize) -> String {
+    let arms = names.iter().map(|(name, kind)| match kind {
+        Kind::Baked => format!("        rayline::shape::Shape::{name}(_) => Shapes::{name}(mesh(object)),\n"),
+        _ => format!("        rayline::shape::Shape::{name}(shape) => Shapes::{name}(shape),\n"),
+    });
+    format!(
+        "const fn narrowed(object: usize) -> {set} {{
     match DESCRIPTION.objects[object].shape {{
 {arms}        #[allow(unreachable_patterns)]
         _ => panic!(\"the scene has no such shape\"),
     }}
 }}
 
-static OBJECTS: [rayline::Object<Shapes{used}>; {count}] = {{
+static OBJECTS: [rayline::Object<{set}>; {count}] = {{
     let all = DESCRIPTION.objects;
     let mut objects = [rayline::Object::new(narrowed(0), all[0].material.0); {count}];
     let mut i = 1;
@@ -100,7 +125,7 @@ static OBJECTS: [rayline::Object<Shapes{used}>; {count}] = {{
 }};
 
 /// The scene, in flash.
-pub static SCENE: rayline::Scene<'static, Shapes{used}> = rayline::Scene {{
+pub static SCENE: rayline::Scene<'static, {set}> = rayline::Scene {{
     camera: DESCRIPTION.camera,
     background: DESCRIPTION.background,
     objects: &OBJECTS,
@@ -108,10 +133,10 @@ pub static SCENE: rayline::Scene<'static, Shapes{used}> = rayline::Scene {{
     lights: DESCRIPTION.lights,
 }};
 
-/// The set that the scene is prepared with.
-pub type Set = Shapes{used};
+/// The set of shapes, with its lifetime.
+pub type Set = {set};
 
-/// Bytes of memory that the scene takes when it is prepared for a number system.
+/// The bytes of memory that the prepared scene takes in the number system `R`.
 pub const fn prepared_bytes<R: rayline::Real>() -> usize {{
     rayline::prepared_bytes::<R, Set>(
         DESCRIPTION.objects.len(),
@@ -121,24 +146,24 @@ pub const fn prepared_bytes<R: rayline::Real>() -> usize {{
     )
 }}
 ",
-        count = scene.objects.len(),
-        variants = variants.collect::<String>(),
+        set = shapes(names, "'static"),
         arms = arms.collect::<String>(),
-    ))
+    )
 }
 
-/// How a shape is written.
+/// The form in which a shape is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// By itself.
+    /// The shape's own type, without a lifetime.
     Owned,
-    /// It borrows a part of its description.
+    /// A type that borrows a part of its description.
     Borrowing,
-    /// As it is prepared.
+    /// The prepared shape.
     Baked,
 }
 
-/// What the shape and its variant in the set of all shapes are called, and how it is written.
+/// The name of the shape, which is also that of its variant in [`Shape`], and the form in which it is
+/// written.
 const fn name(shape: &Shape<'_>) -> (&'static str, Kind) {
     match shape {
         Shape::Sphere(_) => ("Sphere", Kind::Owned),

@@ -52,8 +52,8 @@ const fn light(x: f32, y: f32, z: f32, intensity: f32) -> Light {
     Light::Point { position: Vec3::new(x, y, z), color: LinearRgb::gray(intensity) }
 }
 
-/// Four spheres of ivory, glass, rubber and mirror on a checkered floor, under three lights. Meant to be seen
-/// with three bounces.
+/// Four spheres of ivory, glass, rubber and mirror on a checkered floor, under three lights. Made for three
+/// bounces.
 pub static CLASSIC: Scene<'static> = Scene {
     camera: Camera {
         eye: Vec3::new(0.0, 0.0, 0.0),

@@ -1,4 +1,4 @@
-//! One kind of shape each on the same floor, to measure what it costs.
+//! Scenes with one kind of shape each, to measure its cost.
 
 use crate::background::Background;
 use crate::camera::Camera;
@@ -31,7 +31,7 @@ const LIGHTS: [Light; 1] =
 const FLOOR: Object<Shape<'static>> =
     Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 0);
 
-/// The scene with these objects.
+/// A scene with these objects.
 const fn of(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
     Scene {
         camera: Camera {
@@ -70,7 +70,7 @@ pub static TORUS: Scene<'static> = of(&[
 
 const MIDDLE: Vec3 = Vec3::new(0.0, 0.9, 0.0);
 
-/// A cube with rounded corners and a round hole in it, on a plane.
+/// A cube with rounded corners and a round dent, on a plane.
 pub static CSG: Scene<'static> = of(&[
     FLOOR,
     Object::new(
@@ -109,7 +109,7 @@ const RAISED: [Vec3; 42] = {
     raised
 };
 
-/// An icosahedron whose faces were cut into four, its vertices on the unit sphere.
+/// An icosahedron whose faces were split into four, with vertices on the unit sphere.
 #[rustfmt::skip]
 const VERTICES: [Vec3; 42] = [
     Vec3::new(-0.5257, 0.8507, 0.0),

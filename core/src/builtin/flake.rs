@@ -1,5 +1,5 @@
-//! The sphereflake (Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 1987): a ball that
-//! carries nine balls of a third its size, each of which carries nine more.
+//! The sphereflake (Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 1987): a ball with
+//! nine balls of a third of its radius on it, each with nine smaller balls on it, and so on.
 
 // The arrays are filled by the compiler: an index out of range would be a compile error.
 #![allow(clippy::indexing_slicing)]
@@ -13,8 +13,8 @@ use crate::math::Vec3;
 use crate::scene::{Object, Scene};
 use crate::shape::{Polygon, Shape, Sphere};
 
-/// Where the nine children touch a parent whose own place on its parent is at the opposite of +z: three above,
-/// 120° apart, and six around the equator, 60° apart.
+/// The directions from a parent's center to its nine children, if the parent touches its own parent at -z:
+/// three above, 120° apart, and six around the equator, 60° apart.
 const DIRECTIONS: [[f32; 3]; 9] = [
     [0.408_248_3, 0.408_248_3, 0.816_496_6],
     [0.149_429_25, -0.557_677_5, 0.816_496_6],
@@ -27,8 +27,8 @@ const DIRECTIONS: [[f32; 3]; 9] = [
     [0.707_106_77, -0.707_106_77, 0.0],
 ];
 
-/// `local`, turned so that +z becomes the unit vector `axis` (Duff et al., "Building an Orthonormal Basis,
-/// Revisited", JCGT 2017).
+/// The vector `local`, turned so that +z becomes the unit vector `axis` (Duff et al., "Building an
+/// Orthonormal Basis, Revisited", JCGT 2017).
 const fn turned(local: [f32; 3], axis: [f32; 3]) -> [f32; 3] {
     let ([u, v, w], [x, y, z]) = (local, axis);
     let sign = if z < 0.0 { -1.0 } else { 1.0 };
@@ -48,7 +48,7 @@ const FLOOR: [Vec3; 4] = [
     Vec3::new(12.0, -12.0, -0.5),
 ];
 
-/// The floor, and behind it as many balls as there is room for, the largest first.
+/// The floor, followed by `OBJECTS - 1` balls, the largest first.
 const fn objects<const OBJECTS: usize>() -> [Object<Shape<'static>>; OBJECTS] {
     let mut objects = [Object::new(Shape::Polygon(Polygon::new(&FLOOR)), 0); OBJECTS];
     let mut spheres = [(Vec3::new(0.0, 0.0, 0.0), 0.5, [0.0, 0.0, 1.0]); OBJECTS];
@@ -58,7 +58,7 @@ const fn objects<const OBJECTS: usize>() -> [Object<Shape<'static>>; OBJECTS] {
     while i < count {
         let (center, radius, axis) = spheres[i];
         objects[i + 1] = Object::new(Shape::Sphere(Sphere::new(center, radius)), 1);
-        // The first are parents, as long as there is room for children.
+        // Add children until the array is full.
         let mut k = 0;
         while k < DIRECTIONS.len() && child < count {
             let outward = turned(DIRECTIONS[k], axis);
@@ -79,7 +79,7 @@ static THREE_SIZES: [Object<Shape<'static>>; 1 + 91] = objects();
 static FOUR_SIZES: [Object<Shape<'static>>; 1 + 820] = objects();
 
 const fn light(x: f32, y: f32, z: f32) -> Light {
-    // Three lights that together have unit power.
+    // Three lights of intensity 1/√3 each, as in the file format NFF.
     Light::Point { position: Vec3::new(x, y, z), color: LinearRgb::gray(0.577_350_26) }
 }
 

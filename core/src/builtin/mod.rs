@@ -1,4 +1,4 @@
-//! Scenes to start with: `static`, so that firmware can draw them from flash.
+//! Built-in scenes: `static`, so that firmware can draw them from flash.
 
 mod classic;
 mod costs;
@@ -16,20 +16,20 @@ pub use whitted::WHITTED;
 
 use crate::scene::Scene;
 
-/// A scene with a name.
+/// A built-in scene with its name.
 #[derive(Clone, Copy, Debug)]
 pub struct Builtin {
-    /// What to call it.
+    /// The name.
     pub name: &'static str,
-    /// What it shows, in a line.
+    /// A description in one line.
     pub description: &'static str,
     /// The scene.
     pub scene: &'static Scene<'static>,
-    /// How many bounces it is meant to be seen with.
+    /// The number of bounces that the scene was made for.
     pub bounces: u8,
 }
 
-/// Scenes to look at.
+/// The scenes to look at.
 pub static ALL: [Builtin; 5] = [
     Builtin {
         name: "classic",
@@ -58,7 +58,7 @@ pub static ALL: [Builtin; 5] = [
     },
 ];
 
-/// The same with more and more objects, to measure how time grows with their number.
+/// The sphereflake with 10, 91 and 820 balls, to measure how the time grows with the number of objects.
 pub static GROWTH: [Builtin; 3] = [
     Builtin {
         name: "flake-10",
@@ -80,7 +80,7 @@ pub static GROWTH: [Builtin; 3] = [
     },
 ];
 
-/// One kind of shape each, to measure what it costs.
+/// Scenes with one kind of shape each, to measure its cost.
 pub static COSTS: [Builtin; 4] = [
     Builtin { name: "spheres", description: "three balls on a plane", scene: &SPHERES, bounces: 3 },
     Builtin { name: "torus", description: "a torus on a plane", scene: &TORUS, bounces: 3 },
@@ -88,7 +88,7 @@ pub static COSTS: [Builtin; 4] = [
     Builtin { name: "mesh", description: "a ball of 80 triangles on a plane", scene: &MESH, bounces: 3 },
 ];
 
-/// All scenes: those to look at, and those to measure.
+/// All built-in scenes: [`ALL`], [`GROWTH`] and [`COSTS`].
 pub fn all() -> impl Iterator<Item = &'static Builtin> {
     ALL.iter().chain(&GROWTH).chain(&COSTS)
 }

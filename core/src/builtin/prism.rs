@@ -129,7 +129,7 @@ pub static PRISM: Scene<'static> = Scene {
             diffuse: 0.02,
             specular: 0.5,
             shininess: 150.0,
-            // Together 1: under total internal reflection nothing is lost.
+            // The sum is 1, so that no light is lost under total internal reflection.
             reflectance: 0.15,
             transmittance: 0.85,
             ior: 1.5,

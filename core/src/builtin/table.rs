@@ -1,4 +1,5 @@
-//! A table with what the later shapes and materials can do: a die cut out of a cube, gold, colored and clear glass, lacquer.
+//! A table with compound shapes and advanced materials: a die cut out of a cube, gold, colored and clear
+//! glass, lacquer.
 
 use crate::background::Background;
 use crate::camera::Camera;
@@ -57,7 +58,7 @@ static MATERIALS: [Material; 6] = [
 
 const DIE: Vec3 = at(0.35, 0.7, -0.9);
 
-/// A ball that a pip is cut out with, this far from the die's middle.
+/// A ball that cuts out a pip, at this offset from the center of the die.
 const fn pip(x: f32, y: f32, z: f32) -> CsgStep<Solid<'static>> {
     CsgStep::Solid(Solid::Sphere(Sphere::new(at(DIE.x + x, DIE.y + y, DIE.z + z), 0.16)))
 }
@@ -114,7 +115,7 @@ static OBJECTS: [Object<Shape>; 7] = [
     ),
 ];
 
-/// Meant to be seen with six bounces.
+/// A die, gold, colored and clear glass, and lacquer on a wooden table. Made for six bounces.
 pub static TABLE: Scene<'static> = Scene {
     camera: Camera {
         eye: at(0.3, 3.1, 7.4),

@@ -1,5 +1,5 @@
-//! The picture of the paper that began it (Whitted, "An Improved Illumination Model for Shaded Display", CACM
-//! 1980): a hollow glass ball hovers before a mirrored one, over a checkered floor.
+//! The picture of the first paper on recursive ray tracing (Whitted, "An Improved Illumination Model for
+//! Shaded Display", CACM 1980): a hollow glass ball in front of a mirrored one, over a checkered floor.
 
 use crate::background::Background;
 use crate::camera::Camera;
@@ -15,13 +15,13 @@ const GLASS: Material = Material {
     diffuse: 0.0,
     specular: 0.6,
     shininess: 200.0,
-    // Together 1: under total internal reflection nothing is lost.
+    // The sum is 1, so that no light is lost under total internal reflection.
     reflectance: 0.07,
     transmittance: 0.93,
     ior: 1.5,
     ..Material::matte(LinearRgb::WHITE)
 };
-/// The inside of the hollow ball: behind this surface is air, so the index is the inverse of glass.
+/// The inner surface of the hollow ball: air lies behind it, so the index is the inverse of that of glass.
 const AIR: Material =
     Material { specular: 0.0, reflectance: 0.04, transmittance: 0.96, ior: 1.0 / 1.5, ..GLASS };
 const MIRROR: Material = Material {
@@ -38,7 +38,7 @@ const FLOOR: Material = Material {
     ..Material::matte(LinearRgb::WHITE)
 };
 
-/// A hollow glass ball hovers before a mirrored one, over a checkered floor.
+/// A hollow glass ball in front of a mirrored one, over a checkered floor. Made for six bounces.
 pub static WHITTED: Scene<'static> = Scene {
     camera: Camera {
         eye: Vec3::new(0.0, 2.1, 6.0),

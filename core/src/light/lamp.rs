@@ -1,39 +1,39 @@
-//! A light that falls off with distance, or that is confined to a cone.
+//! Lights with falloff, or with a cone (spot lights).
 
 use crate::color::LinearRgb;
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Fault, check_direction, check_finite};
 use crate::math::{Product, Real, Vec3, float};
 
-/// A light at one point that falls off with distance, or shines into a cone alone: a spot light.
+/// A point light with falloff over the distance, with a cone (a spot light), or with both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Lamp {
-    /// Where the light is.
+    /// The position of the light.
     pub position: Vec3,
     /// Its color and intensity, 0 or more.
     pub color: LinearRgb,
-    /// How it fades with distance.
+    /// The falloff with distance.
     #[cfg_attr(feature = "serde", serde(default))]
     pub falloff: Falloff,
-    /// Where it shines; `None`: everywhere.
+    /// The cone of light; `None`: all directions.
     pub cone: Option<LightCone>,
 }
 
-/// A cone into which a light shines.
+/// The cone of a spot light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct LightCone {
-    /// The way the light travels in its middle; any length but 0.
+    /// The direction in which the light travels along the axis of the cone; any length but 0.
     pub direction: Vec3,
-    /// Within this angle of the middle, in radians, it is as bright as can be.
+    /// The angle from the axis, in radians, up to which the light has its full intensity; 0 or more.
     pub bright: f32,
-    /// Beyond this angle, as large or larger and at most π, it is dark. Between the two it fades smoothly. At least 1e-4: directions have
-    /// no more digits than for that.
+    /// The angle from the axis, in radians, beyond which it is dark: at least `bright`, 1e-4 to π. Between
+    /// the two angles the light fades smoothly. Unit vectors are not precise enough for narrower cones.
     pub dark: f32,
 }
 
-/// The part of a [`Lamp`] that a point light has not, prepared.
+/// The falloff and the cone of a [`Lamp`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedLamp<R> {
     falloff: Option<PreparedFalloff<R>>,
@@ -42,28 +42,30 @@ pub(crate) struct PreparedLamp<R> {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct PreparedCone<R> {
-    /// Unit vector from the middle back to the light.
+    /// The unit vector along the axis, back to the light.
     back: Vec3<R>,
     edge: Edge<R>,
 }
 
-/// Where a cone of light ends.
+/// The edge of a cone of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Edge<R> {
-    /// The cosine of the angle where it is dark, and from there to the cosine where it is bright; 0 where the edge is sharp.
+    /// `dark` is the cosine of the dark angle, and `width` the cosine of the bright angle minus that; it is 0
+    /// for a sharp edge.
     Wide { dark: R, width: R },
-    /// The chords of both angles: how far unit vectors are from each other. The cosines of angles below 1° differ in half of their digits
-    /// or fewer.
+    /// The chords of both angles: the distance between two unit vectors at this angle. Cosines of angles
+    /// below 1° differ in only half of their digits.
     Narrow { dark: R, bright: R },
 }
 
-/// Up to this angle where it is dark, in radians, a cone is told by chords.
+/// Cones with a dark angle below this, in radians, are computed with chords.
 const NARROW: f32 = 0.02;
-/// The smallest angle where a cone is dark, in radians. Below it, what unit vectors are rounded by would show as speckle.
+/// The smallest dark angle, in radians. In narrower cones the rounding of unit vectors would show as speckle.
 const NARROWEST: f32 = 1e-4;
 
 impl Lamp {
-    /// Checks what a point light has not, for distances that are so many times those of the scene.
+    /// Checks the falloff and the cone, and converts them for distances that are `scale` times those of the
+    /// scene.
     pub(super) fn prepare<R: Real>(&self, scale: f32) -> Result<PreparedLamp<R>, Fault> {
         let falloff = self.falloff.prepare(scale)?;
         let Some(cone) = self.cone else { return Ok(PreparedLamp { falloff, cone: None }) };
@@ -91,13 +93,14 @@ impl Lamp {
 }
 
 impl<R: Real> PreparedLamp<R> {
-    /// The share of its light that the lamp sends to a point which sees it in this unit direction at this distance.
+    /// The share of its light that the lamp sends to a point. `toward` is the unit vector from the point to
+    /// the lamp.
     pub(crate) fn share(&self, toward: Vec3<R>, distance: R) -> R {
         let inside = match self.cone {
             None => R::ONE,
             Some(PreparedCone { back, edge }) => {
                 let Some(x) = edge.passed(back, toward) else { return R::ZERO };
-                // Smooth at both ends: 3x² - 2x³.
+                // The smooth step 3x² - 2x³.
                 x * x * (R::from_u16(3) - (x + x))
             }
         };
@@ -109,7 +112,8 @@ impl<R: Real> PreparedLamp<R> {
 }
 
 impl<R: Real> Edge<R> {
-    /// How much of the way from dark to bright lies behind a direction, between unit vectors: 0 to 1; `None` where it is dark.
+    /// The position of a direction between the dark and the bright angle, 0 to 1; `None` where it is dark.
+    /// Both vectors are unit vectors: the axis back to the lamp, and the direction to the lamp.
     fn passed(&self, back: Vec3<R>, toward: Vec3<R>) -> Option<R> {
         match *self {
             Self::Wide { dark, width } => {
@@ -118,7 +122,7 @@ impl<R: Real> Edge<R> {
                 (past > R::ZERO).then(x)
             }
             Self::Narrow { dark, bright } => {
-                // The squares of chords are as far apart as the cosines, twice.
+                // The difference of squared chords is twice the difference of cosines.
                 let (dark, bright) = (dark.times(dark), bright.times(bright));
                 let (past, width) = (dark - (toward - back).length_squared_wide(), dark - bright);
                 let x = || if past < width { past.share(width) } else { R::ONE };
@@ -146,12 +150,12 @@ mod tests {
     }
 
     #[test]
-    fn it_is_bright_inside_and_dark_outside() {
+    fn lamps_are_bright_inside_of_the_cone_and_dark_outside() {
         for share in [share::<f32>, share::<f64>, share::<Fixed>] {
             for (angle, left) in [(0.0, 1.0), (0.29, 1.0), (-0.29, 1.0), (0.61, 0.0), (3.0, 0.0)] {
                 assert_eq!(share(SPOT, angle), left, "{angle}");
             }
-            // Halfway between the cosines it is half as bright.
+            // Halfway between the cosines the light is half as bright.
             let middle = ((0.3f32.cos() + 0.6f32.cos()) / 2.0).acos();
             assert!((share(SPOT, middle) - 0.5).abs() < 1e-4);
             let sharp = Lamp { cone: SPOT.cone.map(|cone| LightCone { bright: 0.6, ..cone }), ..SPOT };
@@ -162,7 +166,7 @@ mod tests {
         }
     }
 
-    /// Between the cosines of 0.1° and 0° there are but 26 numbers in `f32`, and as many in fixed point.
+    /// Between the cosines of 0.1° and 0° there are only 26 numbers, in `f32` and in fixed point.
     #[test]
     fn narrow_cones_fade_as_smoothly_as_wide_ones() {
         fn assert_smooth<R: Real>() {

@@ -1,16 +1,17 @@
-//! What light goes through between two surfaces: its index of refraction, and what it absorbs (Beer's law).
+//! Media: the index of refraction and the absorption (Beer's law) of the space between surfaces.
 
 use crate::color::{LinearRgb, check_channel};
 use crate::fault::{Fault, check_number};
 use crate::math::{Product, Real, Scale};
 use crate::share::Share;
 
-/// What fills the space on one side of a surface.
+/// The medium that fills the space on one side of a surface.
 ///
-/// Behind a surface there is what its [`Material`](super::Material) says: its index and its absorption. In front there is air, unless
-/// [`Optics::outside`](super::Optics::outside) says otherwise. Each surface knows what lies on its two sides, and no ray has to remember
-/// where it is: one rule for what is solid, open, nested or put together from faces. Where two bodies touch there is *one*
-/// surface, with the one in front and the other behind.
+/// Behind a surface lies the medium of its [`Material`](super::Material): its `ior` and its absorption. In
+/// front of it lies air, or [`Optics::outside`](super::Optics::outside). So each surface names the media on
+/// its two sides, and a ray does not have to remember which bodies it is inside of. This one rule serves
+/// solid, open and nested bodies, and bodies made of faces. Where two bodies touch, describe *one* surface,
+/// with one medium in front and the other behind.
 ///
 /// | surface | normal toward | [`ior`](super::Material::ior), behind | `outside`, in front |
 /// |---|---|---|---|
@@ -40,17 +41,18 @@ use crate::share::Share;
     serde(deny_unknown_fields, default)
 )]
 pub struct Medium {
-    /// Index of refraction: air is 1, water 1.33, glass about 1.5.
+    /// Index of refraction, 0.001 or more: air is 1, water 1.33, glass about 1.5.
     pub ior: f32,
-    /// Coefficients of absorption, per unit of length, 0 or more: after a way s, exp(-coefficient s) is left of light.
+    /// Coefficients of absorption per unit of length, 0 or more: after a distance s, the share
+    /// exp(-coefficient · s) of the light is left.
     pub absorption: LinearRgb,
 }
 
 impl Medium {
-    /// Air, or nothing at all.
+    /// Air or vacuum.
     pub const AIR: Self = Self::clear(1.0);
 
-    /// Something of this index of refraction that absorbs nothing.
+    /// A medium with this index of refraction that absorbs no light.
     pub const fn clear(ior: f32) -> Self {
         Self { ior, absorption: LinearRgb::gray(0.0) }
     }
@@ -62,34 +64,37 @@ impl Default for Medium {
     }
 }
 
-/// Refuses an index of refraction that is not positive.
+/// Refuses an index of refraction below 0.001.
 pub(super) fn check_ior<R: Real>(ior: f32) -> Result<R::Setup, Fault> {
     check_number(ior)?;
-    // A tiny index has a reciprocal that no longer is a sane number.
+    // The reciprocal of a tiny index would be out of range.
     if ior < 1e-3 { Err(Fault::IorNotPositive) } else { Ok(R::Setup::from_f32(ior)) }
 }
 
-/// What a medium absorbs, prepared.
+/// The absorption of a medium, prepared.
 ///
-/// In fixed point a unit of the kernel may be the whole scene, so that a coefficient per unit is too large to be held, while what shows is
-/// absorbed on a small part of the unit. So coefficients are halved until they can be held, and what comes out is doubled again.
+/// In fixed point one unit of the kernel may be as long as the whole scene. A coefficient per unit may then
+/// be out of range, although the light visibly fades within a small part of the unit. So coefficients are
+/// halved until they are in range, and the product with the distance is doubled as often.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Absorption<R> {
-    /// How often light halves on each unit of length, over 2 to the power of `doublings`.
+    /// The number of halvings of light per unit of length, divided by 2 to the power of `doublings`.
     halvings: LinearRgb<R>,
     doublings: u8,
-    /// More than so much of that does not show, and may not be held.
+    /// The largest product of `halvings` and distance that leaves visible light. Larger products may be out
+    /// of range.
     most: R,
 }
 
 impl<R: Real> Absorption<R> {
-    /// The largest coefficient that is held, and the most by which one is made smaller for that.
+    /// The largest value of `halvings`. `MOST_DOUBLINGS` bounds how often a coefficient is halved to get
+    /// there.
     const LARGEST: f32 = 120.0;
     const MOST_DOUBLINGS: u8 = 20;
-    /// Of 2⁻²⁴ of light nothing shows.
+    /// 2⁻²⁴ of the light is invisible.
     const MOST_HALVINGS: f32 = 24.0;
 
-    /// Checks the coefficients and converts them; `None` where nothing is absorbed.
+    /// Checks the coefficients and converts them; `None` where all are 0.
     pub(super) fn prepare(coefficients: LinearRgb, scale: Scale) -> Result<Option<Self>, Fault> {
         coefficients.channels().into_iter().try_for_each(check_channel)?;
         let LinearRgb { r, g, b } = coefficients;
@@ -102,13 +107,14 @@ impl<R: Real> Absorption<R> {
         while strongest * unit > Self::LARGEST && doublings < Self::MOST_DOUBLINGS {
             (unit, most, doublings) = (unit * 0.5, most * 0.5, doublings + 1);
         }
-        // Where it is still more, less than 2⁻¹²⁰ is left on a millionth of the scene.
+        // If a coefficient is still larger, less than 2⁻¹²⁰ of the light is left after a millionth of the
+        // scene.
         let halvings = |coefficient: f32| R::from_f32((coefficient * unit).min(Self::LARGEST));
         let halvings = LinearRgb::new(halvings(r), halvings(g), halvings(b));
         Ok(Some(Self { halvings, doublings, most: R::from_f32(most) }))
     }
 
-    /// What is left of light after a way of this length; `None`: a way without end, however far the number system reaches.
+    /// The share of light that is left after this distance; `None` is an infinite distance.
     pub(super) fn left_after(&self, length: Option<R>) -> Share<R> {
         let LinearRgb { r, g, b } = self.halvings;
         let left = |halvings: R| {
@@ -131,7 +137,7 @@ mod tests {
     use super::*;
     use crate::math::{Extent, Fixed, Vec3};
 
-    /// In a scene of 256 units and in one of 2, on a way of half a unit and none.
+    /// In scenes of 2 and 256 units, after distances of 0.5 and 0.
     fn assert_absorbs<R: Real>() {
         for size in [1.0, 128.0] {
             let scale = Scale::new::<R>(Extent::solid(size), Vec3::ZERO);
@@ -149,8 +155,8 @@ mod tests {
     }
 
     #[test]
-    fn a_way_without_end_absorbs_all_light() {
-        // In fixed point rays end after 59 units, where half of the light is left.
+    fn an_infinite_distance_absorbs_all_light() {
+        // In fixed point rays end after 59 units, where half of the light would still be left.
         fn check<R: Real>() {
             let scale = Scale::new::<R>(Extent::solid(0.5), Vec3::ZERO);
             let coefficients = LinearRgb::new(0.0, 0.01, 4.0);

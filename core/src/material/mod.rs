@@ -1,4 +1,4 @@
-//! What a surface does with light.
+//! Materials: the reflection, transmission and emission of light by surfaces.
 
 mod fresnel;
 mod medium;
@@ -19,38 +19,40 @@ use crate::math::{Real, Scale};
 use crate::surface::Surface;
 use crate::texture::{Map, PreparedMaps, PreparedTexture, Texture};
 
-/// What a surface does with light: the recursive model of the lectures.
+/// The shading model of a surface.
 ///
-/// Ambient, Lambert and Phong terms (Phong, "Illumination for Computer Generated Pictures", CACM 1975) plus
-/// what a mirror and a refracted ray bring (Whitted, "An Improved Illumination Model for Shaded Display",
-/// CACM 1980). Coefficients lie in 0..=1.
+/// The light from a surface is the sum of an ambient, a diffuse (Lambert) and a highlight term (Phong,
+/// "Illumination for Computer Generated Pictures", CACM 1975), of a mirrored ray and of a refracted ray
+/// (Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980). Coefficients lie in 0..=1, and
+/// `reflectance` and `transmittance` add up to at most 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Material<'a> {
     /// The color of the ambient and diffuse terms.
     pub color: Texture<'a>,
-    /// Share of the color that is always seen.
+    /// The coefficient of the ambient term: color times ambient light.
     pub ambient: f32,
-    /// Share of the color that lights show (Lambert).
+    /// The coefficient of the diffuse term: color times the light that arrives (Lambert).
     pub diffuse: f32,
-    /// Strength of the highlight, which has the color of the light (Phong).
+    /// The strength of the highlight, which has the color of the light (Phong).
     pub specular: f32,
-    /// Exponent of the highlight: the larger, the smaller the spot.
+    /// The exponent of the highlight, 0 or more: a larger one makes a smaller spot.
     pub shininess: f32,
-    /// Share of what the mirrored ray sees.
+    /// The share of light from the mirrored ray.
     pub reflectance: f32,
-    /// Share of what the refracted ray sees, and of the light that a shadow ray keeps at each surface.
+    /// The share of light from the refracted ray, and the share that a shadow ray keeps when it passes the
+    /// surface.
     pub transmittance: f32,
-    /// Index of refraction behind the surface: the side that its normal points away from. In front of it, 1, or what
-    /// [`Optics::outside`] says; see [`Medium`] for what is nested.
+    /// The index of refraction behind the surface, where the normal does not point. In front of the surface
+    /// it is 1, or that of [`Optics::outside`]; see [`Medium`] for nested bodies.
     pub ior: f32,
-    /// What goes beyond this model, if anything does.
+    /// Extensions of this model, if it has any. Needs the feature `optics`.
     pub optics: Option<&'a Optics>,
-    /// Textures on coefficients, and bumps. Need the feature `textures`.
+    /// Textures on coefficients, and bump maps. They need the feature `textures`.
     pub maps: &'a [Map<'a>],
 }
 
-/// What a file leaves out is as in this.
+/// The defaults of fields that a file leaves out.
 #[cfg(feature = "serde")]
 const WHITE: Material = Material::matte(LinearRgb::WHITE);
 
@@ -58,14 +60,14 @@ const WHITE: Material = Material::matte(LinearRgb::WHITE);
 crate::read::read_struct! {
     [] Material as Material<'m> {
         color = WHITE.color, ambient = WHITE.ambient, diffuse = WHITE.diffuse, specular = WHITE.specular,
-        shininess = WHITE.shininess, reflectance = WHITE.reflectance, transmittance = WHITE.transmittance, ior = WHITE.ior,
-        optics = WHITE.optics, maps = WHITE.maps,
+        shininess = WHITE.shininess, reflectance = WHITE.reflectance, transmittance = WHITE.transmittance,
+        ior = WHITE.ior, optics = WHITE.optics, maps = WHITE.maps,
     }
     may be named
 }
 
 impl<'a> Material<'a> {
-    /// A plain matte surface.
+    /// A matte surface: diffuse 1 and all other coefficients 0.
     pub const fn matte(color: LinearRgb) -> Self {
         Self {
             color: Texture::Solid(color),
@@ -81,17 +83,17 @@ impl<'a> Material<'a> {
         }
     }
 
-    /// Whether it asks for the feature `optics`.
+    /// Whether the material needs the feature `optics`.
     pub(crate) const fn needs_optics(&self) -> bool {
         self.optics.is_some()
     }
 
-    /// Whether it asks for the feature `textures`.
+    /// Whether the material needs the feature `textures`.
     pub(crate) const fn needs_textures(&self) -> bool {
         matches!(self.color, Texture::Placed(_)) || !self.maps.is_empty()
     }
 
-    /// The most bytes that the material takes from the memory that the caller lends, beyond what each does.
+    /// The most bytes of lent memory that this material takes in addition to its `PreparedMaterial`.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
         let optics = if self.needs_optics() { Arena::bytes::<PreparedOptics<R>>(1) } else { 0 };
         optics.saturating_add(self.color.bytes::<R>()).saturating_add(Map::bytes::<R>(self.maps))
@@ -115,7 +117,7 @@ impl<'a> Material<'a> {
         ] {
             check_share(coefficient, share)?;
         }
-        // Shares such as 0.1 and 0.9 add up to a little more than 1 in f32.
+        // Rounded shares may add up to slightly more than 1 in f32.
         if self.reflectance + self.transmittance > 1.000_001 {
             return Err(Fault::EnergyAboveOne);
         }
@@ -124,13 +126,13 @@ impl<'a> Material<'a> {
             return Err(Fault::NegativeShininess);
         }
         let mut ior = medium::check_ior::<R>(self.ior)?;
-        // What bends rays is the ratio of both sides.
+        // Refraction depends on the ratio of the indices on both sides.
         if cfg!(feature = "optics")
             && let Some(optics) = self.optics
         {
             ior = ior / medium::check_ior::<R>(optics.outside.ior)?;
         }
-        // Squared when a ray is refracted.
+        // Refraction squares the ratio.
         check_held::<R>(ior * ior)?;
         check_held::<R>((ior * ior).recip())?;
         if !cfg!(feature = "optics") && self.needs_optics() {
@@ -166,17 +168,18 @@ pub(crate) struct PreparedMaterial<'m, R: Real> {
     pub(crate) shininess: Shininess<R>,
     pub(crate) reflectance: R,
     pub(crate) transmittance: R,
-    /// Ratio of the indices of refraction for a ray that goes in at the front: that in front over that behind.
+    /// The ratio of the indices of refraction for a ray that enters at the front: the index in front over
+    /// that behind.
     pub(crate) eta_entering: R,
-    /// The same for a ray that comes out.
+    /// The ratio for a ray that leaves: the index behind over that in front.
     pub(crate) eta_leaving: R,
     optics: Option<&'m PreparedOptics<R>>,
     pub(crate) maps: PreparedMaps<'m, R>,
 }
 
 impl<'m, R: Real> PreparedMaterial<'m, R> {
-    /// The material at a surface, where it has maps: each coefficient times the textures on it. `uv` tells where on its shape a
-    /// surface is.
+    /// The material at a point of a surface, with each coefficient multiplied by its maps. `uv` computes the
+    /// texture coordinates of the point.
     pub(crate) fn mapped(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Self {
         let shares = self.maps.shares(surface, uv);
         Self {
@@ -189,14 +192,14 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
         }
     }
 
-    /// Whether any ray may have to be followed from its surface.
+    /// Whether mirrored or refracted rays may start at its surface.
     #[inline(always)]
     pub(crate) fn sends_rays(&self) -> bool {
         self.reflectance.is_positive() || self.transmittance.is_positive() || self.optics().is_some()
     }
 
-    /// What goes beyond Phong's and Whitted's models, if anything does. Without the feature, the compiler sees that nothing does
-    /// and drops the code for it.
+    /// The extensions of the models of Phong and Whitted, if the material has any. Without the feature
+    /// `optics` this is `None` at compile time, and the code for it is dropped.
     #[inline(always)]
     pub(crate) fn optics(&self) -> Option<&'m PreparedOptics<R>> {
         if cfg!(feature = "optics") { self.optics } else { None }

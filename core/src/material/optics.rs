@@ -1,5 +1,5 @@
-//! What goes beyond Phong's and Whitted's models: color of what is mirrored and refracted, Fresnel's shares, absorption, light of
-//! its own.
+//! Extensions of the models of Phong and Whitted: colored reflection and transmission, Fresnel terms,
+//! absorption, emission.
 
 use super::Fresnel;
 use super::fresnel::{exact, schlick};
@@ -10,7 +10,7 @@ use crate::fault::{Coefficient, Fault, check_share};
 use crate::math::{Real, Scale, Vec3};
 use crate::share::Share;
 
-/// What a [`Material`](super::Material) does with light beyond the models of Phong and Whitted.
+/// Extensions of a [`Material`](super::Material) beyond the models of Phong and Whitted.
 ///
 /// ```
 /// use rayline::{Fresnel, LinearRgb, Material, Optics};
@@ -18,7 +18,11 @@ use crate::share::Share;
 ///     diffuse: 0.0,
 ///     transmittance: 1.0,
 ///     ior: 1.5,
-///     optics: Some(&Optics { fresnel: Fresnel::Exact, absorption: LinearRgb::new(1.2, 0.1, 0.9), ..Optics::PLAIN }),
+///     optics: Some(&Optics {
+///         fresnel: Fresnel::Exact,
+///         absorption: LinearRgb::new(1.2, 0.1, 0.9),
+///         ..Optics::PLAIN
+///     }),
 ///     ..Material::matte(LinearRgb::WHITE)
 /// };
 /// ```
@@ -29,28 +33,29 @@ use crate::share::Share;
     serde(deny_unknown_fields, default)
 )]
 pub struct Optics {
-    /// What the highlight depends on.
+    /// The model of the highlight.
     pub highlight: Highlight,
-    /// How the shares of mirrored and refracted light depend on the angle.
+    /// The model by which the shares of mirrored and refracted light depend on the angle.
     pub fresnel: Fresnel,
-    /// Color of what is mirrored, highlights included: that of metals.
+    /// The color of mirrored light and of highlights, such as that of a metal.
     pub reflection_color: LinearRgb,
-    /// Color of what comes through the surface, shadow rays included.
+    /// The color of light that passes the surface, shadow rays included.
     pub transmission_color: LinearRgb,
-    /// Coefficients of absorption behind the surface, per unit of length, 0 or more: after a way s, exp(-coefficient s) is left of light (Beer's
-    /// law). A ray that left the surface inward is dimmed until it meets anything.
+    /// Coefficients of absorption behind the surface, per unit of length, 0 or more: after a distance s, the
+    /// share exp(-coefficient · s) of the light is left (Beer's law). A ray that leaves the surface inward is
+    /// dimmed up to its next hit.
     pub absorption: LinearRgb,
-    /// Light that the surface gives off by itself; it lights nothing else. 0 or more.
+    /// The light that the surface emits, 0 or more. It does not light other objects.
     pub emission: LinearRgb,
-    /// How what is mirrored fades with the distance to what the mirrored ray meets. The background does not fade.
+    /// The falloff of mirrored light with the length of the mirrored ray. The background does not fade.
     pub reflection_falloff: Falloff,
-    /// What lies in front of the surface, where that is not air: for bubbles, for what lies in water, and for where two bodies touch. Rays
-    /// that leave the surface outward are dimmed by its absorption.
+    /// The medium in front of the surface, where it is not air: for bubbles, for objects in water, and where
+    /// two bodies touch. Its absorption dims the rays that leave the surface outward.
     pub outside: Medium,
 }
 
 impl Optics {
-    /// Nothing of it.
+    /// No extension: the plain models of Phong and Whitted.
     pub const PLAIN: Self = Self {
         highlight: Highlight::Phong,
         fresnel: Fresnel::Constant,
@@ -62,7 +67,7 @@ impl Optics {
         outside: Medium::AIR,
     };
 
-    /// Those of clear glass: light is shared between mirroring and refraction by Fresnel's equations.
+    /// The optics of clear glass: Fresnel's equations divide the light between reflection and refraction.
     pub const CLEAR: Self = Self { fresnel: Fresnel::Exact, ..Self::PLAIN };
 }
 
@@ -75,15 +80,16 @@ impl Default for Optics {
 #[cfg(feature = "serde")]
 crate::read::plain!(Optics);
 
-/// What a highlight depends on.
+/// The model of a highlight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Highlight {
-    /// The angle between the mirrored ray and the light (Phong 1975).
+    /// By the angle between the mirrored ray and the light (Phong 1975).
     #[default]
     Phong,
-    /// The angle between the normal and the middle of the ways to eye and light (Blinn, "Models of Light Reflection for Computer
-    /// Synthesized Pictures", SIGGRAPH 1977). For a spot as large as Phong's the exponent is four times his.
+    /// By the angle between the normal and the half vector of the directions to eye and light (Blinn, "Models
+    /// of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977). A spot as large as Phong's
+    /// needs four times the exponent.
     BlinnPhong,
 }
 
@@ -92,19 +98,19 @@ pub enum Highlight {
 pub(crate) struct PreparedOptics<R: Real> {
     highlight: Highlight,
     fresnel: Fresnel,
-    /// The mirrored share of a ray that comes straight, by the index of refraction.
+    /// The mirrored share at normal incidence, by the index of refraction.
     straight: R,
     pub(crate) reflection_color: LinearRgb<R>,
     transmission_color: LinearRgb<R>,
-    /// Behind the surface; `None` where nothing is absorbed.
+    /// The absorption behind the surface; `None` where it is 0.
     absorption: Option<Absorption<R>>,
-    /// In front of it.
+    /// The absorption in front of the surface; `None` where it is 0.
     outside: Option<Absorption<R>>,
     pub(crate) emission: LinearRgb<R>,
     falloff: Option<PreparedFalloff<R>>,
 }
 
-/// The shares of light that is mirrored and refracted.
+/// The shares of light from the mirrored and the refracted ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
     pub(crate) mirrored: Share<R>,
@@ -112,7 +118,8 @@ pub(crate) struct Shares<R> {
 }
 
 impl Optics {
-    /// Checks every number and converts it, but for the index outside; for a material of this index, over that outside.
+    /// Checks every number but `outside.ior` and converts it. `ior` is the index of refraction behind the
+    /// surface over that in front.
     pub(super) fn prepare<R: Real>(&self, ior: R::Setup, scale: Scale) -> Result<PreparedOptics<R>, Fault> {
         let Self { reflection_color, transmission_color, emission, .. } = *self;
         for (coefficient, color) in [
@@ -138,8 +145,9 @@ impl Optics {
 }
 
 impl<R: Real> PreparedOptics<R> {
-    /// The cosine whose power is the highlight, where `normal` is on the side that a ray came from along `incoming`, and `mirrored` is
-    /// the way on.
+    /// The cosine whose power is the highlight. `normal` is on the side of the surface that a ray of
+    /// direction `incoming` hit, `mirrored` is the mirrored direction, and `toward` the direction to the
+    /// light; all are unit vectors.
     pub(crate) fn highlight_cosine(
         &self,
         normal: Vec3<R>,
@@ -155,8 +163,10 @@ impl<R: Real> PreparedOptics<R> {
         }
     }
 
-    /// The shares of what is mirrored and refracted at this cosine, where a material has these and `refraction` is the ratio of the
-    /// indices of refraction with the cosine behind the surface, if light gets there.
+    /// The shares of mirrored and refracted light of a material with these coefficients. `cosine` is that of
+    /// the angle between ray and normal, `eta` the index of refraction on the side of the ray over that on
+    /// the other side, and `refracted_cosine` that of the refracted ray; it is `None` under total internal
+    /// reflection.
     pub(crate) fn shares(
         &self,
         (reflectance, transmittance): (R, R),
@@ -177,7 +187,7 @@ impl<R: Real> PreparedOptics<R> {
             Fresnel::Constant => {
                 return Shares { mirrored: metal * reflectance, refracted: glass * transmittance };
             }
-            // From the denser side, the angle on the other one decides.
+            // For a ray from the denser side, the angle on the other side counts.
             Fresnel::Schlick if is_glass => {
                 schlick(self.straight, if eta > R::ONE { behind } else { cosine })
             }
@@ -195,20 +205,21 @@ impl<R: Real> PreparedOptics<R> {
         Shares { mirrored: metal * (all * mirrored), refracted: glass * (all * (R::ONE - mirrored)) }
     }
 
-    /// Whether shares depend on the angle by the index of refraction, also of what lets no light through.
+    /// Whether the shares depend on the refracted angle even if the material is opaque.
     pub(crate) fn needs_angle_behind(&self) -> bool {
         self.fresnel == Fresnel::Exact
     }
 
-    /// What is left of light after a way of this length, or without end, in front of the surface, or behind it; `None`: all of it.
+    /// The share of light that is left after this distance in front of the surface or behind it. A `length`
+    /// of `None` is infinite; a result of `None` means that all light is left.
     #[inline(always)]
     pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Share<R>> {
         let absorption = if in_front { &self.outside } else { &self.absorption };
         absorption.as_ref().map(|absorption| absorption.left_after(length))
     }
 
-    /// What is left of a ray's throughput where it has left this surface outward or inward and gone this far; `None`: for ever, to the
-    /// background.
+    /// The throughput of a ray after it left this surface outward or inward and traveled this distance. A
+    /// `length` of `None` means that the ray reached the background.
     pub(crate) fn dimmed(
         &self,
         throughput: Share<R>,
@@ -220,19 +231,19 @@ impl<R: Real> PreparedOptics<R> {
         if let Some(through) = self.left_after(outward, length) {
             left = left * through;
         }
-        // The background is at no distance.
+        // The falloff does not apply to the background.
         if is_mirrored && let (Some(falloff), Some(length)) = (self.falloff, length) {
             left = left * falloff.at(length);
         }
         left
     }
 
-    /// The share of light that the surface lets through.
+    /// The color of transmitted light, as a share.
     pub(crate) fn transmission_color(&self) -> Share<R> {
         Share::colored(self.transmission_color)
     }
 
-    /// Whether light is lost on either side of the surface.
+    /// Whether the medium on either side of the surface absorbs light.
     pub(crate) fn absorbs(&self) -> bool {
         self.absorption.is_some() || self.outside.is_some()
     }

@@ -1,12 +1,13 @@
-//! Materials to start with, with real constants.
+//! Ready-made materials with measured constants.
 //!
-//! Reflectances of metals straight on, in linear light of sRGB's primaries, are those that Hoffman computed from measured
-//! spectra ("Background: Physics and Math of Shading", SIGGRAPH 2013 course "Physically Based Shading in Theory and
-//! Practice"; gold's red is a little outside and was cut). Indices of refraction are those at 589 nm (Haynes (ed.), "CRC Handbook of
-//! Chemistry and Physics", 97th edition, section 10; BK7 and F2 by their maker, Schott). Water's absorption is that of pure water at
-//! 650, 550 and 450 nm (Pope and Fry, "Absorption spectrum (380–700 nm) of pure water", Applied Optics 1997).
+//! The reflectances of metals at normal incidence, in linear sRGB, were computed by Hoffman from measured
+//! spectra ("Background: Physics and Math of Shading", SIGGRAPH 2013 course "Physically Based Shading in
+//! Theory and Practice"; gold's red is slightly above 1 and is clamped). Indices of refraction are those at
+//! 589 nm (Haynes (ed.), "CRC Handbook of Chemistry and Physics", 97th edition, section 10; BK7 and F2:
+//! Schott data sheets). The absorption of water is that of pure water at 650, 550 and 450 nm (Pope and Fry,
+//! "Absorption spectrum (380–700 nm) of pure water", Applied Optics 1997).
 //!
-//! Lights have no size here, so that a mirror shows none; a highlight stands for it.
+//! Lights have no size, so that mirrors do not show them. A highlight stands for the mirrored light.
 //!
 //! ```
 //! use rayline::{LinearRgb, Material, materials};
@@ -22,7 +23,7 @@ use crate::texture::Texture;
 const BLACK: LinearRgb = LinearRgb::gray(0.0);
 const PLAIN: Material = Material::matte(BLACK);
 
-/// A polished metal of this reflectance.
+/// A polished metal of this reflectance (red, green, blue).
 macro_rules! metal {
     ($(#[$doc:meta])* $NAME:ident, $r:literal, $g:literal, $b:literal) => {
         $(#[$doc])*
@@ -66,7 +67,7 @@ metal!(
     CHROMIUM, 0.549, 0.556, 0.554
 );
 
-/// Something clear: it shares light between mirroring and refraction by Fresnel's equations.
+/// A clear material: Fresnel's equations divide the light between reflection and refraction.
 const CLEAR: Material = Material {
     diffuse: 0.0,
     specular: 0.6,
@@ -88,14 +89,14 @@ pub const DIAMOND: Material = Material { ior: 2.417, ..CLEAR };
 /// Ice, clear.
 pub const ICE: Material = Material { ior: 1.309, ..CLEAR };
 
-/// Water; its absorption is per meter.
+/// Water, for scenes whose unit is the meter (its absorption is per meter).
 pub const WATER: Material = Material {
     ior: 1.333,
     optics: Some(&Optics { absorption: LinearRgb::new(0.340, 0.056_5, 0.009_22), ..Optics::CLEAR }),
     ..CLEAR
 };
 
-/// Lacquered or plastic: matte below, with a clear coat of index 1.5 that mirrors.
+/// Lacquer or plastic: matte, under a mirroring clear coat of index 1.5.
 pub const fn glossy(color: LinearRgb) -> Material<'static> {
     Material {
         color: Texture::Solid(color),
@@ -117,7 +118,7 @@ mod tests {
     use crate::math::{Fixed, Scale};
 
     #[test]
-    fn all_can_be_prepared() {
+    fn all_presets_can_be_prepared() {
         let all = [GOLD, SILVER, COPPER, ALUMINUM, IRON, CHROMIUM, GLASS, FLINT, DIAMOND, ICE, WATER];
         for material in all.into_iter().chain([glossy(LinearRgb::WHITE)]) {
             let mut memory = Workspace::<512>::new();

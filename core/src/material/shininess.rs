@@ -1,23 +1,23 @@
-//! The exponent of a highlight, and its powers.
+//! The exponent of a highlight, and powers with that exponent.
 
 use crate::math::{Real, Vec3, power};
 
 /// The exponent of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shininess<R: Real> {
-    /// A cosine below this has a power below [`Self::INVISIBLE`].
+    /// The cosine whose power is [`Self::INVISIBLE`]: highlights at smaller cosines are invisible.
     least: R,
     exponent: R::Factor,
 }
 
 impl<R: Real> Shininess<R> {
-    /// 2⁻²⁴: a highlight so weak is far below the finest level of any display. It counts as none, so that no
-    /// shadow ray is spent on it.
+    /// 2⁻²⁴: a highlight that is far below the finest level of any display. It counts as none, so that no
+    /// shadow ray is traced for it.
     const INVISIBLE: f32 = 1.0 / 16_777_216.0;
 
-    /// The exponent 0 or more.
+    /// Prepares an exponent, 0 or more.
     pub(crate) fn new(shininess: f32) -> Self {
-        // Of exponents below 1/5, not even this power leaves the range of f32.
+        // For exponents below 1/5 the power would leave the range of f32, and no cosine is invisible.
         let least = if shininess > 0.2 { power::powf(Self::INVISIBLE, 1.0 / shininess) } else { 0.0 };
         Self { least: R::from_f32(least), exponent: R::factor(shininess) }
     }
@@ -27,7 +27,7 @@ impl<R: Real> Shininess<R> {
         self.least
     }
 
-    /// Whether a highlight is so small that few pixels show it.
+    /// Whether the highlight is a small spot that few pixels show.
     pub(crate) fn is_sharp(&self) -> bool {
         self.least > R::from_f32(0.85)
     }
@@ -38,26 +38,22 @@ impl<R: Real> Shininess<R> {
         cosine > self.least
     }
 
-    /// Whether a highlight may be seen between these unit vectors, where that can be told faster than by their cosine.
+    /// Whether a highlight may be visible between these unit vectors. The test uses coarse products where the
+    /// number system has them, and may be true for an invisible highlight.
     #[inline(always)]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
         !R::SAVES_PRODUCTS
             || self.is_visible(mirrored.coarse().dot_coarse(toward.coarse()) + R::from_f32(R::COARSE))
     }
 
-    /// Whether a cosine is within this share of what shows of a small highlight: at 1 it has 2^-24 of its strength, at
-    /// 1/4 about the fourth root of that, 2^-6.
+    /// Whether a cosine lies within this share of a small highlight's visible range of cosines. At a share of
+    /// 1 the highlight has 2⁻²⁴ of its strength, at 1/4 about the fourth root of that, 2⁻⁶.
     pub(crate) fn shows(&self, cosine: R, share: R) -> bool {
-        // Near 1, the logarithm of a cosine is as good as proportional to its distance from there.
+        // Near 1, the logarithm of a cosine is nearly proportional to 1 - cosine.
         R::ONE - cosine < (R::ONE - self.least) * share
     }
 
-    /// The sine of the angle at which that share [shows](Self::shows).
-    pub(crate) fn sine_shown(&self, share: f32) -> R {
-        ((R::ONE - self.least) * R::from_f32(2.0 * share)).sqrt()
-    }
-
-    /// The power of a cosine; 0 where it is invisible.
+    /// The power of a cosine; 0 where the highlight is invisible.
     #[inline]
     pub(crate) fn power_of(&self, cosine: R) -> R {
         if !self.is_visible(cosine) {

@@ -389,27 +389,26 @@ impl<R: Real> Ball<R> {
     /// Whether any of `other` may stand between a point inside and the light.
     #[inline(never)]
     fn is_shaded_by(&self, other: &Body<R>, light: &Source<R>) -> bool {
-        // How far a ray from a point inside may go astray before it is at the light.
-        let astray = match light {
-            Source::At(position) => {
-                let farthest = (position.to_setup() - self.center).length() + self.radius;
-                farthest * R::Setup::from_f32(R::ASTRAY)
-            }
-            Source::Far(..) | Source::Toward(_) => R::Setup::ZERO,
-        };
+        // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset.
+        let largest = R::from_setup(self.center.magnitude() + self.radius);
+        let astray = beside(largest, light);
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());
             let height = normal.dot(self.center) - distance;
-            let toward_light = match light {
-                Source::At(position) => normal.dot(position.to_setup()) - distance,
+            // The light's height above the plane, and by how much it must be beside the plane: heights in the
+            // light's own scale; for a direction its sine, which two computations round to different numbers.
+            let (toward_light, room) = match light {
+                Source::At(position) => (normal.dot(position.to_setup()) - distance, astray),
                 Source::Far(position, shrink) => {
-                    normal.dot(position.to_setup()) - distance * shrink.to_setup()
+                    let shrink = shrink.to_setup();
+                    let rounding = R::offset(position.magnitude()).to_setup();
+                    (normal.dot(position.to_setup()) - distance * shrink, astray * shrink + rounding)
                 }
-                Source::Toward(direction) => normal.dot(direction.to_setup()),
+                Source::Toward(direction) => (normal.dot(direction.to_setup()), R::RAY_OFFSET.to_setup()),
             };
-            let above = height > self.radius && toward_light > astray;
-            let below = height < -self.radius && toward_light < -astray;
+            let above = height > self.radius && toward_light > room;
+            let below = height < -self.radius && toward_light < -room;
             if above || below {
                 return false;
             }

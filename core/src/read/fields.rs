@@ -1,4 +1,4 @@
-//! Structs that hold lists.
+//! Reading of structs that hold lists, field by field.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -7,32 +7,32 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use super::{OneOf, Read, Reader, Seed};
 
-/// What is read field by field.
+/// A struct that is read field by field.
 pub trait Fields<'m>: Read<'m> {
-    /// What a file may call it.
+    /// The name of the struct, for formats that write names.
     const NAME: &'static str;
-    /// Its fields, in the order in which they are written.
+    /// The names of its fields, in the order in which they are written.
     const FIELDS: &'static [&'static str];
-    /// Whether a name may stand in place of the fields.
+    /// Whether a file may refer to such a value by a name ([`Names`](super::Names)) in place of its fields.
     const MAY_BE_NAMED: bool = false;
 
-    /// From a format that has values only.
+    /// Reads the fields from a format that writes values without names, in order.
     ///
     /// # Errors
-    /// A value is not there or cannot be read.
+    /// A value is missing or cannot be read.
     fn from_values<A: SeqAccess<'m>>(values: A, reader: &mut Reader<'m>) -> Result<Self, A::Error>;
 
-    /// From a format in which values have names.
+    /// Reads the fields from a format that writes their names, in any order.
     ///
     /// # Errors
-    /// A value is not there, stands there twice, or cannot be read; a name is unknown.
+    /// A field is missing, given twice or unknown, or its value cannot be read.
     fn from_map<A: MapAccess<'m>>(map: A, reader: &mut Reader<'m>) -> Result<Self, A::Error>;
 }
 
-/// Reads what has fields.
+/// Reads a struct with fields.
 ///
 /// # Errors
-/// As [`Read::read`].
+/// The errors of [`Read::read`].
 pub fn read_fields<'m, T: Fields<'m>, D: Deserializer<'m>>(
     from: D,
     reader: &mut Reader<'m>,
@@ -46,7 +46,7 @@ pub fn read_fields<'m, T: Fields<'m>, D: Deserializer<'m>>(
     }
 }
 
-/// Takes the fields that a format has found.
+/// The visitor that receives the fields from the format.
 pub(super) struct FieldsOf<'r, 'm, T> {
     pub(super) reader: &'r mut Reader<'m>,
     pub(super) of: PhantomData<T>,
@@ -76,10 +76,10 @@ impl<'m, T: Fields<'m>> Visitor<'m> for FieldsOf<'_, 'm, T> {
     }
 }
 
-/// The next value of a list of fields.
+/// Reads the value of the next field, from a format without names.
 ///
 /// # Errors
-/// There is none, or it cannot be read.
+/// The value of the field is missing or cannot be read.
 pub fn next_value<'m, T: Read<'m>, A: SeqAccess<'m>>(
     values: &mut A,
     reader: &mut Reader<'m>,
@@ -88,10 +88,10 @@ pub fn next_value<'m, T: Read<'m>, A: SeqAccess<'m>>(
     values.next_element_seed(Seed::new(reader))?.ok_or_else(|| A::Error::missing_field(field))
 }
 
-/// The name of the next field.
+/// Reads the name of the next field; `None` after the last.
 ///
 /// # Errors
-/// It is none of these.
+/// The name is none of `fields`.
 pub fn next_field<'m, A: MapAccess<'m>>(
     map: &mut A,
     fields: &'static [&'static str],
@@ -99,10 +99,10 @@ pub fn next_field<'m, A: MapAccess<'m>>(
     map.next_key_seed(OneOf::Fields(fields))
 }
 
-/// Reads the value of a field that was found.
+/// Reads the value of a field whose name was read.
 ///
 /// # Errors
-/// It stands there for the second time, or cannot be read.
+/// The field was already given, or its value cannot be read.
 pub fn set_field<'m, T: Read<'m>, A: MapAccess<'m>>(
     field: &mut Option<T>,
     map: &mut A,
@@ -116,8 +116,9 @@ pub fn set_field<'m, T: Read<'m>, A: MapAccess<'m>>(
     Ok(())
 }
 
-/// Makes [`Fields`] and [`Read`] for a struct: its type parameters, name and type, its fields with what those are that may be left
-/// out, and whether a name may stand in their place.
+/// Implements [`Fields`] and [`Read`] for a struct. The arguments are its type parameters, its name and type,
+/// its fields (with `= default` where a field may be left out), and `may be named` where a name may stand in
+/// place of the fields.
 macro_rules! read_struct {
     (
         [$($generics:tt)*] $Name:ident as $Type:ty {

@@ -1,4 +1,4 @@
-//! Lists, and what is referred to: both are put into the reader's memory.
+//! Reading of lists and references, whose targets are stored in the reader's memory.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -33,19 +33,19 @@ impl<'m> Read<'m> for &'m [u8] {
     }
 }
 
-/// Writes bytes as such, for `serialize_with`.
+/// Serializes a slice of bytes as bytes rather than as a list of numbers; for `serialize_with`.
 pub(crate) fn bytes<S: serde::Serializer>(bytes: &&[u8], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_bytes(bytes)
 }
 
-/// Takes the values of a list.
+/// The visitor that receives the values of a list.
 struct List<'r, 'm, T> {
     reader: &'r mut Reader<'m>,
     of: PhantomData<T>,
 }
 
 impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
-    /// Puts values into memory, one after the other, where a format may know how many there are.
+    /// Stores the values in the reader's memory. `count` is their number, if the format stores it.
     fn collect<E: Error>(
         self,
         count: Option<usize>,
@@ -54,12 +54,19 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
         let Some(count) = count else { return self.collect_any(next) };
         let mut room = self.reader.memory.room(count).map_err(|fault| self.reader.fail(fault))?;
         while let Some(value) = next(self.reader)? {
-            room.push(value).map_err(|_| E::invalid_length(count, &"as many values as the format told"))?;
+            room.push(value).map_err(|_| {
+                E::invalid_length(
+                    count,
+                    &"as many values as the format \
+                                                                    announced",
+                )
+            })?;
         }
         Ok(room.filled())
     }
 
-    /// The same, where it does not.
+    /// Stores the values of a list whose length the format does not store: they are collected in a `Vec`
+    /// first.
     #[cfg(feature = "std")]
     fn collect_any<E: Error>(
         self,
@@ -77,9 +84,12 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
         self,
         mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
-        // What claims to be longer than all that is left ends in the format's own error.
+        // Read the list to its end, so that a broken list fails with the format's own error.
         while next(self.reader)?.is_some() {}
-        Err(E::custom("the format does not tell how long lists are: build with the feature `std`"))
+        Err(E::custom(
+            "this format does not store the lengths of lists; build with the feature `std` to read \
+                       it",
+        ))
     }
 }
 
@@ -102,7 +112,8 @@ impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
     }
 }
 
-/// The key of a value in a list that is written as a map: a name, for the reader's benefit.
+/// The key of a value in a list that is written as a map. It names the value for people who read the file,
+/// and is skipped.
 struct Key;
 
 impl<'de> DeserializeSeed<'de> for Key {
@@ -125,7 +136,7 @@ impl Visitor<'_> for Key {
     }
 }
 
-/// Takes a value, if there is one.
+/// The visitor that receives an optional value.
 struct Optional<'r, 'm, T> {
     reader: &'r mut Reader<'m>,
     of: PhantomData<T>,
@@ -151,7 +162,8 @@ impl<'m, T: Read<'m>> Visitor<'m> for Optional<'_, 'm, T> {
     }
 }
 
-/// Takes bytes: where the file has them, if it lies in memory as long as the scene.
+/// The visitor that receives bytes. They are borrowed from the file if it lives as long as the scene, else
+/// copied.
 struct Bytes<'r, 'm> {
     reader: &'r mut Reader<'m>,
 }

@@ -1,12 +1,11 @@
-//! Descriptions from files, through serde: what is written by `Serialize` is read by [`Read`].
+//! Scene descriptions from files, through serde: [`Read`] reads the data that `Serialize` writes.
 //!
-//! A description borrows its lists, and serde's own `Deserialize` can make a borrowed list of nothing but bytes. So whatever
-//! holds a list is read together with a [`Reader`], which has the memory where lists are put; serde calls that a
-//! seed. What holds none is [`plain`], and read as serde derives it. Rejected: descriptions that own their lists, which could not
-//! be in flash, and a second set of types for files, which would be every type twice.
+//! A description borrows its lists, but serde's own `Deserialize` can borrow only lists of bytes. So a type
+//! that holds a list is read together with a [`Reader`], which lends memory for the list; serde calls such a
+//! reader a seed. A type without lists is [`plain`], and is read by serde's derived code.
 //!
-//! Formats for people (`is_human_readable`) allow more: fields that have a usual value may be left out, a list may be written
-//! as a map, whose keys are names for the reader's benefit, and what [`Names`] knows may be called by its name.
+//! Formats for people (`is_human_readable`) allow more. A field with a default may be left out. A list may be
+//! written as a map, whose keys are comments for people. An item in [`Names`] may be referred to by its name.
 
 mod fields;
 mod list;
@@ -27,32 +26,32 @@ use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::math::Vec3;
 
-/// What descriptions are read with: memory for their lists, and what names stand for.
+/// The memory and the names that a description is read with.
 #[expect(missing_debug_implementations, reason = "names need not have one")]
 pub struct Reader<'m> {
     memory: Arena<'m>,
     names: Option<&'m Names<'m>>,
-    /// Why the memory could not be used: formats keep no more than the text of it.
+    /// The reason why the memory could not be used. Formats keep only its text.
     failure: Option<Fault>,
 }
 
 impl<'m> Reader<'m> {
-    /// A reader that puts lists into this memory.
+    /// A reader that stores lists in this memory.
     pub fn new(memory: &'m mut [core::mem::MaybeUninit<u8>]) -> Self {
         Self { memory: Arena::new(memory), names: None, failure: None }
     }
 
-    /// The same, for files in which things have names.
+    /// This reader, for files that refer to items by name.
     pub fn with_names(self, names: &'m Names<'m>) -> Self {
         Self { names: Some(names), ..self }
     }
 
-    /// Why the memory did not do, if that is what reading ended with.
+    /// The reason why the memory did not suffice, if reading failed for that.
     pub const fn failure(&self) -> Option<Fault> {
         self.failure
     }
 
-    /// Reads what is called by a name.
+    /// Reads the item of kind `what` that this name stands for.
     pub(crate) fn read_named<T: Read<'m>, E: Error>(
         &mut self,
         what: &'static str,
@@ -63,34 +62,34 @@ impl<'m> Reader<'m> {
         T::read(&mut postcard::Deserializer::from_bytes(bytes), self).map_err(E::custom)
     }
 
-    /// Remembers the fault and makes a format's error of it.
+    /// Remembers the fault and converts it to an error of the format.
     pub(crate) fn fail<E: Error>(&mut self, fault: Fault) -> E {
         self.failure = Some(fault);
         E::custom(fault)
     }
 }
 
-/// What names in a file stand for: told what is to be read ([`Fields::NAME`]) and what it is called, the bytes that
-/// postcard makes of it, if there is such a thing.
+/// The meaning of names in a file: a function of the kind of item ([`Fields::NAME`]) and its name. It returns
+/// the item as postcard's bytes, or `None` where there is no such item.
 pub type Names<'m> = dyn Fn(&'static str, &str) -> Option<&'m [u8]> + 'm;
 
-/// What can be read into memory that is lent for `'m`.
+/// A type that can be read into memory that is lent for `'m`.
 pub trait Read<'m>: Sized {
     /// Reads a value.
     ///
     /// # Errors
-    /// What was read is no such value, or there is too little memory ([`Reader::failure`]).
+    /// The input is no value of this type, or the memory is too small ([`Reader::failure`]).
     fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error>;
 }
 
-/// A value that is still to be read, and the reader for it.
+/// A value that is still to be read, with its reader (serde's seed).
 pub struct Seed<'r, 'm, T> {
     reader: &'r mut Reader<'m>,
     of: PhantomData<T>,
 }
 
 impl<'r, 'm, T> Seed<'r, 'm, T> {
-    /// A value to be read with this reader.
+    /// A seed for this reader.
     pub fn new(reader: &'r mut Reader<'m>) -> Self {
         Self { reader, of: PhantomData }
     }
@@ -104,7 +103,7 @@ impl<'m, T: Read<'m>> DeserializeSeed<'m> for Seed<'_, 'm, T> {
     }
 }
 
-/// A name that is one of several, or its number.
+/// The visitor that accepts one of several names, or the position of one.
 enum OneOf {
     Fields(&'static [&'static str]),
     Variants(&'static [&'static str]),
@@ -146,9 +145,9 @@ impl Visitor<'_> for OneOf {
     }
 }
 
-/// Makes [`Read`] for types that hold no list, and so are read as serde derives it.
+/// Implements [`Read`] for types without lists through their `Deserialize`.
 ///
-/// Do it for a shape of your own, so that a set that it is in can be read from files.
+/// Use it for a shape of your own, so that files can be read that contain this shape.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! __read_plain {

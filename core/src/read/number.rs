@@ -1,4 +1,4 @@
-//! Numbers that may be given by a name.
+//! Reading of numbers that a file may give as a name.
 
 use core::fmt;
 
@@ -6,7 +6,7 @@ use serde::de::{Deserializer, Error, Unexpected, Visitor};
 
 use super::{Read, Reader};
 
-/// Reads a number that tells which of several things is meant; in files for people, what it is called will do.
+/// Reads the number of an item. In a format for people its name will do.
 pub(crate) fn read_number<'m, D: Deserializer<'m>>(
     what: &'static str,
     from: D,

@@ -1,4 +1,4 @@
-//! Enums that hold lists.
+//! Reading of enums that hold lists.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -8,17 +8,17 @@ use serde::de::{Deserializer, EnumAccess, VariantAccess, Visitor};
 use super::fields::{Fields, FieldsOf};
 use super::{OneOf, Read, Reader, Seed};
 
-/// What is read as one of several variants.
+/// An enum that is read as one of several variants.
 pub trait Variants<'m>: Sized {
-    /// What a file may call it.
+    /// The name of the enum, for formats that write names.
     const NAME: &'static str;
-    /// Its variants, in the order in which they are numbered.
+    /// The names of its variants, in the order of their numbers.
     const VARIANTS: &'static [&'static str];
 
-    /// The variant of this name, which is one of them.
+    /// Reads the contents of the variant `name`, which is one of [`VARIANTS`](Self::VARIANTS).
     ///
     /// # Errors
-    /// What it holds cannot be read.
+    /// The contents of the variant cannot be read.
     fn from_variant<A: VariantAccess<'m>>(
         name: &'static str,
         held: A,
@@ -26,10 +26,10 @@ pub trait Variants<'m>: Sized {
     ) -> Result<Self, A::Error>;
 }
 
-/// Reads what has variants.
+/// Reads an enum.
 ///
 /// # Errors
-/// As [`Read::read`].
+/// The errors of [`Read::read`].
 pub fn read_variants<'m, T: Variants<'m>, D: Deserializer<'m>>(
     from: D,
     reader: &mut Reader<'m>,
@@ -37,7 +37,7 @@ pub fn read_variants<'m, T: Variants<'m>, D: Deserializer<'m>>(
     from.deserialize_enum(T::NAME, T::VARIANTS, VariantsOf { reader, of: PhantomData })
 }
 
-/// Takes the variant that a format has found.
+/// The visitor that receives the variant from the format.
 struct VariantsOf<'r, 'm, T> {
     reader: &'r mut Reader<'m>,
     of: PhantomData<T>,
@@ -56,10 +56,10 @@ impl<'m, T: Variants<'m>> Visitor<'m> for VariantsOf<'_, 'm, T> {
     }
 }
 
-/// What a variant of one value holds.
+/// Reads the contents of a variant with one value.
 ///
 /// # Errors
-/// It cannot be read.
+/// The value cannot be read.
 pub fn held_value<'m, T: Read<'m>, A: VariantAccess<'m>>(
     held: A,
     reader: &mut Reader<'m>,
@@ -67,10 +67,10 @@ pub fn held_value<'m, T: Read<'m>, A: VariantAccess<'m>>(
     held.newtype_variant_seed(Seed::new(reader))
 }
 
-/// What a variant of several fields holds.
+/// Reads the contents of a variant with several fields.
 ///
 /// # Errors
-/// They cannot be read.
+/// A field cannot be read.
 pub fn held_fields<'m, T: Fields<'m>, A: VariantAccess<'m>>(
     held: A,
     reader: &mut Reader<'m>,
@@ -78,8 +78,9 @@ pub fn held_fields<'m, T: Fields<'m>, A: VariantAccess<'m>>(
     held.struct_variant(T::FIELDS, FieldsOf { reader, of: PhantomData })
 }
 
-/// Makes [`Variants`] and [`Read`] for an enum: its type parameters, name and type, and its variants, of which each
-/// holds nothing, one value, or the fields of a struct. `for` names the lifetime of the memory where lists are put.
+/// Implements [`Variants`] and [`Read`] for an enum. The arguments are its type parameters, its name and
+/// type, and its variants, each of which holds nothing, one value, or the fields of a struct. `for` names the
+/// lifetime of the memory in which lists are stored.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __read_enum {
@@ -99,7 +100,9 @@ macro_rules! __read_enum {
             ) -> Result<Self, A::Error> {
                 match name {
                     $(_ if name == stringify!($Variant) => {
-                        $crate::__read_enum!(@held $Variant $(($held))? $({ $Fields: $($field),+ })?, held, reader)
+                        $crate::__read_enum!(
+                            @held $Variant $(($held))? $({ $Fields: $($field),+ })?, held, reader
+                        )
                     })+
                     _ => Err($crate::read::serde::de::Error::unknown_variant(name, Self::VARIANTS)),
                 }

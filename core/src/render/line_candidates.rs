@@ -1,189 +1,32 @@
-//! Which objects a line of the picture can show, and where: most pixels then test one object, or none. And which shadows
-//! fall on the largest flat object of the scene, its floor most often: most of its pixels then test nothing on the way to a
-//! light.
-//!
-//! Each object lies inside a ball or a box, which has an [`Outline`] in the picture, and along one line that is one span of
-//! pixels (Weghorst, Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", ACM TOG 1984, project
-//! bounding volumes into item buffers; here the buffer is one line long and holds spans). Spans are wider than what they
-//! hold by more than all rounding, so that the bytes are the same with and without.
+//! The objects that each pixel of one line can show: most pixels then test one object, or none. And the
+//! shadows that each pixel of the largest flat object can lie in: most of these then test nothing on the way
+//! to a light.
 
-use super::outline::{Outline, Projector, Vantage};
-use crate::camera::Viewport;
-use crate::integrator::{LIGHTS, Shades, Sight};
-use crate::math::Real;
-use crate::prepared::PreparedScene;
+use super::outlines::{Outlines, SHADOWS};
+use super::span::Span;
+use crate::integrator::{Shades, Sight};
 use crate::prepared::candidates::ObjectSet;
-use crate::prepared::queries::Enclosure;
-use crate::shape::Geometry;
-
-/// The pixels `start..end` of a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Span {
-    pub(super) start: u16,
-    pub(super) end: u16,
-}
-
-impl Span {
-    pub(super) const NOWHERE: Self = Self { start: u16::MAX, end: u16::MAX };
-    pub(super) const EVERYWHERE: Self = Self { start: 0, end: u16::MAX };
-
-    /// Whether `x` is inside, and lowers `until` to where that changes next.
-    #[inline(always)]
-    fn change_after(self, x: u16, until: &mut u16) -> bool {
-        let is_inside = x >= self.start && x < self.end;
-        let change = if is_inside { self.end } else { self.start };
-        if change > x && change < *until {
-            *until = change;
-        }
-        is_inside
-    }
-
-    /// The pixels of both, and those between.
-    pub(super) fn hull(self, other: Self) -> Self {
-        if other.start >= other.end {
-            return self;
-        }
-        let end = if self.start < self.end { self.end.max(other.end) } else { other.end };
-        Self { start: self.start.min(other.start), end }
-    }
-
-    /// Whether it holds any of the pixels from `left` to `right`, both included.
-    pub(super) fn reaches(self, left: u16, right: u16) -> bool {
-        self.start <= right && left < self.end
-    }
-
-    /// The pixels that are in both.
-    pub(super) fn common(self, other: Self) -> Self {
-        Self { start: self.start.max(other.start), end: self.end.min(other.end) }
-    }
-}
-
-/// How many shadows are known.
-const SHADOWS: usize = ObjectSet::CAPACITY / 2;
-
-/// The outlines of all objects of a picture, and of the shadows on the largest flat one.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Outlines {
-    objects: [Outline; ObjectSet::CAPACITY],
-    /// Of how many objects; `None` where nothing is known.
-    count: Option<usize>,
-    /// The flat object, if there is one.
-    receiver: usize,
-    shadows: [Shadow; SHADOWS],
-    /// What may shade it from each light and has no outline.
-    others: [ObjectSet; LIGHTS],
-}
-
-/// The outline of the shadow of an object.
-#[derive(Clone, Copy, Debug)]
-struct Shadow {
-    light: u8,
-    object: u8,
-    outline: Outline,
-}
-
-impl Outlines {
-    /// Nothing is known.
-    pub(super) const UNKNOWN: Self = Self {
-        objects: [Outline::Nowhere; ObjectSet::CAPACITY],
-        count: None,
-        receiver: usize::MAX,
-        shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::ALL; LIGHTS],
-    };
-
-    /// Finds the outlines of the objects of a scene that has not too many. They are large: they are found where they stay.
-    #[inline(never)]
-    pub(super) fn find<R: Real, S: Geometry>(
-        &mut self,
-        scene: &PreparedScene<'_, R, S>,
-        viewport: &Viewport<R>,
-    ) {
-        let Some(enclosures) = scene.enclosures() else { return };
-        let eye = Vantage::eye(viewport);
-        let (mut count, mut largest) = (0, 0);
-        for (index, (place, enclosure)) in self.objects.iter_mut().zip(enclosures).enumerate() {
-            *place = match enclosure {
-                Enclosure::Ball { center, radius } => eye.outline(center.to_setup(), radius.to_setup()),
-                Enclosure::Box(bounds) => Outline::of_box(bounds.to_setup(), viewport),
-                Enclosure::Everywhere => Outline::Everywhere,
-            };
-            if place.area() > largest && scene.plane_of(index).is_some() {
-                largest = place.area();
-                self.receiver = index;
-            }
-            count = index + 1;
-        }
-        self.count = Some(count);
-    }
-
-    /// Finds the outlines of shadows, once those of objects are known.
-    #[inline(never)]
-    pub(super) fn find_shadows<R: Real, S: Geometry>(
-        &mut self,
-        scene: &PreparedScene<'_, R, S>,
-        viewport: &Viewport<R>,
-    ) {
-        let (Some(_), Some(plane)) = (self.count(), scene.plane_of(self.receiver)) else { return };
-        if scene.lights.len() > LIGHTS {
-            // Of those no more is said than of none.
-            return;
-        }
-        let mut places = self.shadows.iter_mut();
-        for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
-            *others = scene.may_shade(self.receiver, index);
-            let projector = Projector::new(&light.source, plane, viewport);
-            for object in *others {
-                let Some((center, radius)) = scene.ball_of_shadow(object, &light.source) else { continue };
-                let outline = projector.outline(center, radius);
-                let Some(place) = places.next() else { return };
-                *place = Shadow { light: index as u8, object: object as u8, outline };
-                *others = others.without(object);
-            }
-        }
-    }
-
-    /// Of how many objects outlines are known: without the feature, the compiler sees that it is none.
-    #[inline(always)]
-    pub(super) fn count(&self) -> Option<usize> {
-        if cfg!(feature = "candidates") { self.count } else { None }
-    }
-
-    /// Where each object can be seen on the lines from `top` to `bottom`, both included; `None` where it is not known.
-    pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
-        let objects = self.objects.iter().take(self.count()?);
-        Some(objects.map(move |outline| outline.lines(top, bottom)))
-    }
-
-    /// The largest flat object, if there is one.
-    pub(super) fn receiver(&self) -> usize {
-        self.receiver
-    }
-
-    /// The outlines of shadows that are less than so many lines high.
-    pub(super) fn low_shadows(&self, lines: u32) -> impl Iterator<Item = &Outline> {
-        let shadows = self.shadows.iter().map(|shadow| &shadow.outline);
-        shadows.filter(move |outline| outline.is_lower_than(lines))
-    }
-}
 
 /// The objects that each pixel of one line can show.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineCandidates<'o> {
     outlines: &'o Outlines,
+    /// The number of objects.
     objects: usize,
+    /// The pixels in which each object can be seen.
     spans: [Span; ObjectSet::CAPACITY],
+    /// The pixels on which each shadow can fall.
     shadows: [Span; SHADOWS],
-    /// The objects whose spans hold the pixels before `until`, since the last pixel that was asked for.
+    /// The objects whose spans hold the pixels from the last one that was looked up to `until`.
     current: ObjectSet,
     until: u16,
-    /// The same for the shadows.
+    /// The objects that can shade the pixels from the last one that was looked up to `shades_until`.
     shades: Shades,
     shades_until: u16,
 }
 
 impl<'o> LineCandidates<'o> {
-    /// The candidates for the pixel centers of line `y`; `None` where they are not known.
+    /// The candidates for the pixel centers of line `y`; `None` if no outlines are known.
     pub(super) fn new(outlines: &'o Outlines, y: u16) -> Option<Self> {
         let objects = outlines.count()?;
         let mut spans = [Span::NOWHERE; ObjectSet::CAPACITY];
@@ -207,8 +50,8 @@ impl<'o> LineCandidates<'o> {
         })
     }
 
-    /// The column after pixel `x` up to which nothing can be seen, if that is so; `x` never decreases.
-    #[inline(always)]
+    /// If no object can be seen in pixel `x`, the next pixel in which one can be. `x` must not decrease.
+    #[inline]
     pub(super) fn nothing_until(&mut self, x: u16) -> Option<u16> {
         if x >= self.until {
             self.look_up(x);
@@ -216,8 +59,9 @@ impl<'o> LineCandidates<'o> {
         self.current.is_empty().then_some(self.until)
     }
 
-    /// What is known of the ray through pixel `x`, of which [`nothing_until`](Self::nothing_until) was asked last.
-    #[inline(always)]
+    /// The candidates of the ray through pixel `x`, for which [`nothing_until`](Self::nothing_until) was
+    /// called last.
+    #[inline]
     pub(super) fn sight(&mut self, x: u16) -> Sight<'_> {
         if x >= self.shades_until {
             self.look_up_shadows(x);
@@ -225,7 +69,6 @@ impl<'o> LineCandidates<'o> {
         Sight { among: self.current, shades: &self.shades }
     }
 
-    #[inline(never)]
     fn look_up(&mut self, x: u16) {
         self.current = ObjectSet::NONE;
         self.until = u16::MAX;
@@ -236,7 +79,6 @@ impl<'o> LineCandidates<'o> {
         }
     }
 
-    #[inline(never)]
     fn look_up_shadows(&mut self, x: u16) {
         self.shades.among = self.outlines.others;
         self.shades_until = u16::MAX;
@@ -253,10 +95,13 @@ impl<'o> LineCandidates<'o> {
 #[cfg(feature = "candidates")]
 #[cfg(test)]
 mod tests {
+    use super::super::outline::Outline;
+    use super::super::outlines::Shadow;
     use super::*;
+    use crate::integrator::LIGHTS;
 
     #[test]
-    fn every_pixel_is_told_its_objects_and_their_shadows() {
+    fn every_pixel_gets_its_objects_and_their_shadows() {
         let band = |start, end| Outline::Rectangle { across: Span { start, end }, top: 2, bottom: 4 };
         let mut outlines = Outlines { count: Some(4), receiver: 1, ..Outlines::UNKNOWN };
         outlines.objects[0] = band(3, 7);

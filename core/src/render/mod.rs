@@ -8,11 +8,13 @@ mod groups;
 mod interleave;
 mod line_candidates;
 mod outline;
+mod outlines;
 mod painter;
 mod pattern;
 mod quantize;
 mod realtime;
 mod settings;
+mod span;
 mod tone;
 mod unchanged;
 
@@ -30,7 +32,7 @@ pub use tone::Tone;
 use core::ops::Range;
 
 use groups::Groups;
-use line_candidates::Outlines;
+use outlines::Outlines;
 use painter::LinePainter;
 
 use embedded_graphics::draw_target::DrawTarget;

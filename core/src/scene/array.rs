@@ -1,4 +1,4 @@
-//! Arrays of fixed size, read from files.
+//! Reading of lists into arrays of fixed capacity.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -15,7 +15,7 @@ impl<'m, T: Read<'m>, const N: usize> Read<'m> for Vec<T, N> {
     }
 }
 
-/// Takes the values of a list of at most `N`.
+/// The visitor that receives the values of a list of at most `N`.
 struct Array<'r, 'm, T, const N: usize> {
     reader: &'r mut Reader<'m>,
     of: PhantomData<T>,

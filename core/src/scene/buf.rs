@@ -1,4 +1,4 @@
-//! A scene that is put together at run time, without allocation.
+//! A scene that is built at run time, without allocation.
 
 use heapless::Vec;
 
@@ -8,7 +8,7 @@ use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
 
-/// A scene that is put together at run time, in arrays of fixed size.
+/// A scene that is built at run time, in arrays of fixed capacity.
 ///
 /// ```
 /// use rayline::{Background, Camera, Light, LinearRgb, Material, SceneBuf, Vec3, shape::Sphere};
@@ -23,19 +23,22 @@ use crate::material::Material;
 /// ```
 ///
 /// # Frame after frame
-/// What moves is changed in place, [prepared](crate::PreparedScene::new) again, which checks it, and drawn. Each frame is prepared in
-/// the same lent memory, and nothing is allocated; a picture has the bytes that it has of a scene that was filled anew. Where nothing
-/// but the camera moves, [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) does, and nothing is prepared again.
+/// For each frame, change the moving objects in place, [prepare](crate::PreparedScene::new) the scene again,
+/// which checks it, and draw it. Every frame is prepared in the same lent memory, and nothing is allocated.
+/// The picture is the same as that of a newly filled scene. Where only the camera moves,
+/// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) is enough, and the scene is not prepared
+/// again.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
 /// use rayline::shape::Sphere;
 /// use rayline::{
-///     Background, Camera, Light, LinearRgb, Material, PreparedScene, Renderer, SceneBuf, Settings, Vec3, Workspace,
-///     prepared_bytes,
+///     Background, Camera, Light, LinearRgb, Material, PreparedScene, Renderer, SceneBuf, Settings, Vec3,
+///     Workspace, prepared_bytes,
 /// };
 /// # let camera = Camera {
-/// #     eye: Vec3::new(0.0, 1.0, 8.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+/// #     eye: Vec3::new(0.0, 1.0, 8.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::new(0.0, 1.0, 0.0),
+/// #     vertical_fov: 0.7,
 /// # };
 /// # let white = LinearRgb::WHITE;
 /// let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(camera, Background::gray(0.1));
@@ -59,9 +62,9 @@ use crate::material::Material;
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize> {
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera,
-    /// What a ray sees that hits nothing.
+    /// The color of rays that hit nothing.
     pub background: Background<'a>,
     objects: Vec<Object<S>, OBJECTS>,
     materials: Vec<Material<'a>, MATERIALS>,
@@ -87,10 +90,10 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
         Self { camera, background, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() }
     }
 
-    /// Adds a material and tells its id.
+    /// Adds a material and returns its id.
     ///
     /// # Errors
-    /// Hands the material back where there is no room; the scene is unchanged. Raise `MATERIALS`.
+    /// There is no room: the material is handed back and the scene is unchanged. Raise `MATERIALS`.
     pub fn add_material(&mut self, material: Material<'a>) -> Result<MaterialId, Material<'a>> {
         let id = MaterialId(self.materials.len() as u16);
         self.materials.push(material).map(|()| id)
@@ -99,7 +102,7 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     /// Adds an object.
     ///
     /// # Errors
-    /// Hands the object back where there is no room; the scene is unchanged. Raise `OBJECTS`.
+    /// There is no room: the object is handed back and the scene is unchanged. Raise `OBJECTS`.
     pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<(), Object<S>> {
         self.objects.push(Object { shape, material })
     }
@@ -107,17 +110,17 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     /// Adds a light.
     ///
     /// # Errors
-    /// Hands the light back where there is no room; the scene is unchanged. Raise `LIGHTS`.
+    /// There is no room: the light is handed back and the scene is unchanged. Raise `LIGHTS`.
     pub fn add_light(&mut self, light: Light) -> Result<(), Light> {
         self.lights.push(light)
     }
 
-    /// The objects in the order in which they were added: move them, or give them another shape or material.
+    /// The objects in the order in which they were added, to be moved or given another shape or material.
     pub fn objects_mut(&mut self) -> &mut [Object<S>] {
         &mut self.objects
     }
 
-    /// The materials, each at the position that its [`MaterialId`] is.
+    /// The materials in the order of their [`MaterialId`]s.
     pub fn materials_mut(&mut self) -> &mut [Material<'a>] {
         &mut self.materials
     }
@@ -134,7 +137,7 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
         self.lights.clear();
     }
 
-    /// The scene as everything else takes it.
+    /// The scene in its borrowed form.
     pub fn as_scene(&self) -> Scene<'_, S> {
         Scene {
             camera: self.camera,

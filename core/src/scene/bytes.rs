@@ -1,7 +1,8 @@
-//! Scenes as bytes, for flash: a mark, a version, a hash of the set of shapes, and what postcard makes of the description.
+//! Scenes as bytes, for flash: a mark, a version, a hash of the set of shapes, and the description in
+//! postcard's format.
 //!
-//! Postcard's format is that of a specification of its own (<https://postcard.jamesmunns.com/>): numbers of few bits take few bytes, there
-//! are no names, and what a [`Sphere`](crate::shape::Sphere) holds is 16 bytes.
+//! Postcard's format has a public specification (<https://postcard.jamesmunns.com/>): small integers take few
+//! bytes, names are not stored, and a [`Sphere`](crate::shape::Sphere) takes 16 bytes.
 
 use core::fmt;
 use core::mem::MaybeUninit;
@@ -13,73 +14,79 @@ use crate::fault::Fault;
 use crate::read::{Read, Reader};
 use crate::shape::Geometry;
 
-/// What every scene's bytes begin with.
+/// The first bytes of every scene.
 const MARK: [u8; 4] = *b"RAYL";
 
-/// Goes up with every change of what the bytes mean.
+/// The version of the format, raised with every change of it.
 const VERSION: u8 = 2;
 
-/// Why bytes are no scene, or a scene could not be made bytes.
+/// The reason why bytes are no scene, or why a scene could not be written as bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BytesError {
-    /// They do not begin as the bytes of a scene do. Look whether they are those of the right file.
+    /// The bytes do not begin with the mark of a scene. Check that they come from the right file.
     NotAScene,
-    /// They were written by another version of this crate. Write the scene again.
+    /// The bytes were written in another version of the format. Write the scene again.
     Version {
-        /// That of the bytes.
+        /// The version of the bytes.
         found: u8,
-        /// The one that this version reads.
+        /// The version that this crate reads.
         known: u8,
     },
-    /// They were written with another set of shapes, or in another order. Read them with that; what `rayline convert` writes is for
-    /// [`Shape`](crate::shape::Shape).
+    /// The bytes were written with another set of shapes, or with its shapes in another order. Read them with
+    /// the same set; `rayline convert` writes them with [`Shape`](crate::shape::Shape).
     OtherSet,
-    /// The scene goes on after their end. Look whether all of the file was taken.
+    /// The bytes end before the scene does. Check that the file is complete.
     Cut,
-    /// They stand for nothing that a scene could hold. Write the scene again.
+    /// The bytes hold a value that no scene has. Write the scene again.
     Broken,
     /// The memory for lists is too small. Lend more.
     Memory {
-        /// Bytes that the first part of the scene needs for which there is no room.
+        /// A lower bound on the bytes needed: up to the first list that did not fit.
         needed: usize,
         /// Bytes that were lent.
         lent: usize,
     },
     /// A [`SceneBuf`] is full. Raise the number of its objects, materials or lights.
     Full {
-        /// There is room for so many.
+        /// The capacity of the array, in elements.
         room: usize,
     },
-    /// The scene takes more bytes than there is room for. Lend more.
+    /// The scene takes more bytes than the buffer holds. Lend a larger one.
     NoRoom,
 }
 
 impl fmt::Display for BytesError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::NotAScene => "these are not the bytes of a scene",
+            Self::NotAScene => {
+                "the bytes do not begin with the mark of a scene; check that they come from the right file"
+            }
             Self::Version { found, known } => {
                 return write!(
                     f,
-                    "these bytes have version {found}, and {known} is known; write the scene again"
+                    "the bytes have version {found}, but this version of rayline reads {known}; write the \
+                     scene again"
                 );
             }
-            Self::OtherSet => {
-                "the bytes are of another set of shapes; read them with the one that wrote them"
-            }
-            Self::Cut => "the bytes end before the scene does",
-            Self::Broken => "the bytes hold what no scene does; write the scene again",
+            Self::OtherSet => "the bytes were written with another set of shapes; read them with that set",
+            Self::Cut => "the bytes end before the scene does; check that the file is complete",
+            Self::Broken => "the bytes hold a value that no scene has; write the scene again",
             Self::Memory { needed, lent } => {
                 return write!(
                     f,
-                    "lists need {needed} bytes of memory or more, and {lent} were lent; lend more"
+                    "the scene needs at least {needed} bytes of memory for its lists, but {lent} were lent; \
+                     lend more"
                 );
             }
             Self::Full { room } => {
-                return write!(f, "the scene has more than {room} of a kind; raise the capacity");
+                return write!(
+                    f,
+                    "the scene has more objects, materials or lights than the array holds ({room}); raise \
+                     its capacity"
+                );
             }
-            Self::NoRoom => "the scene takes more bytes than there is room for",
+            Self::NoRoom => "the scene takes more bytes than the buffer holds; lend a larger one",
         })
     }
 }
@@ -87,26 +94,27 @@ impl fmt::Display for BytesError {
 impl core::error::Error for BytesError {}
 
 impl<S: Geometry + Serialize> Scene<'_, S> {
-    /// Writes the scene as bytes, and tells which of `room` they are.
+    /// Writes the scene as bytes to the front of `room`, and returns the part of it that was written.
     ///
     /// # Errors
-    /// [`BytesError::NoRoom`]
+    /// [`BytesError::NoRoom`]: `room` is too small.
     pub fn to_bytes<'b>(&self, room: &'b mut [u8]) -> Result<&'b mut [u8], BytesError> {
         postcard::to_slice(&(MARK, VERSION, hash::<S>(), self), room).map_err(|_| BytesError::NoRoom)
     }
 }
 
 impl<'a, S: Geometry + Read<'a>> Scene<'a, S> {
-    /// The scene that these bytes are, with its lists in `memory`. Bytes of images stay where they are. What follows after the scene
-    /// is not looked at.
+    /// Reads a scene from bytes and stores its lists in `memory`. Images of bytes stay where they are, in
+    /// `bytes`. Bytes after the end of the scene are ignored.
     ///
-    /// A shape is known by its place in the set: `S` is the one that the bytes were written with, or one of the same names in the same
-    /// order. What `rayline convert` writes is for [`Shape`](crate::shape::Shape).
+    /// Shapes are stored by their position in the set. So `S` must be the set that the bytes were written
+    /// with, or one with the same names in the same order. `rayline convert` writes the bytes with
+    /// [`Shape`](crate::shape::Shape).
     ///
-    /// Whether it can be drawn, [`PreparedScene::new`](crate::PreparedScene::new) tells.
+    /// The numbers of the scene are checked later, by [`PreparedScene::new`](crate::PreparedScene::new).
     ///
     /// # Errors
-    /// A [`BytesError`] that says why they are none.
+    /// A [`BytesError`]: the bytes are no scene of this set, or the memory is too small.
     pub fn from_bytes(bytes: &'a [u8], memory: &'a mut [MaybeUninit<u8>]) -> Result<Self, BytesError> {
         read::<Self, S>(bytes, memory)
     }
@@ -117,13 +125,14 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
 where
     S: Geometry + Read<'a>,
 {
-    /// The scene that these bytes are, to be changed: what objects and materials refer to is in `memory`. Otherwise as
-    /// [`Scene::from_bytes`].
+    /// Reads a scene that can be changed from bytes, like [`Scene::from_bytes`]. Lists inside of objects and
+    /// materials are stored in `memory`.
     ///
     /// ```
     /// use rayline::{SceneBuf, Workspace, builtin, shape::Shape};
     /// let mut room = [0; 2048];
-    /// let bytes = builtin::CLASSIC.to_bytes(&mut room)?; // on the desktop: `rayline convert classic classic.rayline`
+    /// // On the desktop: `rayline convert classic classic.rayline`.
+    /// let bytes = builtin::CLASSIC.to_bytes(&mut room)?;
     ///
     /// let mut memory = Workspace::<1024>::new();
     /// let scene = SceneBuf::<Shape, 8, 8, 4>::from_bytes(bytes, memory.lend())?;
@@ -132,14 +141,14 @@ where
     /// ```
     ///
     /// # Errors
-    /// A [`BytesError`] that says why they are none.
+    /// A [`BytesError`]: the bytes are no scene of this set, or the memory is too small.
     pub fn from_bytes(bytes: &'a [u8], memory: &'a mut [MaybeUninit<u8>]) -> Result<Self, BytesError> {
         let () = Self::NUMBERED_BY_U16;
         read::<Self, S>(bytes, memory)
     }
 }
 
-/// The names of a set's shapes: two sets of the same shapes in the same order have the same. Fowler, Noll and Vo's hash, FNV-1a.
+/// A hash of the names of a set's shapes, in their order: the hash FNV-1a of Fowler, Noll and Vo.
 const fn hash<S: Geometry>() -> [u8; 4] {
     let mut hash = 0x811c_9dc5_u32;
     let mut names = S::NAMES;
@@ -149,14 +158,14 @@ const fn hash<S: Geometry>() -> [u8; 4] {
             hash = (hash ^ *byte as u32).wrapping_mul(0x0100_0193);
             bytes = rest;
         }
-        // What ends a name is in none.
+        // The product with the prime also marks the end of a name, as a byte of 0 would.
         hash = hash.wrapping_mul(0x0100_0193);
         names = others;
     }
     hash.to_le_bytes()
 }
 
-/// Reads a scene of shapes of the set `S`, or what else is written as one.
+/// Reads a [`Scene`] or a [`SceneBuf`] of shapes of the set `S`.
 fn read<'a, T: Read<'a>, S: Geometry>(
     bytes: &'a [u8],
     memory: &'a mut [MaybeUninit<u8>],
@@ -226,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_in_front_is_checked_first() {
+    fn mark_and_version_are_checked_first() {
         let (mut room, mut memory) = ([0; 2048], [MaybeUninit::uninit(); 2048]);
         let bytes = CLASSIC.to_bytes(&mut room).unwrap();
         let mut read = |bytes: &[u8]| Scene::<Shape<'_>>::from_bytes(bytes, &mut memory).err();

@@ -1,16 +1,16 @@
-//! Which cargo features a scene needs.
+//! The cargo features that a scene needs.
 
 use super::Scene;
 use crate::light::Light;
 use crate::limits::FEW_OBJECTS;
 use crate::material::Material;
 
-/// The features that only make pictures faster: without them they have the same bytes.
+/// The features that only make drawing faster: the bytes of a picture are the same without them.
 pub const FASTER: [&str; 3] = ["candidates", "groups", "hierarchy"];
 
 impl<S> Scene<'_, S> {
-    /// The features of this crate that the scene needs, or that make it faster ([`FASTER`]): a program that draws nothing else can
-    /// leave out the others, and the flash that they take.
+    /// The names of the features of this crate that the scene needs or that make it faster ([`FASTER`]). A
+    /// program that draws only this scene saves flash by leaving out the others.
     pub fn features(&self) -> impl Iterator<Item = &'static str> {
         let has_optics =
             self.lights.iter().any(Light::needs_optics) || self.materials.iter().any(Material::needs_optics);

@@ -19,36 +19,37 @@ use crate::material::Material;
 use crate::math::{Extent, Real, Scale};
 use crate::shape::{Geometry, Shape};
 
-/// Everything that is in a picture.
+/// The description of a scene: everything that is in a picture.
 ///
-/// `S` is the set of shapes that objects may have; by default all built-in ones, see
+/// `S` is the set of shapes that objects may have: by default all built-in shapes, or one made by
 /// [`shape_set!`](crate::shape_set).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scene<'a, S = Shape<'a>> {
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera,
-    /// What a ray sees that hits nothing.
+    /// The color of rays that hit nothing.
     pub background: Background<'a>,
-    /// What rays can hit. Where two are at the same distance, the first in this order is seen.
+    /// The objects that rays can hit. Where two are hit at the same distance, the first in this order is
+    /// seen.
     pub objects: &'a [Object<S>],
-    /// What objects are made of.
+    /// The materials that objects refer to by their [`MaterialId`].
     pub materials: &'a [Material<'a>],
-    /// What lights them.
+    /// The lights.
     pub lights: &'a [Light],
 }
 
-/// A shape and what it is made of.
+/// A shape with a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Object<S> {
-    /// Where the object is and what form it has.
+    /// The shape, which also has the position.
     pub shape: S,
-    /// What it is made of.
+    /// The material.
     pub material: MaterialId,
 }
 
-/// A material of the same scene, by its position in [`Scene::materials`].
+/// The position of a material in [`Scene::materials`], counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MaterialId(pub u16);
@@ -74,7 +75,7 @@ impl<'m> crate::read::Read<'m> for MaterialId {
 }
 
 impl<S: Geometry> Scene<'_, S> {
-    /// How large it is traced in a number system.
+    /// The scale at which the scene is traced in the number system `R`.
     pub(crate) fn scale<R: Real>(&self) -> Scale {
         let extents = self.objects.iter().map(|object| object.shape.extent());
         Scale::new::<R>(extents.fold(Extent::default(), Extent::union), self.camera.eye)
@@ -82,7 +83,7 @@ impl<S: Geometry> Scene<'_, S> {
 }
 
 impl<S> Object<S> {
-    /// The object of this shape and the material at this position in [`Scene::materials`].
+    /// An object of this shape, with the material at this position in [`Scene::materials`].
     pub const fn new(shape: S, material: u16) -> Self {
         Self { shape, material: MaterialId(material) }
     }

@@ -2,11 +2,23 @@
 //! Introduction to Ray Tracing", 1989, ch. 2), solved without cancellation (Press et al., "Numerical Recipes",
 //! §5.6).
 //!
-//! Most rays that are tested pass the axis farther away than the cone reaches (63 % of them in rings_s1): floating point asks
-//! that first, by the line at right angles to both, for half the products. An M4F takes 0.90 of the instructions for
-//! `show-chess`, 0.98 for rings_s1, and x86-64 0.88 and 0.97 of the time. In fixed point, whose coefficients must not overflow, that
-//! the ray comes near the base at all is asked instead: to ask both takes an M3 1.03 times the instructions for `show-chess`, 0.99 for
-//! rings_s1.
+//! # No hit outside
+//! A cone may be a hundred thousand times as long as it is wide, and a ray may run almost along it. The
+//! equation as textbooks give it loses all digits there. Three steps keep the error of a hit to a few units
+//! in the last place of the cone's length and place, far less than the room that its bounds have:
+//!
+//! - Every number is measured from the point of the ray that is nearest to the axis, of the part between the
+//!   planes of the two ends ([`Approach`]). No point of the cone on the ray is nearer to the axis, so what
+//!   the equation is made of is no larger than the radius where the ray meets the cone.
+//! - The angle between ray and axis enters as the part of the direction across the axis, not as 1 less the
+//!   square of the part along it.
+//! - The discriminant is (α r - β e)² - D² (α² - β²), where D is how far the whole line passes the axis by.
+//!   It does not cancel where the textbook's b² - a c does.
+//!
+//! # Rays that pass by
+//! Most rays that are tested pass the axis farther away than the cone reaches. Floating point looks at that
+//! first, by the line at right angles to both, for half the products. Fixed point, whose coefficients must
+//! not overflow, first looks whether the ray comes near the base at all.
 
 use super::{Geometry, Hull, Intersect, Spans, Tip, beside, reach_across, uv};
 use crate::arena::Arena;
@@ -64,6 +76,7 @@ impl Geometry for Cone {
         let widest = base_radius.larger(top_radius);
         let size = length + widest;
         check_size(scale.length::<R>(widest))?;
+        let magnitude: R = scale.length(base.magnitude() + size);
         let reach: R = scale.length(widest * R::Setup::from_f32(1.03));
         Ok(PreparedCone {
             base: scale.point(base),
@@ -71,9 +84,9 @@ impl Geometry for Cone {
             length: scale.length(length),
             base_radius: scale.length(base_radius),
             slope: R::from_setup(slope),
-            steepness: R::from_setup(steepness),
-            magnitude: scale.length(base.magnitude() + length + widest),
+            magnitude,
             size: scale.length(size),
+            reach: reach + R::offset(magnitude),
             reach_squared: reach * reach,
             capped: self.capped,
         })
@@ -92,26 +105,57 @@ pub struct PreparedCone<R> {
     length: R,
     base_radius: R,
     slope: R,
-    /// 1 + slope²
-    steepness: R,
     magnitude: R,
     /// No point is farther from the base.
     size: R,
-    /// No point is farther from the axis, squared, with room for rounding.
+    /// No hit is farther from the axis, with room for rounding.
+    reach: R,
+    /// The square of that but for the rounding of places.
     reach_squared: R,
     capped: bool,
 }
 
-/// A line's way through a cone of infinite length, and its mirror image, from its point nearest to the base.
+/// The point of a ray that is nearest to the axis between the planes of the cone's ends.
+struct Approach<R> {
+    /// The point as seen from the base, and how far along the ray it is.
+    from_base: Vec3<R>,
+    advance: R,
+    /// By how much the ray rises along the axis with each unit.
+    climb: R,
+    /// The direction of the ray across the axis, of unit length, and how much it moves that way with each
+    /// unit; both 0 for a ray along the axis.
+    across: Vec3<R>,
+    sine: R,
+}
+
+/// [`Approach`] of four rays.
+struct FourApproaches<R> {
+    /// A bit for each ray that comes near enough.
+    near_enough: u32,
+    from_base: [Vec3<R>; 4],
+    advance: [R; 4],
+    climb: [R; 4],
+    across: [Vec3<R>; 4],
+    sine: [R; 4],
+}
+
+/// A line's way through a cone of infinite length and its mirror image, from its [`Approach`] on.
+///
+/// With `unit` times a distance t from there as τ, the line is e + α τ along its own way across the axis,
+/// always D beside the axis, and the radius there is r + β τ. So it meets the cone where a τ² + 2 b τ + c =
+/// 0.
 struct Passage<R: Real> {
-    /// That point, as seen from the base, and how far along the ray it is.
+    /// Where that is, as seen from the base, and how far along the ray.
     from_base: Vec3<R>,
     advance: R,
     direction: Vec3<R>,
     /// Its height, and by how much the line rises with each unit.
     height: R,
     climb: R,
-    /// Distance from the axis, squared, less the cone's radius there, squared: a t² + 2 b t + c.
+    /// The larger of two changes for each unit along the line: of the way across the axis, and of the radius.
+    /// In units of this, the larger of α and β is 1.
+    unit: R,
+    /// α² - β², α e - β r, and the squared distance from the axis less the squared radius.
     a: R,
     b: R,
     c: R::Product,
@@ -127,7 +171,8 @@ impl<R: Real> Passage<R> {
         // q is zero only if b and the discriminant are. Along a line of the cone a is next to 0 and q / a is
         // far away; without floats it might not be representable.
         let one = self.c.over(q);
-        (one, if is_met_twice(self.a) { q / self.a } else { one })
+        let other = if is_met_twice(self.a) { q / self.a } else { one };
+        (one / self.unit, other / self.unit)
     }
 
     /// The part of `-reach..reach` that lies inside the cone, where the `slope` is how much it widens with height. Of
@@ -156,6 +201,18 @@ fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
+/// The shares of a sine and of another number in the larger of the two; none of nothing.
+#[inline(always)]
+fn shares<R: Real>(sine: R, other: R, larger: R) -> (R, R) {
+    if sine < larger {
+        (sine / larger, if other < R::ZERO { -R::ONE } else { R::ONE })
+    } else if larger > R::ZERO {
+        (R::ONE, other / larger)
+    } else {
+        (R::ZERO, R::ZERO)
+    }
+}
+
 impl<R: Real> PreparedCone<R> {
     /// How far away a ray's line passes the axis, and how far it may where it meets the cone: both squared, and times the sine of the angle
     /// between the two, squared.
@@ -171,9 +228,9 @@ impl<R: Real> PreparedCone<R> {
         (distance * distance, self.reach_squared * across.length_squared() + doubt)
     }
 
-    /// `None` where the ray passes by.
+    /// The point of the ray where a passage begins. `None` where the ray passes by.
     #[inline(always)]
-    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+    fn approach(&self, ray: &Ray<R>) -> Option<Approach<R>> {
         if R::REACH.is_none() {
             let (distance, reach) = self.passing(ray);
             if distance > reach {
@@ -186,15 +243,106 @@ impl<R: Real> PreparedCone<R> {
             return None;
         }
         let direction = ray.direction;
-        let height = from_base.dot(self.axis);
         let climb = direction.dot(self.axis);
+        let (across, sine) = (direction - self.axis * climb).polar();
+        let is_along = !(sine > R::ZERO);
+        let across = if is_along { Vec3::ZERO } else { across };
+
+        let height = from_base.dot(self.axis);
+        let beside = from_base - self.axis * height;
+        let aside = beside.dot(across);
+        if R::REACH.is_some() {
+            let passing = beside.length_squared_wide() - aside.times(aside);
+            if passing > self.reach.times(self.reach) + R::ONE.times(R::RAY_OFFSET) {
+                return None;
+            }
+        }
+        let toward = if is_along { R::ZERO } else { -aside / sine };
+        let (rise, to_base, to_top) = (climb * toward, -height, self.length - height);
+        let shift = if rise < to_base {
+            to_base / climb
+        } else if rise > to_top {
+            to_top / climb
+        } else {
+            toward
+        };
+        // Where the way is longer, the ray is between the planes of the ends only far away from the cone.
+        let is_near = shift.abs() <= self.farthest();
+        is_near.then(|| Approach {
+            from_base: from_base + direction * shift,
+            advance: advance + shift,
+            climb,
+            across,
+            sine,
+        })
+    }
+
+    /// `None` where the ray passes by.
+    #[inline(always)]
+    fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
+        let Approach { from_base, advance, climb, across, sine } = self.approach(ray)?;
+        let height = from_base.dot(self.axis);
+        let beside = from_base - self.axis * height;
+        let distance_squared = beside.length_squared_wide();
+        if distance_squared > self.reach.times(self.reach) {
+            return None;
+        }
+        let aside = beside.dot(across);
         let radius = self.base_radius + self.slope * height;
-        let a = R::ONE - self.steepness * climb * climb;
-        let b = from_base.dot(direction) - height * climb - self.slope * climb * radius;
-        let across = from_base - self.axis * height;
-        let c = across.length_squared_wide() - radius.times(radius);
-        let discriminant = b.times(b) - c.times(a);
-        Some(Passage { from_base, advance, direction, height, climb, a, b, c, discriminant })
+        let widens = self.slope * climb;
+        let unit = sine.larger(widens.abs());
+        let (alpha, beta) = shares(sine, widens, unit);
+        let a = alpha * alpha - beta * beta;
+        let b = alpha * aside - beta * radius;
+        let c = distance_squared - radius.times(radius);
+        let even = alpha * radius - beta * aside;
+        let passing = distance_squared - aside.times(aside);
+        let discriminant = even.times(even) - passing.times(a);
+        let direction = ray.direction;
+        Some(Passage { from_base, advance, direction, height, climb, unit, a, b, c, discriminant })
+    }
+
+    /// As [`approach`](Self::approach), in floating point; `None` where all four pass by.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // By places of four.
+    fn approach_four(&self, rays: &FourRays<R>) -> Option<FourApproaches<R>> {
+        let passing = each(|i| self.passing(&rays.ray(i)));
+        let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
+        if near_enough == 0 {
+            return None;
+        }
+        let directions = each(|i| rays.ray(i).direction);
+        let near = each(|i| rays.ray(i).nearest_to(self.base));
+        let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
+        let climb = each(|i| directions[i].dot(self.axis));
+        let across = each(|i| (directions[i] - self.axis * climb[i]).polar());
+        let sine = each(|i| across[i].1);
+        let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
+        let height = each(|i| from_base[i].dot(self.axis));
+        let beside = each(|i| from_base[i] - self.axis * height[i]);
+        let aside = each(|i| beside[i].dot(across[i]));
+        let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
+        let shift = each(|i| {
+            let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
+            let (base, top) = (to_base / climb[i], to_top / climb[i]);
+            if rise < to_base {
+                base
+            } else if rise > to_top {
+                top
+            } else {
+                toward[i]
+            }
+        });
+        let near_enough = near_enough & R::no_larger(&each(|i| shift[i].abs()), &[self.farthest(); 4]);
+        let from_base = each(|i| from_base[i] + directions[i] * shift[i]);
+        let advance = each(|i| advance[i] + shift[i]);
+        Some(FourApproaches { near_enough, from_base, advance, climb, across, sine })
+    }
+
+    /// No hit is farther from where a passage begins.
+    #[inline(always)]
+    fn farthest(&self) -> R {
+        self.size + self.size
     }
 
     /// The nearest hit of the side.
@@ -205,8 +353,12 @@ impl<R: Real> PreparedCone<R> {
         let (one, other) = passage.roots();
         let on_side = |t: R| {
             let at = passage.height + passage.climb * t;
-            // Beyond its apex the quadratic describes a second cone: there the radius is negative.
-            at >= R::ZERO && at <= self.length && self.base_radius + self.slope * at >= R::ZERO
+            // Beyond its apex the quadratic describes a second cone: there the radius is negative. In fixed
+            // point what is too far away may be saturated.
+            t.abs() <= self.farthest()
+                && at >= R::ZERO
+                && at <= self.length
+                && self.base_radius + self.slope * at >= R::ZERO
         };
         let mut nearest = None;
         let mut range = range;
@@ -222,10 +374,6 @@ impl<R: Real> PreparedCone<R> {
 
     /// The nearest hit of the discs at the ends.
     fn intersect_caps(&self, passage: &Passage<R>, range: Interval<R>) -> Option<R> {
-        // In fixed point, t is saturated for a ray almost along a disc, and a hit wraps where |t + advance| exceeds 128. No such hit is
-        // taken: `advance` is below 116, so that |t| is above 12; the point is |t| from the one nearest to the base, which with the
-        // disc lies within √3 + 1/2 of the base (solids lie within 1/2 of the origin), so that it is more than 7 from the middle
-        // of a disc whose radius is 1/2 at most. A coordinate of `across` wraps only where it is beyond 123, and 123 squared fits.
         let Passage { from_base, advance, direction, height, climb, .. } = *passage;
         if climb == R::ZERO {
             return None;
@@ -233,10 +381,10 @@ impl<R: Real> PreparedCone<R> {
         let mut nearest = None;
         let mut range = range;
         for end in [R::ZERO, self.length] {
-            // Compare before dividing: a disc that is many units away for a ray along it is not met.
+            // In fixed point t is saturated for a ray almost along a disc.
             let t = (end - height) / climb;
             let hit = t + advance;
-            if range.contains(hit) {
+            if t.abs() <= self.farthest() && range.contains(hit) {
                 let across = from_base + direction * t - self.axis * end;
                 let radius = self.base_radius + self.slope * end;
                 if across.length_squared_wide() < radius.times(radius) {
@@ -274,25 +422,28 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         if self.capped {
             return rays.one_by_one(max, |ray, range| self.intersect(ray, range));
         }
+        let Some(approaches) = self.approach_four(rays) else { return (0, *max) };
+        let FourApproaches { near_enough, from_base, advance, climb, across, sine } = approaches;
         // As `passage`. The root of what is not positive is 0 or NaN.
-        let passing = each(|i| self.passing(&rays.ray(i)));
-        let near_enough = R::no_larger(&each(|i| passing[i].0), &each(|i| passing[i].1));
+        let height = each(|i| from_base[i].dot(self.axis));
+        let beside = each(|i| from_base[i] - self.axis * height[i]);
+        let distances_squared = each(|i| beside[i].length_squared());
+        let near_enough = near_enough & R::no_larger(&distances_squared, &[self.reach * self.reach; 4]);
         if near_enough == 0 {
             return (0, *max);
         }
-        let directions = each(|i| rays.ray(i).direction);
-        let near = each(|i| rays.ray(i).nearest_to(self.base));
-        let (from_base, advance) = (each(|i| near[i].0), each(|i| near[i].1));
-        let height = each(|i| from_base[i].dot(self.axis));
-        let climb = each(|i| directions[i].dot(self.axis));
+        let aside = each(|i| beside[i].dot(across[i]));
         let radius = each(|i| self.base_radius + self.slope * height[i]);
-        let a = each(|i| R::ONE - self.steepness * climb[i] * climb[i]);
-        let b = each(|i| {
-            from_base[i].dot(directions[i]) - height[i] * climb[i] - self.slope * climb[i] * radius[i]
-        });
-        let across = each(|i| from_base[i] - self.axis * height[i]);
-        let c = each(|i| across[i].length_squared_wide() - radius[i].times(radius[i]));
-        let root = each(|i| (b[i].times(b[i]) - c[i].times(a[i])).sqrt());
+        let widens = each(|i| self.slope * climb[i]);
+        let unit = each(|i| sine[i].larger(widens[i].abs()));
+        let parts = each(|i| shares(sine[i], widens[i], unit[i]));
+        let (alpha, beta) = (each(|i| parts[i].0), each(|i| parts[i].1));
+        let a = each(|i| alpha[i] * alpha[i] - beta[i] * beta[i]);
+        let b = each(|i| alpha[i] * aside[i] - beta[i] * radius[i]);
+        let c = each(|i| beside[i].length_squared_wide() - radius[i].times(radius[i]));
+        let even = each(|i| alpha[i] * radius[i] - beta[i] * aside[i]);
+        let passing = each(|i| beside[i].length_squared_wide() - aside[i].times(aside[i]));
+        let root = each(|i| (even[i].times(even[i]) - passing[i].times(a[i])).sqrt());
         let zeros = [R::ZERO; 4];
         let crossed = near_enough & R::less(&zeros, &root);
         if crossed == 0 {
@@ -302,12 +453,14 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let q = each(|i| if b[i] > R::ZERO { -b[i] - root[i] } else { root[i] - b[i] });
         let one = each(|i| c[i].over(q[i]));
         let other = each(|i| if is_met_twice(a[i]) { q[i] / a[i] } else { one[i] });
+        let (one, other) = (each(|i| one[i] / unit[i]), each(|i| other[i] / unit[i]));
         // As `intersect_side`.
         let met = |t: [R; 4]| {
             let at = each(|i| height[i] + climb[i] * t[i]);
             let radius = each(|i| self.base_radius + self.slope * at[i]);
             let hit = each(|i| t[i] + advance[i]);
-            let on_side = R::no_larger(&zeros, &at)
+            let on_side = R::no_larger(&each(|i| t[i].abs()), &[self.farthest(); 4])
+                & R::no_larger(&zeros, &at)
                 & R::no_larger(&at, &[self.length; 4])
                 & R::no_larger(&zeros, &radius);
             (crossed & on_side & R::less(&zeros, &hit) & R::less(&hit, max), hit)
@@ -362,7 +515,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
             return Spans::NONE;
         };
         // Between the planes of the ends the radius is positive, so that the mirror image has no part there.
-        let (mut from, mut to) = passage.inside(self.slope, self.size);
+        let (mut from, mut to) = passage.inside(self.slope, self.farthest());
         let (to_base, to_top) = (-passage.height, self.length - passage.height);
         if passage.climb == R::ZERO {
             if !(to_base < R::ZERO && to_top > R::ZERO) {
@@ -480,7 +633,8 @@ mod tests {
             let direction = if round / 16 % 2 == 0 { almost_along } else { random.direction() };
             let direction = direction.normalized().unwrap_or(LEFT);
             let ray = Ray { origin: aim - direction * away, direction };
-            let is_passed = cone.passage(&ray).is_none();
+            let (passing, reach) = cone.passing(&ray);
+            let is_passed = passing > reach;
             // The distance from line to line in f64.
             let (axis, direction): (Vec3<f64>, Vec3<f64>) = (cone.axis.to(), ray.direction.to());
             let across = direction.cross(axis);

@@ -98,7 +98,8 @@
 //!   goes into the [`Arena`], and [`bytes`](Geometry::bytes) tells how much that is ([`Arena::bytes`]).
 //! - [`intersect`](Intersect::intersect) computes from the point of the ray that is nearest to the shape ([`Ray::nearest_to`]), in steps
 //!   whose number is bounded, and gives the same distance whatever the range is.
-//! - [`bounds`](Intersect::bounds) hold all that it gives; what is left out of them is not seen.
+//! - [`bounds`](Intersect::bounds) hold all that it gives, by definition: a distance whose point lies outside
+//!   is no hit.
 //! - [`surface`](Intersect::surface) moves the point back onto the shape, and tells the largest number that it was computed from: a ray
 //!   that leaves there must not meet the shape at once.
 //! - For [`Fixed`](crate::math::Fixed) no sum or product may exceed 128, where the scene was scaled so that curved shapes lie within 1/2.
@@ -281,6 +282,8 @@ mod spans;
 mod sphere;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 mod torus;
 mod triangle;
 mod uv;
@@ -373,7 +376,12 @@ pub trait Intersect<R: Real> {
         Form::Any
     }
 
-    /// A box that holds every point that a ray can meet, rounding included; `None` where there is none.
+    /// A box that holds every point that a ray can meet; `None` where there is none.
+    ///
+    /// No hit lies outside: where [`intersect`](Self::intersect) gives `t`, [`ray.at(t)`](Ray::at) lies in
+    /// the box, but for [`Real::offset`] of the largest coordinate of that point and the ray's origin, by
+    /// which the point is rounded. A hit that rounding puts elsewhere is none, however thin or long the shape
+    /// is: what makes rays faster trusts the box, and pictures would differ with it and without.
     fn bounds(&self) -> Option<Aabb<R>>;
 
     /// What holds the shape, so that what is thin is known to be: by number 0 the whole of it. A shape of several parts, or one that no

@@ -1,20 +1,21 @@
-//! Bricks and mortar (after Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd ed. 2003, ch. 2).
+//! Bricks and mortar (after Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd ed. 2003, ch.
+//! 2).
 
 use super::{check_reflectivity, check_unit};
 use crate::color::LinearRgb;
 use crate::fault::{Coefficient, Fault};
 use crate::math::{Cell, Real};
 
-/// A wall of bricks in the pattern's x-y plane: each takes one unit with its share of mortar, and every second row begins in
-/// the middle of one. Along z all is the same.
+/// A wall of bricks in the pattern's x-y plane, constant along z. A brick and its mortar take one unit, and
+/// every second row is shifted by half a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Brick<R = f32> {
-    /// The color of bricks.
+    /// The color of the bricks.
     pub brick: LinearRgb<R>,
-    /// The color between.
+    /// The color of the mortar between them.
     pub mortar: LinearRgb<R>,
-    /// How much of each unit is mortar, along x and y: 0 to 1.
+    /// The share of each unit that is mortar, along x and y: 0 to 1.
     pub gap: [R; 2],
 }
 
@@ -30,7 +31,7 @@ impl Brick {
 }
 
 impl<R: Real> Brick<R> {
-    /// The same place, in units of bricks.
+    /// The position relative to its row of bricks: every second row is shifted by half a unit.
     pub(super) fn in_row([x, y, z]: [Cell<R>; 3]) -> [Cell<R>; 3] {
         [if y.index & 1 == 1 { x.plus(R::from_fraction(1 << 15)) } else { x }, y, z]
     }

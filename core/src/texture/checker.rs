@@ -1,27 +1,27 @@
-//! Cells of two colors that alternate.
+//! Checkers: cells of two colors that alternate.
 
 use super::check_reflectivity;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_finite};
 use crate::math::{Cell, Real, Scale, Vec3};
 
-/// Cells of two colors that alternate in space.
+/// A checker in space: cells of two colors that alternate.
 ///
-/// The cell of a point is counted along each axis, `floor(point · cells_per_unit)`; where the sum of the
-/// three is even the cell has the color `even`. An axis with 0 cells per unit does not count, so that a
-/// horizontal floor is checkered by x and z alone and cannot flicker with its height.
+/// A point lies in cell number `floor(coordinate · cells_per_unit)` along each axis. Cells with an even sum
+/// of the three numbers have the color `even`. An axis with 0 cells per unit is ignored, so that a horizontal
+/// floor, checkered along x and z alone, does not flicker with the rounding of its height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Checker {
-    /// Color of the cell between the origin and (1, 1, 1) cells.
+    /// The color of the cell from the origin to (1, 1, 1) cells.
     pub even: LinearRgb,
-    /// Color of its neighbors.
+    /// The color of its neighbors.
     pub odd: LinearRgb,
-    /// Cells per unit of length along each axis.
+    /// Cells per unit of length along each axis; at most 1e6, and 0 where the axis is ignored.
     pub cells_per_unit: Vec3,
 }
 
-/// The most cells per unit.
+/// The most cells per unit of length.
 const MAX_CELLS: f32 = 1e6;
 
 impl Checker {
@@ -33,13 +33,14 @@ impl Checker {
     pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedChecker<R>, Fault> {
         let Vec3 { x, y, z } = self.cells_per_unit;
         for cells in [x, y, z] {
-            // Smaller than that, no pixel shows more than noise. Cells of size 0 are infinitely many.
+            // Pixels show only noise of smaller cells. An infinite number of cells, of size 0, is refused
+            // here as well.
             if cells.abs() > MAX_CELLS {
                 return Err(Fault::PatternSize);
             }
             check_finite(cells)?;
         }
-        // A power of two: nothing is rounded.
+        // The scale is a power of two: nothing is rounded.
         let per_unit = self.cells_per_unit * (1.0 / scale.to_f32());
         Ok(PreparedChecker {
             even: check_reflectivity(self.even)?,
@@ -75,19 +76,19 @@ impl<R: Real> PreparedChecker<R> {
     }
 }
 
-/// A number for a cell that its neighbors do not have.
+/// A number for a cell that differs from the numbers of its neighbors.
 pub(super) fn mark(cells: [i32; 3]) -> u32 {
     let [x, y, z] = cells.map(|cell| cell as u32);
     x ^ y.wrapping_mul(0x9E37_79B9) ^ z.wrapping_mul(0x85EB_CA6B)
 }
 
-/// Cells of two colors that alternate along all axes of a pattern: over u and v, squares.
+/// Cells of two colors that alternate along all axes of a pattern: squares over u and v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Squares<R = f32> {
-    /// Color of the cell between the pattern's origin and (1, 1, 1).
+    /// The color of the cell from the pattern's origin to (1, 1, 1).
     pub even: LinearRgb<R>,
-    /// Color of its neighbors.
+    /// The color of its neighbors.
     pub odd: LinearRgb<R>,
 }
 

@@ -1,38 +1,38 @@
-//! From one color to another.
+//! Gradients from one color to another.
 
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Real};
 
-/// From one color to another along one unit of the pattern's x axis, in linear light.
+/// A gradient along one unit of the pattern's x axis, in linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Gradient<R = f32> {
-    /// The color at 0.
+    /// The color at x = 0.
     pub from: LinearRgb<R>,
-    /// The color at 1.
+    /// The color at x = 1.
     pub to: LinearRgb<R>,
-    /// What is beyond.
+    /// The continuation beyond 0 and 1.
     #[cfg_attr(feature = "serde", serde(default))]
     pub ends: Ends,
 }
 
-/// What is beyond the ends of a figure.
+/// The continuation of a figure beyond its ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ends {
-    /// The same again.
+    /// Repeat the figure.
     #[default]
     Repeat,
-    /// The same, mirrored, so that there are no edges.
+    /// Repeat the figure, every second time mirrored, so that there are no edges.
     Mirror,
-    /// What is at the end.
+    /// Extend the color at the end.
     Extend,
 }
 
 impl Ends {
-    /// The place from 0 to 1 that a coordinate stands for.
+    /// Maps a coordinate to the position inside of the figure, from 0 to 1.
     pub(super) fn fold<R: Real>(self, at: Cell<R>) -> R {
         match self {
             Self::Mirror if at.index & 1 == 1 => R::ONE - at.within,

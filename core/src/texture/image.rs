@@ -1,4 +1,4 @@
-//! A picture as a texture.
+//! Images as textures.
 
 use super::blend;
 use super::gradient::Ends;
@@ -7,7 +7,8 @@ use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Linear, Real, Vec3};
 
-/// A picture: its width is one unit along the pattern's x axis, its height one unit along y, upward. Along z it is the same.
+/// An image. Its width is one unit along the pattern's x axis, its height one unit along y, upward. It is
+/// constant along z.
 ///
 /// ```
 /// use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement, Texture};
@@ -26,17 +27,17 @@ use crate::math::{Cell, Linear, Real, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Image<'a> {
-    /// In pixels.
+    /// The width in pixels, 1 or more.
     pub width: u16,
-    /// In pixels.
+    /// The height in pixels, 1 or more.
     pub height: u16,
-    /// Width times height of them.
+    /// The pixels: as many as width times height.
     pub pixels: Pixels<'a>,
-    /// What their numbers mean.
+    /// The encoding of light in the numbers of the pixels.
     pub encoding: Encoding,
-    /// What is between their middles.
+    /// The interpolation between the centers of pixels.
     pub filter: Filter,
-    /// What is beyond its edges.
+    /// The continuation beyond the edges.
     pub ends: Ends,
 }
 
@@ -48,19 +49,20 @@ crate::read::read_struct! {
     may be named
 }
 
-/// What is between the middles of pixels.
+/// The interpolation between the centers of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Filter {
-    /// The nearest pixel.
+    /// None: the color of the nearest pixel.
     #[default]
     Nearest,
-    /// A blend of the four nearest, in linear light.
+    /// Bilinear, of the four nearest pixels in linear light.
     Bilinear,
 }
 
 impl<'a> Image<'a> {
-    /// The light of the pixel in this column and this line, counted from the upper left; black where there is none.
+    /// The linear light of the pixel in this column and line, counted from the upper left corner; black
+    /// outside of the image.
     pub fn light(&self, column: u16, line: u16) -> LinearRgb {
         let Self { width, height, pixels, encoding, .. } = *self;
         if column < width && line < height {
@@ -74,7 +76,7 @@ impl<'a> Image<'a> {
         self.prepare_with([self.ends; 2])
     }
 
-    /// For a turn across, and half a turn from below to above.
+    /// Prepares the image of a panorama, which repeats horizontally and is clamped vertically.
     pub(crate) fn prepare_around<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
         self.prepare_with([Ends::Repeat, Ends::Extend])
     }
@@ -100,9 +102,9 @@ impl<'a> Image<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedImage<'m, R: Real> {
     image: Image<'m>,
-    /// What is beyond its edges across, and beyond those above and below.
+    /// The continuation beyond the left and right edges, and beyond the upper and lower ones.
     ends: [Ends; 2],
-    /// From 0 to 1 across the picture to columns, and to lines from below.
+    /// Maps x from 0 to 1 to a column. `line` maps y from 0 to 1 to a line, counted from below.
     column: R::Linear,
     line: R::Linear,
 }
@@ -113,7 +115,7 @@ impl<R: Real> PreparedImage<'_, R> {
         self.at(across.fold(x), up.fold(y))
     }
 
-    /// The color at a place from 0 to 1.
+    /// The color at a position from (0, 0) at the lower left to (1, 1).
     pub(crate) fn at(&self, x: R, y: R) -> LinearRgb<R> {
         let (column, line) = self.cells(x, y);
         let pixel =
@@ -128,20 +130,21 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// The column of a place from 0 to 1, and its line from below.
+    /// The column and the line, counted from below, of a position from 0 to 1.
     #[inline(always)]
     fn cells(&self, x: R, y: R) -> (Cell<R>, Cell<R>) {
         let place = Vec3::new(x, y, R::ZERO);
         (self.column.cell(place), self.line.cell(place))
     }
 
-    /// Whether colors end where pixels do.
+    /// Whether the color jumps at the edges of pixels.
     pub(super) fn has_steps(&self) -> bool {
         self.image.filter == Filter::Nearest
     }
 
-    /// The column and the line of a pixel that differs from one beside it, each with the copy of the picture that it is in. Those on
-    /// even ground are one: where a photograph is smooth, each pixel by itself tells nothing.
+    /// Three numbers that identify a pixel which differs from a neighbor: its column and line, each combined
+    /// with the number of the repeated copy of the image. All pixels that are like their neighbors share `[0;
+    /// 3]`, because a change of pixel inside of a smooth area is not an edge.
     pub(super) fn step(&self, [x, y, _]: [Cell<R>; 3]) -> [i32; 3] {
         let [across, up] = self.ends;
         let (column, line) = self.cells(across.fold(x), up.fold(y));
@@ -150,7 +153,7 @@ impl<R: Real> PreparedImage<'_, R> {
         let here = levels(self.pixel(column, line));
         let differs = |right: i32, up: i32| {
             let beside = levels(self.beside(column.wrapping_add(right), line.wrapping_add(up)));
-            // By a sixteenth, as all marks do.
+            // Colors differ if a channel differs by more than 1/16, the step of `level_mark`.
             here.into_iter().zip(beside).any(|(here, beside)| here.abs_diff(beside) > 1 << 12)
         };
         if differs(-1, 0) || differs(1, 0) || differs(0, -1) || differs(0, 1) {
@@ -161,9 +164,9 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// A pixel by its column, and its line from below.
+    /// The color of a pixel by its column and its line, counted from below.
     fn pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
-        // A place that is exactly the far edge belongs to the last pixel.
+        // A position exactly on the far edge belongs to the last pixel.
         let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
         match self.image.filter {
             Filter::Nearest => {
@@ -173,7 +176,8 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// A pixel by its column, and its line from below; next to the edges, of what is beyond.
+    /// The color of a pixel by its column and its line, counted from below. One pixel beyond an edge, the
+    /// continuation decides.
     fn beside(&self, column: i32, line: i32) -> LinearRgb<R> {
         let [across, up] = self.ends;
         let fold = |at: i32, count: u16, ends: Ends| {
@@ -189,7 +193,7 @@ impl<R: Real> PreparedImage<'_, R> {
         self.light(fold(column, self.image.width, across), fold(line, self.image.height, up))
     }
 
-    /// A pixel inside by its column, and its line from below.
+    /// The color of a pixel inside of the image, by its column and its line, counted from below.
     fn light(&self, column: i32, line: i32) -> LinearRgb<R> {
         let Image { width, height, pixels, encoding, .. } = self.image;
         let line = i32::from(height).wrapping_sub(1).wrapping_sub(line);
@@ -254,7 +258,7 @@ mod tests {
             (Ends::Repeat, 0.25, 0.75, [1.0, 0.0, 0.0]),
             (Ends::Repeat, 0.5, 0.75, [0.5, 0.0, 0.5]),
             (Ends::Repeat, 0.5, 0.5, [0.25, 0.0, 0.5]),
-            // Half of the edge on the other side.
+            // Blended half and half with the edge on the other side.
             (Ends::Repeat, 0.0, 0.75, [0.5, 0.0, 0.5]),
             (Ends::Extend, 0.0, 0.75, [1.0, 0.0, 0.0]),
             (Ends::Extend, 7.0, 9.0, [0.0, 0.0, 1.0]),

@@ -1,4 +1,5 @@
-//! Textures on coefficients of a material, and bumps (Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978).
+//! Textures that change coefficients of a material, and bump maps (Blinn, "Simulation of Wrinkled Surfaces",
+//! SIGGRAPH 1978).
 
 use core::marker::PhantomData;
 
@@ -8,40 +9,41 @@ use crate::fault::{Fault, check_coordinate, check_held, check_size};
 use crate::math::{Real, Scale, Vec3};
 use crate::surface::Surface;
 
-/// A texture that changes something else than the color. Its own colors count by their brightness: a quarter of red, half
-/// of green and a quarter of blue.
+/// A texture that changes another property of a material than its color. Only the brightness of the texture
+/// is used: a quarter of red, half of green and a quarter of blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Map<'a> {
-    /// What it changes.
+    /// The property that the texture changes.
     pub onto: Onto,
-    /// By how much.
+    /// The texture, whose brightness is the amount.
     pub texture: Texture<'a>,
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_struct!([] Map as Map<'m> { onto, texture });
 
-/// What a texture changes.
+/// The property that a [`Map`] changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]
 pub enum Onto {
-    /// The share of ambient light is multiplied by the texture.
+    /// [`Material::ambient`](crate::Material::ambient) is multiplied by the texture.
     Ambient,
-    /// As is the share of diffuse light.
+    /// [`Material::diffuse`](crate::Material::diffuse) is multiplied by the texture.
     Diffuse,
-    /// As is the strength of the highlight.
+    /// [`Material::specular`](crate::Material::specular) is multiplied by the texture.
     Specular,
-    /// As is the share of mirrored light.
+    /// [`Material::reflectance`](crate::Material::reflectance) is multiplied by the texture.
     Reflectance,
-    /// As is the share of light that goes through.
+    /// [`Material::transmittance`](crate::Material::transmittance) is multiplied by the texture.
     Transmittance,
-    /// The surface looks as if it were raised by the texture: shades, not outlines.
+    /// A bump map: the normal is tilted as if the texture raised the surface. Outlines do not change.
     Bump {
-        /// By how many units of the scene where the texture is white.
+        /// The height of a white texture, in units of the scene.
         height: f32,
-        /// Over how many units its slope is measured: so wide are the sides of what has sharp edges.
+        /// The distance over which slopes are measured, in units of the scene, above 0. A sharp edge in the
+        /// texture becomes a slope of this width.
         step: f32,
     },
 }
@@ -71,14 +73,14 @@ impl<'a> Map<'a> {
         }
         present()?;
         let prepared = memory.try_store_with(maps.len(), |index, memory| {
-            // There is a map for every index; the fault is never seen.
+            // Every index has a map, so this fault never occurs.
             let Map { onto, texture } = maps.get(index).ok_or(Fault::NotFinite)?;
             Ok::<_, Fault>(PreparedMap {
                 onto: onto.prepare(scale)?,
                 texture: texture.prepare(scale, memory)?,
             })
         })?;
-        // All may turn a normal the same way.
+        // All bump maps may tilt a normal in one direction, so the sum of their slopes must be in range.
         let slopes = prepared.iter().fold(R::Setup::ZERO, |sum, map: &PreparedMap<R>| match map.onto {
             PreparedOnto::Bump { slope, .. } => sum + slope.to_setup().abs(),
             _ => sum,
@@ -126,7 +128,7 @@ enum PreparedOnto<R> {
     Specular,
     Reflectance,
     Transmittance,
-    /// The slope between black and white, a step apart.
+    /// The slope between black and white at the distance `step`.
     Bump {
         slope: R,
         step: R,
@@ -141,7 +143,7 @@ pub(crate) struct PreparedMaps<'m, R: Real> {
     none: PhantomData<&'m R>,
 }
 
-/// By what the coefficients of a material are multiplied.
+/// The factors, 0 to 1, by which the coefficients of a material are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
     pub(crate) ambient: R,
@@ -173,7 +175,7 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         self.all().is_empty()
     }
 
-    /// By what the coefficients are multiplied at a surface; `uv` tells where on its shape a surface is.
+    /// The factors for the coefficients at a point of a surface; `uv` computes its texture coordinates.
     pub(crate) fn shares(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Shares<R> {
         let one = R::ONE;
         let mut shares =
@@ -192,8 +194,8 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         shares
     }
 
-    /// A number for each map that changes in steps, for what a surface shows of it: other cells nearby have others. What is smooth has
-    /// none: heights do not show, only slopes.
+    /// A number for each map with sharp edges, which changes where the surface crosses an edge of the map.
+    /// Smooth maps have none.
     pub(crate) fn steps(
         &self,
         surface: &Surface<R>,
@@ -205,7 +207,7 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         })
     }
 
-    /// The normal to shade with, tilted by bumps, where a ray of direction `incoming` meets the surface.
+    /// The shading normal, tilted by bump maps, where a ray of direction `incoming` hits the surface.
     pub(crate) fn bumped(
         &self,
         surface: &Surface<R>,
@@ -228,10 +230,11 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
     }
 }
 
-/// A normal that was tilted, but not away from the side that a ray sees: there it would be taken for the other side's.
+/// Limits a tilted normal to the side of the surface that the ray hits. Beyond it, the hit would count as one
+/// of the other side.
 fn facing_the_same_way<R: Real>(tilted: Vec3<R>, normal: Vec3<R>, incoming: Vec3<R>) -> Vec3<R> {
     let (before, after) = (normal.dot(incoming), tilted.dot(incoming));
-    // As steep as 89 degrees, and on the right side even when rounded.
+    // A cosine of 1/64, about 89 degrees: on the right side even after rounding.
     let least = R::from_fraction(1 << 10);
     let least = if before > R::ZERO { least } else { -least };
     let is_seen = if before > R::ZERO { after >= least } else { after <= least };
@@ -241,7 +244,7 @@ fn facing_the_same_way<R: Real>(tilted: Vec3<R>, normal: Vec3<R>, incoming: Vec3
     (tilted + incoming * (least - after)).normalized().unwrap_or(normal)
 }
 
-/// How bright a texture is at a surface: 0 to 1, and exactly what a gray is.
+/// The brightness of a texture at a point of a surface: 0 to 1, and exact for grays.
 fn brightness<R: Real>(
     texture: &PreparedTexture<'_, R>,
     surface: &Surface<R>,
@@ -282,12 +285,12 @@ mod tests {
         let surface = up::<R>(0.25);
         let shares = maps.shares(&surface, |_| unreachable!());
         assert_eq!((shares.diffuse.to_f32(), shares.ambient.to_f32()), (0.0625, 1.0));
-        // As steep as it is long: the normal leans back by 45 degrees.
+        // A slope of 1 tilts the normal back by 45 degrees.
         let down = -surface.normal;
         let normal = maps.bumped(&surface, down, |_| unreachable!());
         let half = core::f32::consts::FRAC_1_SQRT_2;
         assert!((normal.to_f32() - Vec3::new(-half, half, 0.0)).magnitude() < 1e-6, "{normal:?}");
-        // From where only its back would be seen, it still faces the ray; from behind as well.
+        // The tilted normal still faces a flat ray, from the front and from behind.
         let flat = Vec3::new(R::from_f32(-0.9), R::from_f32(-0.3), R::ZERO).normalized().unwrap();
         for incoming in [flat, -flat] {
             let normal = maps.bumped(&surface, incoming, |_| unreachable!());

@@ -1,4 +1,4 @@
-//! Marble: veins that noise has stirred (Perlin, "An Image Synthesizer", SIGGRAPH 1985).
+//! Marble: veins distorted by noise (Perlin, "An Image Synthesizer", SIGGRAPH 1985).
 
 use super::noise::{check_octaves, check_turbulence, octaves, wave};
 use super::{blend, check_reflectivity};
@@ -6,7 +6,7 @@ use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Real};
 
-/// Veins across the pattern's x axis, one in each unit, moved by noise.
+/// Marble: veins across the pattern's x axis, one in each unit, displaced by noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Marble<R = f32> {
@@ -14,9 +14,9 @@ pub struct Marble<R = f32> {
     pub stone: LinearRgb<R>,
     /// The color of the veins.
     pub vein: LinearRgb<R>,
-    /// By how many units they are moved: 0 to 16. With 0 they are straight.
+    /// The strength of the displacement in units of the pattern: 0 to 16. With 0 the veins are straight.
     pub turbulence: R,
-    /// Octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
+    /// The octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
     pub octaves: u8,
 }
 
@@ -35,7 +35,7 @@ impl<R: Real> Marble<R> {
     pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
         let [x, ..] = at;
         let moved = x.plus(octaves(at, self.octaves) * self.turbulence);
-        // Thin veins: the wave, squared.
+        // The square of the wave makes thin veins.
         let share = wave(moved);
         blend(self.stone, self.vein, share * share)
     }

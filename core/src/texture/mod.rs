@@ -1,8 +1,8 @@
-//! Color that varies over a surface.
+//! Textures: colors that vary over a surface.
 //!
-//! [`Texture::Solid`] and [`Texture::Checker`] are always there. All else is a [`Placed`]: a [`Figure`] and how it is placed,
-//! in space or on the surface. Patterns are a cargo feature, `textures`: without it there is no code for them, and
-//! scenes that have one are refused.
+//! [`Texture::Solid`] and [`Texture::Checker`] are always available. All other textures are a [`Placed`]: a
+//! [`Figure`] with its placement in space or on the surface. They need the cargo feature `textures`. Without
+//! it there is no code for them, and a scene with one is refused.
 
 mod brick;
 mod checker;
@@ -41,16 +41,16 @@ use crate::math::{Real, Scale};
 use crate::surface::Surface;
 use checker::PreparedChecker;
 
-/// The color of a material at each point of a surface.
+/// The color of a material as a function of the point on its surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Texture<'a> {
     /// The same color everywhere.
     Solid(LinearRgb),
-    /// Two colors in alternating cells.
+    /// Two colors in alternating cells in space.
     Checker(Checker),
-    /// Everything else. Needs the feature `textures`.
+    /// A figure, placed in space or on the surface. Needs the feature `textures`.
     Placed(&'a Placed<'a>),
 }
 
@@ -104,7 +104,7 @@ crate::read::plain!(
     Checker, Squares, Stripes, Gradient, Noise, Marble, Wood, Brick, Placement, Onto, Encoding, Filter, Ends
 );
 
-/// Refuses what is no share of light.
+/// Refuses a color with a channel outside 0..=1.
 fn check_reflectivity<R: Real>(color: LinearRgb) -> Result<LinearRgb<R>, Fault> {
     for channel in color.channels() {
         check_share(Coefficient::Color, channel)?;
@@ -118,7 +118,7 @@ fn check_unit<R: Real>(coefficient: Coefficient, value: f32) -> Result<R, Fault>
     Ok(R::from_f32(value))
 }
 
-/// From one color to another, by a share from 0 to 1.
+/// The linear interpolation between two colors: `from` at share 0, `to` at share 1.
 pub(crate) fn blend<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
     from.scaled(R::ONE - share) + to.scaled(share)
 }
@@ -132,8 +132,8 @@ pub(crate) enum PreparedTexture<'m, R: Real> {
 }
 
 impl<R: Real> PreparedTexture<'_, R> {
-    /// A number for what a ray saw of the texture, which had this color: other cells nearby have others, and so have colors
-    /// that differ much. `None` where it is the same everywhere.
+    /// A number for the part of the texture that a ray hit, in this color. It changes at the edges of cells,
+    /// and where the color differs by a sixteenth. `None` for a texture of one color.
     pub(crate) fn cell(
         &self,
         surface: &Surface<R>,
@@ -150,7 +150,8 @@ impl<R: Real> PreparedTexture<'_, R> {
         }
     }
 
-    /// A number for what a ray saw of a texture that changes in steps: other cells nearby have others. `None` where it is smooth.
+    /// A number for the cell that a ray hit, of a texture with sharp edges: neighboring cells have different
+    /// numbers. `None` for a smooth texture.
     pub(crate) fn step(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
         match self {
             Self::Solid(_) => None,
@@ -159,7 +160,8 @@ impl<R: Real> PreparedTexture<'_, R> {
         }
     }
 
-    /// The color where a ray met a surface. Only what needs to know asks for the place on that.
+    /// The color at the point where a ray hit a surface. `uv` computes its texture coordinates and is called
+    /// only by textures that use them.
     #[inline(always)]
     pub(crate) fn color(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
         match self {

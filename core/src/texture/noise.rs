@@ -1,23 +1,25 @@
-//! Gradient noise (Perlin, "Improving Noise", SIGGRAPH 2002), with a hash of integers in place of a table of permutations: it is
-//! the same everywhere, takes no flash, and repeats only after 2³² cells.
+//! Gradient noise (Perlin, "Improving Noise", SIGGRAPH 2002), with an integer hash in place of a table of
+//! permutations. The hash takes no flash, gives the same bits on every processor, and repeats only after 2³²
+//! cells.
 
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Real};
 
-/// The most octaves of noise: the eighth is a 128th as strong as the first, about what a display can show.
+/// The most octaves of noise. The eighth is a 128th as strong as the first, about one level of a display.
 pub const MAX_OCTAVES: u8 = 8;
 
-/// Clouds: noise of one cell in each unit, and of finer cells on it.
+/// Clouds: noise with one cell in each unit, plus finer noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Noise<R = f32> {
     /// The color where the noise is lowest.
     pub low: LinearRgb<R>,
-    /// The color where it is highest.
+    /// The color where the noise is highest.
     pub high: LinearRgb<R>,
-    /// How many sizes of cells are added up, each half as large and half as strong as the one before: 1 to [`MAX_OCTAVES`].
+    /// The number of noises that are added up, each with cells half as large and half as strong as the one
+    /// before: 1 to [`MAX_OCTAVES`].
     pub octaves: u8,
 }
 
@@ -39,12 +41,12 @@ impl<R: Real> Noise<R> {
     }
 }
 
-/// Refuses no noise, and more than is seen.
+/// Refuses a number of octaves outside 1 to [`MAX_OCTAVES`].
 pub(super) fn check_octaves(octaves: u8) -> Result<u8, Fault> {
     if (1..=MAX_OCTAVES).contains(&octaves) { Ok(octaves) } else { Err(Fault::Octaves) }
 }
 
-/// Noise of several sizes, added up: between -2.1 and 2.1, and most often between -0.7 and 0.7.
+/// The sum of several octaves of noise: between -2.1 and 2.1, and most often between -0.7 and 0.7.
 pub(super) fn octaves<R: Real>(mut at: [Cell<R>; 3], octaves: u8) -> R {
     let (mut sum, mut strength) = (R::ZERO, R::ONE);
     for octave in 0..octaves {
@@ -55,7 +57,8 @@ pub(super) fn octaves<R: Real>(mut at: [Cell<R>; 3], octaves: u8) -> R {
     sum
 }
 
-/// Noise between -1.04 and 1.04: 0 at each corner of the lattice, with a slope that is the corner's own.
+/// Gradient noise between -1.04 and 1.04: 0 at each corner of the lattice of cells, with a slope that is a
+/// hash of the corner.
 pub(super) fn noise<R: Real>([x, y, z]: [Cell<R>; 3], seed: u32) -> R {
     let corner = |dx: i32, dy: i32, dz: i32| {
         let hash = hash([x.index.wrapping_add(dx), y.index.wrapping_add(dy), z.index.wrapping_add(dz)], seed);
@@ -68,18 +71,19 @@ pub(super) fn noise<R: Real>([x, y, z]: [Cell<R>; 3], seed: u32) -> R {
     between(between(edge(0, 0), edge(1, 0), v), between(edge(0, 1), edge(1, 1), v), w)
 }
 
-/// 6 t⁵ - 15 t⁴ + 10 t³: from 0 to 1, with no slope and no bend at the ends.
+/// The polynomial 6 t⁵ - 15 t⁴ + 10 t³ from 0 to 1, whose first and second derivatives are 0 at both ends.
 fn fade<R: Real>(t: R) -> R {
     t * t * t * (t * (t * R::from_u16(6) - R::from_u16(15)) + R::from_u16(10))
 }
 
-/// The product with one of twelve vectors, from the middle of a cube to its edges.
+/// The dot product of (x, y, z) with one of twelve vectors: those from the center of a cube to the middles of
+/// its edges.
 fn slope<R: Real>(hash: u32, x: R, y: R, z: R) -> R {
     let (first, second) = match hash >> 28 {
         0..=3 => (x, y),
         4..=7 => (x, z),
         8..=11 => (y, z),
-        // Four of them twice, which as a set are as even.
+        // 16 hash values for 12 vectors: four vectors occur twice, chosen so that the set stays symmetric.
         12 | 14 => (y, x),
         _ => (y, z),
     };
@@ -87,8 +91,8 @@ fn slope<R: Real>(hash: u32, x: R, y: R, z: R) -> R {
     signed(first, 1 << 26) + signed(second, 1 << 27)
 }
 
-/// Three primes make one number of a cell (Teschner et al., "Optimized Spatial Hashing", VMV 2003), and two products mix its
-/// bits (Wellons, "Prospecting for Hash Functions", 2018).
+/// Combines the three numbers of a cell by primes (Teschner et al., "Optimized Spatial Hashing", VMV 2003),
+/// and mixes the bits by two products (Wellons, "Prospecting for Hash Functions", 2018).
 fn hash([x, y, z]: [i32; 3], seed: u32) -> u32 {
     let mut hash = (x as u32).wrapping_mul(73_856_093)
         ^ (y as u32).wrapping_mul(19_349_663)
@@ -99,14 +103,14 @@ fn hash([x, y, z]: [i32; 3], seed: u32) -> u32 {
     hash ^ hash >> 16
 }
 
-/// A wave of length 1 and no edges, from 0 at whole numbers to 1 between: within 0.01 of (1 - cos 2πt) / 2.
+/// A smooth wave of length 1, 0 at integers and 1 halfway between them: within 0.011 of (1 - cos 2πt) / 2.
 pub(super) fn wave<R: Real>(at: Cell<R>) -> R {
     let doubled = at.within + at.within;
     let t = if doubled > R::ONE { R::ONE + R::ONE - doubled } else { doubled };
     t * t * (R::from_u16(3) - t - t)
 }
 
-/// Refuses a turbulence that leads out of the number system.
+/// Refuses a turbulence outside 0 to 16, with which coordinates could leave the range of the number system.
 pub(super) fn check_turbulence<R: Real>(turbulence: f32) -> Result<R, Fault> {
     if (0.0..=16.0).contains(&turbulence) { Ok(R::from_f32(turbulence)) } else { Err(Fault::Turbulence) }
 }

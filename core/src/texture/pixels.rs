@@ -1,38 +1,39 @@
-//! The pixels of pictures in flash.
+//! The pixels of images, in flash.
 
 use super::srgb::LINEAR;
 use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::Real;
 
-/// The pixels of a picture, from left to right and from above to below, wherever they lie.
+/// The pixels of an image, from left to right and then from top to bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Pixels<'a> {
-    /// 5 bits of red in the highest bits, 6 of green, 5 of blue.
+    /// One `u16` for each pixel: 5 bits of red in the highest bits, 6 of green, 5 of blue.
     Rgb565(&'a [u16]),
-    /// A byte each of red, green and blue.
+    /// Three bytes for each pixel: red, green and blue.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
     Rgb888(&'a [u8]),
-    /// A byte of each names a color.
+    /// One byte for each pixel: the number of a color in a palette.
     Palette8 {
-        /// The names.
+        /// The number of each pixel's color.
         #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
         indices: &'a [u8],
-        /// A byte each of red, green and blue.
+        /// The colors: red, green and blue.
         palette: &'a [[u8; 3]],
     },
-    /// Half a byte of each names a color: the upper half is the left pixel. Each line begins with a byte of its own.
+    /// Half a byte for each pixel: the number of a color in a palette. The upper half of a byte is the left
+    /// pixel of two, and each line begins with a new byte.
     Palette4 {
-        /// The names.
+        /// The numbers of two pixels' colors in each byte.
         #[cfg_attr(feature = "serde", serde(serialize_with = "crate::read::bytes"))]
         indices: &'a [u8],
-        /// A byte each of red, green and blue.
+        /// The colors: red, green and blue.
         palette: &'a [[u8; 3]],
     },
 }
 
-/// What [`Pixels::Palette8`] and [`Pixels::Palette4`] hold, for files.
+/// The fields of [`Pixels::Palette8`] and [`Pixels::Palette4`], for reading files.
 #[cfg(feature = "serde")]
 #[derive(Clone, Copy)]
 struct Indexed<'a> {
@@ -46,23 +47,25 @@ crate::read::read_struct!([] Indexed as Indexed<'m> { indices, palette });
 #[cfg(feature = "serde")]
 crate::read::read_enum! {
     [] Pixels as Pixels<'m> {
-        Rgb565(&'m [u16]), Rgb888(&'m [u8]), Palette8 { Indexed<'m>: indices, palette }, Palette4 { Indexed<'m>: indices, palette },
+        Rgb565(&'m [u16]), Rgb888(&'m [u8]),
+        Palette8 { Indexed<'m>: indices, palette },
+        Palette4 { Indexed<'m>: indices, palette },
     }
 }
 
-/// What the numbers of pixels mean.
+/// The encoding of light in the numbers of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Encoding {
-    /// Codes for a display, as in almost every picture.
+    /// The codes of sRGB, as in almost every image file.
     #[default]
     Srgb,
-    /// Amounts of light, or heights.
+    /// Amounts proportional to light, or to the heights of a bump map.
     Linear,
 }
 
 impl Encoding {
-    /// The light of a code.
+    /// The linear light of a code.
     fn light<R: Real>(self, code: u8) -> R {
         let light = match self {
             Self::Srgb => LINEAR.get(usize::from(code)).copied().unwrap_or(u16::MAX),
@@ -73,7 +76,8 @@ impl Encoding {
 }
 
 impl Pixels<'_> {
-    /// Refuses pixels that are not as many as `width` times `height`, and names of colors that there are not.
+    /// Refuses a list that does not hold `width` times `height` pixels, and numbers of colors that the
+    /// palette does not have.
     pub(super) fn check(&self, width: u16, height: u16) -> Result<(), Fault> {
         let (columns, lines) = (usize::from(width), usize::from(height));
         let (given, per_line) = match self {
@@ -101,7 +105,7 @@ impl Pixels<'_> {
         }
     }
 
-    /// The light of a pixel; black where there is none.
+    /// The linear light of a pixel; black where the list ends before it.
     pub(super) fn light<R: Real>(&self, encoding: Encoding, width: u16, x: u16, y: u16) -> LinearRgb<R> {
         let (width, x, y) = (usize::from(width), usize::from(x), usize::from(y));
         let place = y.wrapping_mul(width).wrapping_add(x);
@@ -109,7 +113,7 @@ impl Pixels<'_> {
         let codes = match self {
             Self::Rgb565(pixels) => pixels.get(place).map(|pixel| {
                 let (r, g, b) = ((pixel >> 11) as u8, (pixel >> 5 & 63) as u8, (pixel & 31) as u8);
-                // The upper bits again below: the largest code is then 255.
+                // Repeat the upper bits in the lower ones: the largest code is then 255.
                 [r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2]
             }),
             Self::Rgb888(bytes) => {

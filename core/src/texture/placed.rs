@@ -1,4 +1,4 @@
-//! A figure and where it lies.
+//! Figures and their placement, the textures that need the feature `textures`.
 
 use super::checker::mark;
 use super::gradient::Gradient;
@@ -13,15 +13,15 @@ use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Real, Scale, Vec3};
 
-/// Proof that the feature `textures` is there. Without it there is no such value: the compiler knows it and drops all that
-/// needs one, tests for it included.
+/// A proof that the feature `textures` is on. Without the feature this type has no values, so that the
+/// compiler drops all code that needs one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Present(
     #[cfg(feature = "textures")] (),
     #[cfg(not(feature = "textures"))] core::convert::Infallible,
 );
 
-/// The proof, or [`Fault::WithoutFeature`].
+/// The proof that `textures` is on, or [`Fault::WithoutFeature`].
 pub(crate) const fn present() -> Result<Present, Fault> {
     #[cfg(feature = "textures")]
     return Ok(Present(()));
@@ -29,8 +29,8 @@ pub(crate) const fn present() -> Result<Present, Fault> {
     Err(Fault::WithoutFeature { feature: "textures" })
 }
 
-/// Something that lies elsewhere and needs the feature `textures`. Where there can be none, it takes no room: what may be this or
-/// something else then always is the other, and nothing looks which it is.
+/// A reference to a value that needs the feature `textures`. Without the feature this type has no values and
+/// no size: an enum with one such variant is then never that variant, and no code tests for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Needing<'m, T> {
     present: Present,
@@ -61,7 +61,7 @@ impl<'m, T> Needing<'m, T> {
     }
 }
 
-/// A figure and where it lies.
+/// A figure with its placement.
 ///
 /// ```
 /// use rayline::{Figure, LinearRgb, Marble, Material, Placed, Placement, Texture};
@@ -79,16 +79,16 @@ impl<'m, T> Needing<'m, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Placed<'a> {
-    /// What is seen.
+    /// The figure.
     pub figure: Figure<'a>,
-    /// Where, and how large.
+    /// Its position, rotation and size.
     pub placement: Placement,
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_struct!([] Placed as Placed<'m> { figure, placement = Placement::SURFACE });
 
-/// What is seen of a pattern, in the pattern's own coordinates.
+/// A pattern or an image, in its own coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -97,30 +97,30 @@ pub enum Figure<'a> {
     Squares(Squares),
     /// Stripes of two colors.
     Stripes(Stripes),
-    /// From one color to another.
+    /// A gradient from one color to another.
     Gradient(Gradient),
-    /// Clouds.
+    /// Clouds of gradient noise.
     Noise(Noise),
-    /// Veins.
+    /// Marble veins.
     Marble(Marble),
-    /// Rings.
+    /// The rings of wood.
     Wood(Wood),
     /// Bricks and mortar.
     Brick(Brick),
-    /// A picture.
+    /// An image.
     Image(Image<'a>),
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_enum! {
     [] Figure as Figure<'m> {
-        Squares(Squares), Stripes(Stripes), Gradient(Gradient), Noise(Noise), Marble(Marble), Wood(Wood), Brick(Brick),
-        Image(Image<'m>),
+        Squares(Squares), Stripes(Stripes), Gradient(Gradient), Noise(Noise), Marble(Marble), Wood(Wood),
+        Brick(Brick), Image(Image<'m>),
     }
 }
 
 impl<'a> Placed<'a> {
-    /// The figure in this place.
+    /// The figure in this placement.
     pub const fn new(figure: Figure<'a>, placement: Placement) -> Self {
         Self { figure, placement }
     }
@@ -147,7 +147,7 @@ pub(crate) struct PreparedPlaced<'m, R: Real> {
     placement: PreparedPlacement<R>,
 }
 
-/// A [`Figure`], prepared. Those that have no other form keep it, in other numbers.
+/// A [`Figure`], prepared. Most figures keep their type and change only their number system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum PreparedFigure<'m, R: Real> {
     Squares(Squares<R>),
@@ -174,7 +174,7 @@ impl<R: Real> PreparedPlaced<'_, R> {
             PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => at().map(|cell| cell.index),
             PreparedFigure::Brick(_) => {
                 let [x, y, _] = Brick::in_row(at());
-                // Along z all is the same.
+                // Bricks are constant along z.
                 [x.index, y.index, 0]
             }
             PreparedFigure::Image(image) if image.has_steps() => image.step(at()),
@@ -184,13 +184,14 @@ impl<R: Real> PreparedPlaced<'_, R> {
     }
 }
 
-/// A number for a color by sixteenths of each channel: between those that differ less, a straight line will do.
+/// A number for a color, which changes with every sixteenth of a channel. Colors that differ by less are
+/// interpolated.
 pub(crate) fn level_mark<R: Real>(color: LinearRgb<R>) -> u32 {
     mark([color.r, color.g, color.b].map(|channel| channel.to_q16() as i32 >> 12))
 }
 
 impl<R: Real> PreparedFigure<'_, R> {
-    /// In one place, however many ask for it.
+    /// Not inlined, so that all callers share one copy of the code.
     #[inline(never)]
     fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
         match self {

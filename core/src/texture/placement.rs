@@ -1,26 +1,26 @@
-//! Where a pattern lies, and how large it is.
+//! The position, rotation and size of a pattern.
 
 use crate::fault::{Fault, check_held, check_number, check_numbers, check_point};
 use crate::math::{Cell, Linear, Real, Scale, Vec3};
 
-/// What a pattern varies over.
+/// The coordinates that a pattern is a function of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Space {
-    /// Over space: the surface cuts through it, as through a block of wood.
+    /// The coordinates of the scene: the surface cuts through the pattern, as through a block of wood.
     Scene,
-    /// Over the place on a surface: u is x, v is y, and z is 0, as with wallpaper. Each shape has its own u and v, see
-    /// [`Intersect::uv`](crate::shape::Intersect::uv).
+    /// The texture coordinates of the surface, as for wallpaper: x is u, y is v, and z is 0. Each shape
+    /// defines its u and v, see [`Intersect::uv`](crate::shape::Intersect::uv).
     Surface,
 }
 
-/// How a pattern is moved, turned and stretched. It is stretched first, then turned, then moved.
+/// The placement of a pattern: it is stretched first, then turned, then moved.
 ///
 /// ```
 /// use rayline::{Placement, Vec3};
 /// // Twice around and once up.
 /// let wallpaper = Placement::SURFACE.stretched(Vec3::new(0.5, 1.0, 1.0));
-/// // As large as half a unit, about a point, and turned upright.
+/// // One unit of the pattern is half a unit of the scene; turned upright, with its origin at (0, 1, 0).
 /// let grain = Placement::in_scene(0.5).turned(Vec3::new(1.57, 0.0, 0.0)).at(Vec3::new(0.0, 1.0, 0.0));
 /// # assert_eq!((wallpaper.size.x, grain.size.x), (0.5, 0.5));
 /// ```
@@ -31,20 +31,21 @@ pub enum Space {
     serde(deny_unknown_fields, default)
 )]
 pub struct Placement {
-    /// What the pattern varies over.
+    /// The coordinates that the pattern is a function of.
     pub space: Space,
-    /// How long one unit of the pattern is along each of its axes; not 0. Negative: mirrored.
+    /// The length of one unit of the pattern along each of its axes, in units of the scene or of u and v; at
+    /// least 1e-6. A negative length mirrors the pattern.
     pub size: Vec3,
-    /// By which angles it is turned about the x axis, then about y, then about z; in radians, counterclockwise as seen
-    /// from the axis' end. Over a surface, only the last has a meaning.
+    /// The rotation about the x axis, then about y, then about z: angles in radians, counterclockwise as seen
+    /// from the end of the axis. On a surface only the rotation about z is useful.
     pub rotation: Vec3,
-    /// Where the pattern's origin lies. In fixed point, each coordinate lies within ±59: in the scene, ±59 divided by its scale, see
-    /// [`Fixed`](crate::math::Fixed).
+    /// The position of the pattern's origin. In fixed point each coordinate lies within ±59 on a surface, and
+    /// within ±59 divided by the scale in the scene, see [`Fixed`](crate::math::Fixed).
     pub origin: Vec3,
 }
 
 impl Placement {
-    /// Over the place on a surface, as it is.
+    /// The placement on a surface by its u and v, unchanged.
     pub const SURFACE: Self = Self {
         space: Space::Surface,
         size: Vec3::new(1.0, 1.0, 1.0),
@@ -52,22 +53,22 @@ impl Placement {
         origin: Vec3::ZERO,
     };
 
-    /// In space, with its origin where that of the scene is; one unit of it is so long.
+    /// A placement in the scene, with the origin of the scene; one unit of the pattern is `size` units long.
     pub const fn in_scene(size: f32) -> Self {
         Self { space: Space::Scene, size: Vec3::new(size, size, size), ..Self::SURFACE }
     }
 
-    /// The same with its origin elsewhere.
+    /// This placement with another origin.
     pub const fn at(self, origin: Vec3) -> Self {
         Self { origin, ..self }
     }
 
-    /// The same, turned.
+    /// This placement with another rotation.
     pub const fn turned(self, rotation: Vec3) -> Self {
         Self { rotation, ..self }
     }
 
-    /// The same in another size.
+    /// This placement with another size.
     pub const fn stretched(self, size: Vec3) -> Self {
         Self { size, ..self }
     }
@@ -78,12 +79,12 @@ impl Placement {
         check_point(self.origin)?;
         for size in [x, y, z] {
             check_number(size)?;
-            // Smaller than that, no pixel shows more than noise.
+            // Pixels show only noise of smaller patterns.
             if size.abs() < 1e-6 {
                 return Err(Fault::PatternSize);
             }
         }
-        // Only what lies in space is scaled.
+        // Only patterns in the scene are scaled with it.
         let scale = if self.space == Space::Scene { scale } else { Scale::ONE };
         let origin = scale.setup_point::<R>(self.origin.to());
         [origin.x, origin.y, origin.z].into_iter().try_for_each(check_held::<R>)?;
@@ -113,12 +114,12 @@ impl Default for Placement {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PreparedPlacement<R: Real> {
     space: Space,
-    /// From space or surface to the pattern's coordinates.
+    /// The maps from the scene or the surface to the pattern's coordinates.
     axes: [R::Linear; 3],
 }
 
 impl<R: Real> PreparedPlacement<R> {
-    /// Where the pattern is looked at: at a point of space or of the surface.
+    /// The point of the scene, or u and v, at which the pattern is evaluated.
     #[inline(always)]
     pub(super) fn place(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Vec3<R> {
         match self.space {
@@ -130,7 +131,7 @@ impl<R: Real> PreparedPlacement<R> {
         }
     }
 
-    /// The pattern's coordinates there.
+    /// The pattern's coordinates at `place`.
     pub(super) fn coordinates(&self, place: Vec3<R>) -> [Cell<R>; 3] {
         self.axes.map(|axis| axis.cell(place))
     }
@@ -149,7 +150,7 @@ mod tests {
         let prepared = placement.prepare::<R>(scale).unwrap();
         let point = scale.point::<R>(Vec3::new(1.0, 2.75, 3.125).to());
         let got = prepared.coordinates(prepared.place(point, || unreachable!())).map(|c| c.number().to_f32());
-        // Along y there, it is x of the pattern.
+        // The x axis of the pattern is the y axis of the scene.
         for (got, expected) in got.into_iter().zip([1.5, 0.0, 0.25]) {
             assert!((got - expected).abs() < 1e-5, "{got:?}, not {expected}");
         }
@@ -177,7 +178,7 @@ mod tests {
         assert_eq!(refusal(good.turned(Vec3::new(0.0, f32::INFINITY, 0.0))), Some(Fault::NotFinite));
         let far = good.at(Vec3::new(1e5, 0.0, 0.0));
         assert_eq!(far.prepare::<Fixed>(Scale::ONE).err(), Some(Fault::OutOfRange));
-        // In the scene its scale counts, and on a surface it does not.
+        // The limit depends on the scale in the scene, but not on a surface.
         let scale = Scale::new::<Fixed>(Extent::solid(8.0), Vec3::ZERO);
         let unit = 1.0 / scale.to_f32();
         assert!(unit > 1.0);

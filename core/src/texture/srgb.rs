@@ -1,6 +1,6 @@
-//! From the codes of sRGB (IEC 61966-2-1) to linear light.
+//! The table from the codes of sRGB (IEC 61966-2-1) to linear light.
 
-/// The light of each of 256 codes, in units of 1/65535.
+/// The linear light of each of 256 codes, in units of 1/65535.
 pub(super) static LINEAR: [u16; 256] = {
     let mut table = [0; 256];
     let mut code = 0;
@@ -16,7 +16,7 @@ pub(super) static LINEAR: [u16; 256] = {
     table
 };
 
-/// x to the power 12/5, for x from 0.08 to 1: the fifth root by Newton's method.
+/// x to the power 12/5, for x from 0.08 to 1. The fifth root is found by Newton's method.
 const fn power_2_4(x: f64) -> f64 {
     let (mut root, mut step) = (1.0, 0);
     while step < 60 {

@@ -5,15 +5,15 @@ use crate::color::LinearRgb;
 use crate::fault::{Coefficient, Fault};
 use crate::math::{Cell, Real};
 
-/// Stripes across the pattern's x axis: one pair in each unit.
+/// Stripes across the pattern's x axis, one pair in each unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Stripes<R = f32> {
-    /// The color at the beginning of each unit.
+    /// The color of the first stripe of each unit.
     pub first: LinearRgb<R>,
-    /// The color of the rest.
+    /// The color of the second stripe.
     pub second: LinearRgb<R>,
-    /// How much of each unit the first one takes: 0 to 1.
+    /// The width of the first stripe, as a share of the unit: 0 to 1.
     pub width: R,
 }
 

@@ -1,4 +1,4 @@
-//! Wood: rings that noise has shaken (Peachey, "Solid Texturing of Complex Surfaces", SIGGRAPH 1985).
+//! Wood: rings distorted by noise (Peachey, "Solid Texturing of Complex Surfaces", SIGGRAPH 1985).
 
 use super::noise::{check_octaves, check_turbulence, octaves, wave};
 use super::{blend, check_reflectivity};
@@ -6,17 +6,17 @@ use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Cell, Product, Real};
 
-/// Rings about the pattern's z axis, one in each unit, up to 60 of them.
+/// Wood: rings about the pattern's z axis, one in each unit, displaced by noise. There are at most 60 rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wood<R = f32> {
-    /// The color where a ring begins.
+    /// The color at the edges of a ring.
     pub early: LinearRgb<R>,
-    /// The color between.
+    /// The color in the middle of a ring.
     pub late: LinearRgb<R>,
-    /// By how many units the rings are moved: 0 to 16. With 0 they are circles.
+    /// The strength of the displacement in units of the pattern: 0 to 16. With 0 the rings are circles.
     pub turbulence: R,
-    /// Octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
+    /// The octaves of the noise: 1 to [`MAX_OCTAVES`](super::MAX_OCTAVES).
     pub octaves: u8,
 }
 

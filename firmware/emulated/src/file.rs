@@ -1,4 +1,4 @@
-//! The main program of boards without a display: the picture goes to a file of the host, as RGB565.
+//! The program for boards without a display: it draws one picture into a file of the host, as RGB565.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -11,35 +11,32 @@ use semihosting::fs::File;
 use semihosting::{process, sys};
 
 use crate::picture::{Buffer, HEIGHT, Memory, WIDTH};
-use crate::{Fault, InstructionCounter, program, report};
+use crate::{Counter, Fault, program, report};
 
-/// Renders the picture into the file `picture` and tells what it took.
-pub fn main(counter: impl InstructionCounter) -> ! {
+/// Draws the picture into the file `picture`, and reports the figures.
+pub fn main() -> ! {
     static mut MEMORY: Memory = Memory::new();
     static mut BUFFER: Buffer<Rgb565> = Buffer::new(Rgb565::BLACK);
     let (memory, buffer) = (&raw mut MEMORY, &raw mut BUFFER);
-    // SAFETY: nothing else can name the two, and a function that does not return is not called again; no interrupt
-    // calls it.
+    // SAFETY: both statics are local to this function, which is called once because it does not return, and
+    // never by an interrupt.
     #[allow(unsafe_code)]
     let (memory, buffer) = unsafe { (&mut *memory, &mut *buffer) };
-    match render(memory, buffer, &counter) {
+    match render(memory, buffer) {
         Ok(()) => process::exit(0),
         Err(fault) => report::fail(fault),
     }
 }
 
-fn render(
-    memory: &mut Memory,
-    buffer: &mut Buffer<Rgb565>,
-    counter: &impl InstructionCounter,
-) -> Result<(), Fault> {
+/// Opens the file, draws into it, and reports the figures.
+fn render(memory: &mut Memory, buffer: &mut Buffer<Rgb565>) -> Result<(), Fault> {
     let file = File::create(c"picture").map_err(|_| Fault::Output)?;
-    // Borrowed once: borrowing asserts that the file is open, and here the compiler sees that it is.
+    // Borrow the file once: borrowing asserts that it is open, and here the compiler can prove that.
     let mut picture = PictureFile { file: file.as_fd() };
-    program::run(memory, buffer, counter, &mut picture)?.tell()
+    program::run(memory, buffer, Counter::start(), &mut picture)?.report()
 }
 
-/// A file that is drawn on once, from left to right and from top to bottom.
+/// A file as a display: pixels are drawn once, from left to right and from top to bottom.
 #[derive(Debug)]
 struct PictureFile<'f> {
     file: BorrowedFd<'f>,
@@ -55,7 +52,7 @@ impl DrawTarget for PictureFile<'_> {
     type Color = Rgb565;
     type Error = Fault;
 
-    /// Writes the colors in the order in which they come, in pieces for which the stack has room.
+    /// Writes the colors in their order, in pieces of 64 bytes, which fit the stack.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Fault>
     where
         I: IntoIterator<Item = Pixel<Rgb565>>,

@@ -1,12 +1,14 @@
 //! The program that draws many scenes, with all shapes, each from its bytes.
 //!
-//! The host has them in one file, `scenes`: how many bytes a scene has, in four bytes of which the lowest is the first, then these,
-//! then the next scene. So one program draws any number of scenes, and needs RAM for one of them; what would lie in flash is
-//! read into RAM. Rejected: scenes within the program, which would be built anew for each change of them, and
+//! The host writes the scenes into one file, `scenes`: the number of bytes of a scene, as four bytes with the
+//! lowest first, then those bytes, then the next scene. So one program draws any number of scenes with the
+//! RAM that one of them needs; scene data that a program of its own would have in flash is in RAM here.
+//! Scenes within the program were rejected: the program would be built again for each change of a scene, and
 //! would need more flash than most boards have.
 //!
-//! Before the first scene it tells the digest of many numbers, so that arithmetic is checked where no picture asks for it; then
-//! how much memory each scene takes, and its digest if there is so much.
+//! The report begins with the digest of arithmetic on many numbers, which covers cases that no picture
+//! reaches. For each scene it has the memory that the scene needs, and, if the board has that much, the
+//! digest of the picture.
 
 use core::mem::MaybeUninit;
 
@@ -26,9 +28,10 @@ use crate::picture::{Buffer, HEIGHT, Number, SETTINGS, WIDTH};
 use crate::stack::{self, PaintedStack};
 use crate::{Fault, fpu, program, report};
 
-/// Draws all scenes of the file `scenes`.
+/// Draws all scenes of the file `scenes`, and reports the figures of each.
 pub fn main() -> ! {
-    // SAFETY: this function does not return, so it is called once; and what the stack took is looked at after each scene.
+    // SAFETY: this function is called once, because it does not return; and after each scene it checks the
+    // stack's size.
     #[allow(unsafe_code)]
     let memory = unsafe { stack::memory_below() };
     match draw_all(memory) {
@@ -41,10 +44,10 @@ fn draw_all(memory: &mut [MaybeUninit<u8>]) -> Result<(), Fault> {
     if fpu::flushes_to_zero() {
         return Err(Fault::FlushToZero);
     }
-    report::number(b"digest ", rayline_numbers::digest::<Number>())?;
-    report::say(b"done\n")?;
+    report::number(b"digest ", rayline_arithmetic_digest::digest::<Number>())?;
+    report::text(b"done\n")?;
     let file = File::open(c"scenes").map_err(|_| Fault::Input)?;
-    // Borrowed once: borrowing asserts that the file is open, and here the compiler sees that it is.
+    // Borrow the file once: borrowing asserts that it is open, and here the compiler can prove that.
     let file = file.as_fd();
     let mut buffer = Buffer::new(Rgb888::BLACK);
     while let Some(length) = next_length(file)? {
@@ -55,21 +58,21 @@ fn draw_all(memory: &mut [MaybeUninit<u8>]) -> Result<(), Fault> {
             report::number(b"digest ", digest)?;
         }
         report::number(b"stack_bytes ", stack.used().ok_or(Fault::Stack)?.into())?;
-        report::say(b"done\n")?;
+        report::text(b"done\n")?;
     }
     Ok(())
 }
 
-/// What became of a scene.
+/// The result of one scene.
 #[derive(Debug)]
 struct Drawn {
-    /// What it takes; if it was not drawn, that much at least.
+    /// Memory that the scene needs; a lower bound if it was not drawn.
     memory_bytes: usize,
-    /// Of its picture, if there is memory for it.
+    /// Digest of the picture, or `None` if the board has too little memory for the scene.
     digest: Option<u64>,
 }
 
-/// Draws the next scene, which has so many bytes.
+/// Draws the next scene of the file, which has `length` bytes.
 #[inline(never)]
 fn draw(
     file: BorrowedFd<'_>,
@@ -100,7 +103,7 @@ fn draw(
     Ok(Drawn { memory_bytes, digest: Some(picture.0.value()) })
 }
 
-/// How many bytes the next scene has, or `None` after the last.
+/// The number of bytes of the next scene, or `None` after the last one.
 fn next_length(file: BorrowedFd<'_>) -> Result<Option<usize>, Fault> {
     let mut length = [0; 4];
     match sys::read(file, &mut length) {
@@ -110,7 +113,7 @@ fn next_length(file: BorrowedFd<'_>) -> Result<Option<usize>, Fault> {
     }
 }
 
-/// Passes over so many bytes.
+/// Reads `length` bytes and drops them.
 fn skip(file: BorrowedFd<'_>, mut length: usize) -> Result<(), Fault> {
     let mut piece = [0; 64];
     while length > 0 {
@@ -123,8 +126,8 @@ fn skip(file: BorrowedFd<'_>, mut length: usize) -> Result<(), Fault> {
     Ok(())
 }
 
-/// How much memory the lists of a scene take: as much as each try says that the next list needs. If it is more than there is, the
-/// scene may need still more.
+/// Bytes of memory for the lists of a scene. Each try fails with the size that the next list needs, until all
+/// lists fit. A result above `memory.len()` is a lower bound.
 fn list_bytes(bytes: &[u8], memory: &mut [MaybeUninit<u8>]) -> Result<usize, Fault> {
     let mut enough = 0;
     while let Some(lists) = memory.get_mut(..enough) {
@@ -137,7 +140,7 @@ fn list_bytes(bytes: &[u8], memory: &mut [MaybeUninit<u8>]) -> Result<usize, Fau
     Ok(enough)
 }
 
-/// A display of which no more is kept than the digest.
+/// A display that keeps only the digest of its pixels.
 #[derive(Debug)]
 struct Digested(Digest);
 

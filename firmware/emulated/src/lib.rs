@@ -1,22 +1,26 @@
-//! The program that every emulated board runs: it renders a built-in scene and reports the digest of its pixels, the
-//! instructions that rendering took, and the stack that was used.
+//! Programs for emulated boards. They render with the core, and report digests of pixels, instructions and
+//! stack to the emulator's host, which compares them with its own pictures: `cargo boards`.
 //!
-//! A board is a folder in `src/bin` with its memory layout and a `main` that says how to count instructions and
-//! where the picture goes. Scene, size, number system and mode are chosen when the program is built, see `build.rs`.
+//! - [`file`] draws one picture into a file of the host: the program `picture`.
+//! - `gallery` draws many scenes, which it reads from a file of the host: the program `gallery`.
+//! - `src/bin/lm3s6965evb` draws one picture on that board's OLED panel.
 //!
-//! A second program, [`gallery`], is one for all boards and all scenes.
+//! `build.rs` writes scene, size, number system and mode as Rust when a program is built, and links it for
+//! the memory of a board: a folder in `boards`.
 //!
-//! Everything that the program says goes through [`report`]; it holds no panic, and a linker that finds one
-//! refuses it, see `panic`.
+//! The programs hold no panic: one that does is not linked, see `panic`.
 
 #![no_std]
 
+mod counter;
+mod fault;
 pub mod file;
 mod fpu;
 #[cfg(feature = "gallery")]
 pub mod gallery;
-mod instructions;
 mod meter;
+#[cfg(target_arch = "riscv32")]
+mod minstret;
 mod panic;
 pub mod picture;
 pub mod program;
@@ -25,9 +29,5 @@ mod stack;
 #[cfg(target_arch = "arm")]
 mod systick;
 
-pub use instructions::InstructionCounter;
-#[cfg(target_arch = "riscv32")]
-pub use instructions::Minstret;
-pub use program::Fault;
-#[cfg(target_arch = "arm")]
-pub use systick::SysTick;
+pub use counter::Counter;
+pub use fault::Fault;

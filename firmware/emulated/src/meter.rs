@@ -1,4 +1,4 @@
-//! Counting the instructions of rendering alone, while what is rendered goes to a display.
+//! Counts the instructions of rendering alone, without those of the display that the pixels go to.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -7,31 +7,35 @@ use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::primitives::Rectangle;
 use rayline::Digest;
 
-use crate::InstructionCounter;
+use crate::Counter;
 
-/// A display that counts what is done between its calls, and keeps a digest of what it is given.
+/// A display that counts the instructions between its calls, and keeps a digest of its pixels.
 #[derive(Debug)]
-pub(crate) struct Meter<'a, I, D> {
-    counter: &'a I,
+pub(crate) struct Meter<'a, D> {
+    counter: Counter,
     display: &'a mut D,
     digest: Digest,
+    /// Instructions that were counted up to the last pause.
     instructions: u64,
+    /// The counter's value at the last call of `resume`.
     resumed: u64,
 }
 
-impl<'a, I: InstructionCounter, D: DrawTarget> Meter<'a, I, D> {
-    /// Counts nothing until [`resume`](Self::resume).
-    pub(crate) fn new(counter: &'a I, display: &'a mut D) -> Self {
+impl<'a, D: DrawTarget> Meter<'a, D> {
+    /// A meter that is paused: call [`resume`](Self::resume) to count.
+    pub(crate) fn new(counter: Counter, display: &'a mut D) -> Self {
         Self { counter, display, digest: Digest::new(), instructions: 0, resumed: 0 }
     }
 
-    /// Goes on counting. A function of its own, because a profile finds by it where counting goes on.
+    /// Counts from here on.
+    // Not inlined: `cargo boards --profile` finds this function by its name, and profiles from there on.
     #[inline(never)]
     pub(crate) fn resume(&mut self) {
         self.resumed = self.counter.now();
     }
 
-    /// Stops counting. A function of its own, because a profile finds by it where counting stops.
+    /// Stops counting.
+    // Not inlined: `cargo boards --profile` finds this function by its name, and profiles up to there.
     #[inline(never)]
     pub(crate) fn pause(&mut self) {
         self.instructions += self.counter.now() - self.resumed;
@@ -42,19 +46,19 @@ impl<'a, I: InstructionCounter, D: DrawTarget> Meter<'a, I, D> {
         self.instructions
     }
 
-    /// The digest of all that was drawn.
+    /// The digest of all pixels that were drawn.
     pub(crate) fn digest(&self) -> u64 {
         self.digest.value()
     }
 }
 
-impl<I, D: DrawTarget> Dimensions for Meter<'_, I, D> {
+impl<D: DrawTarget> Dimensions for Meter<'_, D> {
     fn bounding_box(&self) -> Rectangle {
         self.display.bounding_box()
     }
 }
 
-impl<I: InstructionCounter, D> DrawTarget for Meter<'_, I, D>
+impl<D> DrawTarget for Meter<'_, D>
 where
     D: DrawTarget<Color: ToBytes<Bytes: AsRef<[u8]>>>,
 {

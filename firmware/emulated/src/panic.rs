@@ -1,5 +1,5 @@
-//! There is no panic: its handler calls a function that does not exist, so that a program in which any panic can
-//! be reached does not link.
+//! The proof that no panic can be reached: the panic handler calls a function that does not exist, so a
+//! program that calls the handler does not link.
 
 use core::panic::PanicInfo;
 
@@ -13,7 +13,7 @@ fn panic(_: &PanicInfo) -> ! {
     rayline_panic_is_reachable()
 }
 
-/// The twin that links, so that the search for symbols has something to find.
+/// The handler of the twin that links: it shows that the search for symbols of panics finds them.
 #[cfg(feature = "twin-linked")]
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
@@ -28,7 +28,7 @@ pub(crate) fn reachable_panic() -> u32 {
     numbers[core::hint::black_box(2)]
 }
 
-/// A processor that cannot go on says so, instead of standing still.
+/// Reports a fault of the processor, which would otherwise stop without a word.
 #[cfg(target_arch = "arm")]
 #[allow(unsafe_code)]
 #[cortex_m_rt::exception]

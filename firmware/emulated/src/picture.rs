@@ -1,4 +1,4 @@
-//! The picture: scene, size, bounces, number system and mode, chosen when the program is built.
+//! The picture's scene, size, bounces, number system and mode, which `build.rs` wrote.
 
 use embedded_graphics::prelude::PixelColor;
 use rayline::limits::LINES_AT_ONCE;
@@ -14,32 +14,32 @@ pub type Memory = Workspace<PREPARED_BYTES>;
 /// Lines that are drawn at once: of many objects several, whose pixels are traced side by side.
 pub const LINES: usize = if cfg!(feature = "groups") { LINES_AT_ONCE } else { 1 };
 
-/// How the picture is rendered.
+/// The settings of the renderer.
 pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
-/// Colors that are drawn at once: a line or several, or the band of lines that realtime quality needs.
+/// Number of colors in the buffer: those of [`LINES`], or of the band of lines that realtime quality needs.
 const COLORS: usize = match QUALITY {
     None => WIDTH * LINES,
     Some(quality) => quality.colors(WIDTH as u16),
 };
 
-/// Samples that realtime quality needs.
+/// Number of samples in the buffer, which realtime quality needs.
 const SAMPLES: usize = match QUALITY {
     None => 0,
     Some(quality) => quality.samples(WIDTH as u16),
 };
 
-/// Memory for what is being drawn.
+/// Memory for the lines that are being drawn.
 #[derive(Debug)]
 pub struct Buffer<C> {
-    /// A line or several, whole.
+    /// Colors of whole lines.
     pub colors: [C; COLORS],
-    /// What is known of one line.
+    /// Samples of one line.
     pub samples: [Sample; SAMPLES],
 }
 
 impl<C: PixelColor> Buffer<C> {
-    /// Filled with one color.
+    /// A buffer whose pixels have this color.
     pub const fn new(color: C) -> Self {
         Self { colors: [color; COLORS], samples: [Sample::BLANK; SAMPLES] }
     }

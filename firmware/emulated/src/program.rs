@@ -1,4 +1,4 @@
-//! The program itself: renders the picture, and counts what that takes.
+//! Renders the picture, and measures instructions and stack.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -7,61 +7,21 @@ use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Geometry;
 use rayline::{DisplayColor, DrawError, PreparedScene, RealtimeBuffer, Renderer};
 
-use crate::InstructionCounter;
 use crate::fpu;
 use crate::meter::Meter;
 use crate::picture::{Buffer, HEIGHT, LINES, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
+use crate::{Counter, Fault};
 
-/// Why the program cannot go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
-    /// The floating-point unit flushes small numbers to zero.
-    FlushToZero,
-    /// The scene was refused.
-    Scene,
-    /// The settings were refused.
-    Settings,
-    /// The buffer does not fit the picture.
-    Buffer,
-    /// The file of scenes cannot be read.
-    Input,
-    /// The display or the file failed.
-    Output,
-    /// The host does not take what the program tells.
-    Host,
-    /// The stack grew into the statics.
-    Stack,
-    /// The processor raised a fault.
-    Processor,
-}
-
-impl Fault {
-    /// What happened, in words.
-    pub(crate) fn message(self) -> &'static str {
-        match self {
-            Self::FlushToZero => "the floating-point unit flushes small numbers to zero (FPSCR.FZ)",
-            Self::Scene => "the scene was refused",
-            Self::Settings => "the settings were refused",
-            Self::Buffer => "the buffer does not fit the picture",
-            Self::Input => "the file of scenes cannot be read",
-            Self::Output => "the picture could not be put out",
-            Self::Host => "the host does not listen",
-            Self::Stack => "the stack is too small",
-            Self::Processor => "the processor raised a hard fault",
-        }
-    }
-}
-
-/// Renders the picture on a display that is as large as the picture. Counted are the instructions of rendering alone.
+/// Renders the picture on a display of the picture's size. Only the instructions of rendering are counted.
 ///
 /// # Errors
-/// What went wrong.
+/// A [`Fault`] if the scene, the settings or the display fail, or the stack is too small.
 pub fn run<D>(
     memory: &mut Memory,
     buffer: &mut Buffer<D::Color>,
-    counter: &impl InstructionCounter,
+    counter: Counter,
     display: &mut D,
 ) -> Result<Figures, Fault>
 where
@@ -72,7 +32,7 @@ where
         return Err(Fault::FlushToZero);
     }
     let scene = PreparedScene::<Number, _>::new(&SCENE, memory.lend()).map_err(|_| Fault::Scene)?;
-    // Large: it stays where it is, as `?` would copy it.
+    // Not with `?`, which would copy the renderer: it is large.
     let renderer = Renderer::new(&scene, SETTINGS);
     let Ok(renderer) = &renderer else {
         return Err(Fault::Settings);
@@ -88,7 +48,7 @@ where
     Ok(Figures { digest, instructions, stack_bytes })
 }
 
-/// Draws in the mode that was chosen.
+/// Draws the picture in the program's mode.
 #[inline(always)]
 pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,
@@ -103,8 +63,8 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     })
 }
 
-/// Draws some lines at a time: the way that spends nothing on anything but pixels.
-// A function of its own: how the compiler puts tracing together shall not hang on how a scene is prepared.
+/// Draws an exact picture, a few lines at a time.
+// Not inlined, so that preparing a scene does not change the machine code of tracing.
 #[inline(never)]
 fn draw_exact<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     renderer: &Renderer<'_, '_, Number, S>,

@@ -1,45 +1,46 @@
-//! How much stack was used: paint what is free, and look later how much paint is left.
+//! Measures the stack: paints the free memory, and later counts how much paint is left.
 
 #[cfg(feature = "gallery")]
 use core::mem::MaybeUninit;
 use core::ptr;
 
-/// Stands where nothing was ever written.
+/// The value of memory that was not written since it was painted.
 const PAINT: u32 = 0xC0DE_FEED;
 
-/// Stays free of paint below the caller's frame, which may still grow while it paints.
+/// Bytes below the stack pointer that are not painted, for the frames of the functions that paint.
 const MARGIN: usize = 128;
 
 #[allow(unsafe_code)]
 unsafe extern "C" {
-    /// The stack grows down from here.
+    /// The upper end of the stack, which grows down.
     static _stack_start: u32;
-    /// It must not grow beyond here: the end of all statics.
+    /// The lower end of the stack: the end of all statics.
     static _stack_end: u32;
 }
 
-/// The most that is left for the stack: six times what the deepest scene of the gallery takes.
+/// The largest stack that `gallery` needs, in bytes: six times that of its deepest scene.
 #[cfg(feature = "gallery")]
 const MOST_STACK: usize = 64 * 1024;
 
-/// The RAM above the statics, but for what is left for the stack: five eighths, which are 10 KB of the smallest board's 16 KB, and at most
-/// [`MOST_STACK`].
+/// The free RAM above the statics, without the stack's part: five eighths of it, which are 10 KB of the
+/// smallest board's 16 KB, and at most [`MOST_STACK`].
 ///
 /// # Safety
-/// Call it once, and let the stack grow no further: whether it did, [`PaintedStack::used`] tells afterwards.
+/// Call this once. The stack must not grow beyond its part: [`PaintedStack::used`] checks that afterwards.
 #[cfg(feature = "gallery")]
 #[allow(unsafe_code)]
 pub(crate) unsafe fn memory_below() -> &'static mut [MaybeUninit<u8>] {
     let lowest = ptr::addr_of!(_stack_end).cast_mut().cast();
     let free = (ptr::addr_of!(_stack_start) as usize).saturating_sub(lowest as usize);
     let stack = (free / 8 * 5).min(MOST_STACK);
-    // Paint is in words.
+    // A multiple of four: the stack above it is painted in words.
     let memory = (free - stack) & !3;
-    // SAFETY: the linker places nothing between the two symbols, and whoever calls this keeps the stack out.
+    // SAFETY: the linker places nothing between the two symbols, and the caller keeps the stack out of this
+    // part.
     unsafe { core::slice::from_raw_parts_mut(lowest, memory) }
 }
 
-/// The free part of the stack, from its lower end.
+/// The painted part of the stack, from its lower end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PaintedStack {
     lowest: *mut u32,
@@ -47,13 +48,13 @@ pub(crate) struct PaintedStack {
 }
 
 impl PaintedStack {
-    /// Paints what is free above the statics.
-    #[inline(always)]
+    /// Paints the free memory above the statics.
     pub(crate) fn paint() -> Self {
         Self::paint_above(ptr::addr_of!(_stack_end).cast_mut())
     }
 
-    /// Paints what is free above this word, which nothing else may use.
+    /// Paints the free memory above this word, which must not be in use.
+    // Not inlined, so that its frame lies below that of the caller.
     #[inline(never)]
     pub(crate) fn paint_above(lowest: *mut u32) -> Self {
         let here = 0u32;
@@ -69,10 +70,10 @@ impl PaintedStack {
         Self { lowest, painted_words }
     }
 
-    /// Bytes of stack that were in use at some time, or `None` if it ever filled all of its room.
+    /// The largest number of bytes of stack that were in use, or `None` if the stack has filled its room.
     pub(crate) fn used(&self) -> Option<u32> {
         let mut word = 0;
-        // SAFETY: the words below `painted_words` are the ones that were painted.
+        // SAFETY: only words that were painted are read.
         #[allow(unsafe_code)]
         while word < self.painted_words && unsafe { self.lowest.add(word).read_volatile() } == PAINT {
             word += 1;

@@ -1,7 +1,8 @@
-// The chip: rp2040js, to which a second core is added.
+// The chip: rp2040js with a second core.
 //
-// rp2040js takes the cycles of each instruction from the datasheet. Nothing waits for memory: neither for flash, which the
-// program therefore keeps out of its inner loops, nor where both cores and DMA want the same bank of RAM.
+// rp2040js takes the cycles of each instruction from the datasheet. It does not count waits for memory:
+// neither for flash, which the program keeps out of its inner loops, nor for a bank of RAM that both cores
+// and DMA access.
 
 import { RP2040 } from 'rp2040js';
 
@@ -9,23 +10,24 @@ import { Profile } from './profile.mjs';
 import { addSecondCore } from './second_core.mjs';
 
 const FLASH = 0x10000000;
-/** Behind the second stage of the boot loader, which would set up the flash chip. */
+/** The vectors follow the second stage of the boot loader, which the emulator skips. */
 const VECTORS = 0x10000100;
 
-/** How many instructions are executed before it is asked whether to go on. */
+/** Number of instructions between two tests of the condition to stop. */
 const STRIDE = 64;
 
 /** An RP2040 that runs a program. */
 export class Chip {
   constructor(program) {
     this.mcu = new RP2040();
-    // Of what it has not modelled it warns, each time; a program that needs it does not get far.
-    const told = new Set();
-    const tell = (name, message) => {
-      if (!told.has(message)) console.error(`${name}: ${message}`);
-      told.add(message);
+    // Print each warning once: rp2040js repeats the warnings about hardware that it does not model.
+    const printed = new Set();
+    const print = (name, message) => {
+      if (!printed.has(message)) console.error(`${name}: ${message}`);
+      printed.add(message);
     };
-    this.mcu.logger = { debug() {}, info: (_, message) => message === 'SEV' && this.wake(), warn: tell, error: tell };
+    const info = (_, message) => message === 'SEV' && this.wake();
+    this.mcu.logger = { debug() {}, info, warn: print, error: print };
     for (const { address, bytes } of program.pieces) this.mcu.flash.set(bytes, address - FLASH);
     const { core } = this.mcu;
     core.VTOR = VECTORS;
@@ -57,7 +59,7 @@ export class Chip {
     return outputEnable && outputValue;
   }
 
-  /** An event for all cores, which rp2040js only logs. */
+  /** Wakes all cores: rp2040js only logs the instruction SEV. */
   wake() {
     for (const core of this.cores) {
       core.eventRegistered = true;
@@ -65,7 +67,7 @@ export class Chip {
     }
   }
 
-  /** Executes instructions until something holds. */
+  /** Executes instructions until a condition holds. */
   runUntil(holds) {
     const { clock } = this.mcu;
     const [first] = this.cores;
@@ -74,7 +76,7 @@ export class Chip {
         const before = first.cycles;
         this.#step(first);
         clock.tick(((first.cycles - before) * 1e9) / this.clockHz);
-        // The second core, once it runs, keeps up.
+        // Run the second core up to the first core's cycle.
         const second = this.cores[1];
         while (second && second.cycles < first.cycles) this.#step(second);
       }

@@ -2,8 +2,9 @@
 //
 //     node main.mjs PROGRAM FRAMES
 //
-// What the panel holds after each frame goes to the file `picture`, one after the other, as RGB565; where instructions and cycles went
-// goes to the file `profile`. Figures go to the standard output, a line for each, in hexadecimal.
+// The file `picture` gets the panel's pixels after each frame, as RGB565. The file `profile` gets the number
+// of executions and cycles of each instruction. The standard output gets the figures, a line for each, in
+// hexadecimal.
 
 import { writeFileSync } from 'node:fs';
 
@@ -12,21 +13,21 @@ import { Panel } from './panel.mjs';
 import { Program } from './program.mjs';
 import { PaintedStack } from './stack.mjs';
 
-/** The panel's pins, and that of the Pico's light, which the program turns on when it cannot go on. */
+/** The panel's pins, and the pin of the Pico's light, which the program turns on when it stops. */
 const PINS = { data: 16, select: 17, backlight: 20, light: 25 };
 
 function run(program, frames) {
   const chip = new Chip(program);
   const stack = new PaintedStack(chip.memory, program);
   const panel = new Panel(chip, PINS);
-  // A frame begins when the one before has been sent.
+  // A frame begins when the previous frame has been sent.
   const beginnings = [];
   panel.onFrame = () => {
     if (beginnings.length === 0) chip.profile.clear();
     beginnings.push({ ...chip.count, sending: panel.nanoseconds, picture: panel.picture() });
   };
   chip.runUntil(() => beginnings.length > frames || chip.isHigh(PINS.light));
-  if (chip.isHigh(PINS.light)) throw new Error('it turned on the light, because it cannot go on');
+  if (chip.isHigh(PINS.light)) throw new Error('the program stopped, and turned on the light');
 
   const [first, ...shown] = beginnings.slice(0, frames + 1);
   const last = shown.at(-1);

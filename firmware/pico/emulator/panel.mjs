@@ -1,4 +1,4 @@
-// The panel: what an ST7789 does with the commands of MIPI DCS that say where pixels go (Sitronix, "ST7789V", chapter 9).
+// The panel: an ST7789's commands of MIPI DCS that address and write pixels (Sitronix, "ST7789V", chapter 9).
 
 const COLUMNS = 0x2a;
 const ROWS = 0x2b;
@@ -16,7 +16,7 @@ const PIXEL_16_BITS = 0x5;
 const SHORT_SIDE = 240;
 const LONG_SIDE = 320;
 
-/** A panel on the chip's first SPI, held so that the picture is upright. */
+/** A panel on the chip's first SPI, turned so that the picture is upright. */
 export class Panel {
   constructor(chip, pins) {
     this.chip = chip;
@@ -24,12 +24,12 @@ export class Panel {
     this.spi = chip.mcu.spi[0];
     /** Called when a frame begins, once the backlight is on. */
     this.onFrame = () => {};
-    /** How long the bus has been busy. */
+    /** Time that the bus has been busy. */
     this.nanoseconds = 0;
     this.command = 0;
     this.parameters = [];
     this.mode = 0;
-    // What it holds when it is turned on is left to chance.
+    // The memory's content is undefined when the panel is turned on.
     this.memory = Buffer.alloc(2 * SHORT_SIDE * LONG_SIDE, 0x5a);
     this.columns = [0, SHORT_SIDE - 1];
     this.rows = [0, LONG_SIDE - 1];
@@ -51,7 +51,7 @@ export class Panel {
     return this.mode & EXCHANGE ? LONG_SIDE : SHORT_SIDE;
   }
 
-  /** What it shows, line by line: RGB565, the low byte first. */
+  /** The panel's pixels, line by line: RGB565, the low byte first. */
   picture() {
     return Buffer.from(this.memory).swap16();
   }
@@ -82,14 +82,14 @@ export class Panel {
       else this.rows = range;
     } else if (command === ADDRESS_MODE) {
       [this.mode] = parameters;
-      const mirrored = [MIRROR_ROWS, MIRROR_COLUMNS, EXCHANGE].filter((bit) => this.mode & bit).length % 2 === 1;
-      if (mirrored) throw new Error('the panel is set to show a mirror image');
+      const flips = [MIRROR_ROWS, MIRROR_COLUMNS, EXCHANGE].filter((bit) => this.mode & bit);
+      if (flips.length % 2 === 1) throw new Error('the panel shows a mirror image: change its orientation');
     } else if (command === PIXEL_FORMAT && (parameters[0] & 7) !== PIXEL_16_BITS) {
-      throw new Error('the panel is not set to 16 bits per pixel');
+      throw new Error('the panel must be set to 16 bits per pixel');
     }
   }
 
-  /** Stores a pixel and goes on to the next place of the window. */
+  /** Stores a pixel and moves to the next place of the window. */
   #pixel(bytes) {
     const width = this.#width;
     if (this.x < width && this.y * width + this.x < this.memory.length / 2) {

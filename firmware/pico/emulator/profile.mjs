@@ -1,11 +1,11 @@
-// Where instructions and cycles go.
+// Counts executions and cycles of each instruction.
 
 const FLASH = 0x10000000;
 const FLASH_SIZE = 0x200000;
 const RAM = 0x20000000;
 const RAM_SIZE = 0x42000;
 
-/** How often each instruction of flash and RAM was executed by any core, and the cycles that took. */
+/** The executions and cycles of each instruction in flash and RAM, on all cores. */
 export class Profile {
   constructor() {
     this.memories = [[FLASH, FLASH_SIZE], [RAM, RAM_SIZE]].map(([start, size]) => ({
@@ -23,7 +23,7 @@ export class Profile {
     memory.cycles[place] += cycles;
   }
 
-  /** Forgets what was counted. */
+  /** Sets all counts to zero. */
   clear() {
     for (const { times, cycles } of this.memories) {
       times.fill(0);
@@ -31,12 +31,13 @@ export class Profile {
     }
   }
 
-  /** A line for each instruction that was executed, in hexadecimal: address, times, cycles. */
+  /** A line for each instruction that was executed, in hexadecimal: address, executions, cycles. */
   toString() {
     const lines = [];
     for (const { start, times, cycles } of this.memories) {
       times.forEach((count, place) => {
-        if (count > 0) lines.push([start + 2 * place, count, cycles[place]].map((number) => number.toString(16)).join(' '));
+        const numbers = [start + 2 * place, count, cycles[place]];
+        if (count > 0) lines.push(numbers.map((number) => number.toString(16)).join(' '));
       });
     }
     return lines.join('\n');

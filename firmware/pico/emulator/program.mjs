@@ -1,4 +1,4 @@
-// The program as the linker wrote it: ELF, 32 bits, little endian (Tool Interface Standard, "Executable and Linking
+// The linked program: an ELF file, 32 bits, little endian (Tool Interface Standard, "Executable and Linking
 // Format", 1995).
 
 import { readFileSync } from 'node:fs';
@@ -10,10 +10,11 @@ const SYMBOL_TABLE = 2;
 export class Program {
   constructor(file) {
     this.bytes = readFileSync(file);
-    if (this.bytes.readUInt32BE(0) !== 0x7f454c46) throw new Error(`${file} is no ELF file`);
+    const isElf = this.bytes.readUInt32BE(0) === 0x7f454c46;
+    if (!isElf) throw new Error(`${file} is not an ELF file: build the program again`);
   }
 
-  /** What goes into flash: pieces, each with its address. */
+  /** The pieces of flash, each with its address. */
   get pieces() {
     return this.#table(28, 42)
       .filter((header) => header.readUInt32LE(0) === LOAD && header.readUInt32LE(16) > 0)
@@ -34,14 +35,18 @@ export class Program {
     throw new Error(`the program has no symbol ${name}`);
   }
 
-  /** The rows of a table whose offset, and whose row length and count, stand at these places. */
+  /**
+   * The rows of a table. Its offset is at place `offset` of the file; row length and count are at place
+   * `shape`.
+   */
   #table(offset, shape) {
     const start = this.bytes.readUInt32LE(offset);
     const [length, rows] = [this.bytes.readUInt16LE(shape), this.bytes.readUInt16LE(shape + 2)];
-    return Array.from({ length: rows }, (_, row) => this.bytes.subarray(start + row * length, start + (row + 1) * length));
+    const row = (index) => this.bytes.subarray(start + index * length, start + (index + 1) * length);
+    return Array.from({ length: rows }, (_, index) => row(index));
   }
 
-  /** The part of the file whose offset and length stand at these places of a header. */
+  /** A part of the file. Its offset and length are at these places of a header. */
   #part(header, offset, length) {
     const start = header.readUInt32LE(offset);
     return this.bytes.subarray(start, start + header.readUInt32LE(length));

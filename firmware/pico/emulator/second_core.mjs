@@ -1,27 +1,28 @@
-// The second core, which rp2040js has not: another of its processors on the same buses (Raspberry Pi, "RP2040
-// Datasheet", 2.3 "Processor subsystem" and 2.8.2 "Launching code on processor core 1").
+// The second core, which rp2040js lacks: a second processor of rp2040js on the same buses (Raspberry Pi,
+// "RP2040 Datasheet", 2.3 "Processor subsystem" and 2.8.2 "Launching code on processor core 1").
 
 // Registers of the single-cycle IO block.
 const CPUID = 0x000;
 const FIFO_STATUS = 0x050;
 const FIFO_WRITE = 0x054;
 const FIFO_READ = 0x058;
-/** What each core has for itself: divider and interpolators. */
+/** Whether a register belongs to the core that accesses it: divider and interpolators. */
 const isOwn = (offset) => offset >= 0x060 && offset < 0x100;
 
 const VALID = 1;
 const READY = 2;
 const DEPTH = 8;
 
-/** The core's memory protection: there, but without effect. */
+/** Whether a register is one of the core's memory protection, which has no effect here. */
 const isProtection = (offset) => offset >= 0xd90 && offset <= 0xda0;
 
-/** Adds the second core to a chip; it sleeps until the first one sends it where to begin. */
+/** Adds the second core to a chip. It sleeps until the first core sends it the address of its program. */
 export function addSecondCore(chip) {
   const { mcu } = chip;
   const [toFirst, toSecond] = [[], []];
 
-  // The second core's view of the chip: its own IO block, timer and interrupts, and everything else shared.
+  // The second core's view of the chip: it has its own IO block, timer and interrupts, and shares everything
+  // else.
   const view = Object.create(mcu);
   view.core = new mcu.core.constructor(view);
   view.ppb = new mcu.ppb.constructor(view, 'PPB');
@@ -34,7 +35,8 @@ export function addSecondCore(chip) {
   connect(mcu.sio, shared, { id: 0, incoming: toFirst, outgoing: toSecond, wake: () => chip.wake() });
   connect(view.sio, shared, { id: 1, incoming: toSecond, outgoing: toFirst, wake: () => chip.wake() });
 
-  // The boot loader of the sleeping core: echoes each word, and begins after 0, 0, 1, vectors, stack, entry.
+  // The boot loader of the sleeping core: it echoes each word, and starts after 0, 0, 1, vectors, stack,
+  // entry.
   const words = [];
   toSecond.push = (word) => {
     if (chip.cores.includes(view.core)) return Array.prototype.push.call(toSecond, word);
@@ -52,7 +54,7 @@ export function addSecondCore(chip) {
   };
 }
 
-/** Gives an IO block its core's number and its ends of the two FIFOs. */
+/** Connects an IO block to its core's number and to its ends of the two FIFOs. */
 function connect(sio, shared, { id, incoming, outgoing, wake }) {
   const target = (offset) => (isOwn(offset) ? sio : shared.sio);
   sio.readUint32 = (offset) => {
@@ -81,7 +83,7 @@ function connect(sio, shared, { id, incoming, outgoing, wake }) {
   };
 }
 
-/** The methods of a block as its class has them. */
+/** The methods of a block's class. */
 function protoOf(block) {
   const { readUint32, writeUint32 } = Object.getPrototypeOf(block);
   return { readUint32, writeUint32 };

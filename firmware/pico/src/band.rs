@@ -1,4 +1,4 @@
-//! A band of lines as a display, for the core to draw on.
+//! A band of lines as a display, which the renderer draws on.
 
 use core::convert::Infallible;
 
@@ -10,23 +10,24 @@ use embedded_graphics::primitives::Rectangle;
 use crate::panel_color::PanelColor;
 use crate::picture::{HEIGHT, LINES, WIDTH};
 
-/// Some lines of the picture, drawn from the first to the last.
+/// A band of lines of the picture, drawn from the first to the last.
 #[derive(Debug)]
 pub(crate) struct Band {
     pixels: [PanelColor; WIDTH * LINES],
+    /// Number of pixels that are drawn.
     drawn: usize,
 }
 
 impl Band {
-    /// Without light.
+    /// An empty band.
     pub(crate) const BLACK: Self = Self { pixels: [PanelColor::BLACK; WIDTH * LINES], drawn: 0 };
 
-    /// Forgets what was drawn.
+    /// Removes all pixels.
     pub(crate) fn clear(&mut self) {
         self.drawn = 0;
     }
 
-    /// What was drawn.
+    /// The pixels that are drawn.
     pub(crate) fn drawn(&self) -> &[PanelColor] {
         self.pixels.get(..self.drawn).unwrap_or(&self.pixels)
     }
@@ -42,7 +43,7 @@ impl DrawTarget for Band {
     type Color = PanelColor;
     type Error = Infallible;
 
-    /// Draws nothing: pictures come in whole lines.
+    /// Draws nothing: the renderer only draws whole lines, with `fill_contiguous`.
     fn draw_iter<I: IntoIterator<Item = Pixel<PanelColor>>>(&mut self, _: I) -> Result<(), Infallible> {
         Ok(())
     }
@@ -51,7 +52,7 @@ impl DrawTarget for Band {
     where
         I: IntoIterator<Item = PanelColor>,
     {
-        // Counted at the end: a count in memory would be written for each pixel.
+        // Count in a local variable: the field would be written to memory for each pixel.
         let mut drawn = self.drawn;
         for (pixel, color) in self.pixels.iter_mut().skip(drawn).zip(colors) {
             *pixel = color;

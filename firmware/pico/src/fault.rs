@@ -1,8 +1,8 @@
-//! Why the program cannot go on.
+//! The reasons why the program stops.
 
 use rayline::{LineError, SceneError, SettingsError};
 
-/// Why the program cannot go on.
+/// The reason why the program stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// The scene or a camera was refused.
@@ -13,7 +13,7 @@ pub(crate) enum Fault {
     Line,
     /// The panel failed.
     Panel,
-    /// Something that there is once was asked for twice.
+    /// The second core was started twice.
     #[cfg(feature = "second-core")]
     Taken,
 }

@@ -1,38 +1,39 @@
-//! Bands of lines: handed out to whichever core has time, and from there to the panel.
+//! Jobs: bands of lines that the cores trace and the panel shows.
 //!
-//! A core that is done takes the next band, of the next frame if need be, so that neither waits for the other at the end of
-//! a frame. What a band looks like does not depend on the others, so it does not matter which core traces it.
+//! A core that has traced a band takes the next one, if need be of the next frame, so that neither core waits
+//! for the other at the end of a frame. The pixels of a band do not depend on other bands, so either core can
+//! trace any band.
 
 use core::ops::Range;
 
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
 use crate::band::Band;
 use crate::picture::{HEIGHT, LINES};
 
-/// Bands that there is memory for: a frame. Some parts of a picture take twenty times as long as others: with so many, the core
-/// that has an easy part is not soon held up by the other.
+/// Number of bands that there is memory for. Some parts of a picture take twenty times as long as others;
+/// with five bands a core rarely waits for a slower band of the other core.
 pub(crate) const BANDS: usize = 5;
 
-/// Some lines of a frame, and the memory for them.
+/// Some lines of a frame, and the band that holds their pixels.
 #[derive(Debug)]
 pub(crate) struct Job {
     pub(crate) frame: u32,
     pub(crate) lines: Range<u32>,
     pub(crate) band: &'static mut Band,
-    /// Which of the bands it is: they go to the panel in turn.
+    /// The band's number: the panel shows bands in the order of their numbers.
     pub(crate) number: usize,
 }
 
-/// What is to be traced, first things first.
+/// Jobs to trace, in the order in which they are shown.
 pub(crate) static TO_TRACE: Channel<CriticalSectionRawMutex, Job, BANDS> = Channel::new();
 
-/// What was traced, in the order in which it was done.
+/// Jobs that were traced, in the order in which they were completed.
 pub(crate) static TRACED: Channel<CriticalSectionRawMutex, Job, BANDS> = Channel::new();
 
-/// Goes through all bands of all frames.
+/// The lines of the next job, for all frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Schedule {
     frame: u32,
@@ -40,12 +41,12 @@ pub(crate) struct Schedule {
 }
 
 impl Schedule {
-    /// Starts with the first lines of the first frame.
+    /// A schedule that starts with the first lines of the first frame.
     pub(crate) fn new() -> Self {
         Self { frame: 0, top: 0 }
     }
 
-    /// Fits a band out with the lines that come next.
+    /// The next job, whose pixels go to this band.
     pub(crate) fn next(&mut self, number: usize, band: &'static mut Band) -> Job {
         let lines = self.top..(self.top + LINES as u32).min(HEIGHT as u32);
         let job = Job { frame: self.frame, lines: lines.clone(), band, number };

@@ -1,9 +1,9 @@
-//! A Raspberry Pi Pico (RP2040) with a panel of 320x240 pixels: a camera goes around a ray-traced scene, frame after
-//! frame. Both cores trace bands of lines while DMA sends those that are done to the panel.
+//! A Raspberry Pi Pico (RP2040) with a panel of 320x240 pixels: a camera goes around a ray-traced scene,
+//! frame after frame. Both cores trace bands of lines, while DMA sends finished bands to the panel.
 //!
 //! # Wiring
 //!
-//! A panel with an ST7789 controller, as the Pimoroni Pico Display Pack 2.0 has it, which plugs right in:
+//! A panel with an ST7789 controller. The Pimoroni Pico Display Pack 2.0 has this wiring:
 //!
 //! | Pico | panel |
 //! |---|---|
@@ -14,23 +14,24 @@
 //! | GP20 | backlight |
 //! | 3V3, GND | supply; also reset, if there is one: to 3V3 |
 //!
-//! The Pico's own light means that the program cannot go on.
+//! The program turns on the Pico's own light when it stops because of a fault.
 //!
 //! # Running
 //!
-//! `cargo boards pico` runs this very program in an emulator. For a Pico with a debug probe, from this folder:
+//! `cargo boards pico` runs this program in an emulator. For a Pico with a debug probe, run in this folder:
 //!
 //! ```sh
 //! RAYLINE_MODE=realtime cargo build --release --target thumbv6m-none-eabi --features second-core
 //! probe-rs run --chip RP2040 ../target/thumbv6m-none-eabi/release/pico
 //! ```
 //!
-//! Without a probe: `elf2uf2-rs ../target/thumbv6m-none-eabi/release/pico pico.uf2`, and copy that file to the drive
-//! that appears while the button BOOTSEL is held.
+//! Without a probe, run `elf2uf2-rs ../target/thumbv6m-none-eabi/release/pico pico.uf2`, hold the button
+//! BOOTSEL while you plug the Pico in, and copy the file to the drive that appears.
 //!
 //! # Panics
 //!
-//! The HAL has panics. Tracing has none: `cargo boards --prove-no-panic pico` follows every call from `tracer::step`.
+//! The HAL holds panics; tracing holds none. `cargo boards pico` follows every call from `tracer::step` to
+//! check that, and `cargo boards --prove-no-panic pico` shows that the check can fail.
 
 #![no_std]
 #![no_main]
@@ -41,7 +42,7 @@ mod job;
 mod panel;
 mod panel_color;
 mod panic;
-// The build script writes its constants for any program, so they are more public than here is use for.
+// The build script writes public constants, for programs that are libraries too.
 #[allow(unreachable_pub)]
 mod picture;
 mod quality;
@@ -69,8 +70,9 @@ use picture::{SCENE, Workspace};
 use quality::Memory;
 use tracer::Tracer;
 
-/// The fastest that the chip's maker supports, at 1.15 V, which is set with it: Raspberry Pi Pico SDK 2.1.1, "RP2040 is now
-/// certified to run at 200 MHz", its option `PICO_USE_FASTEST_SUPPORTED_CLOCK`. Before that it was 133 MHz.
+/// The fastest clock that the chip's maker supports (Raspberry Pi Pico SDK 2.1.1, "RP2040 is now certified to
+/// run at 200 MHz", option `PICO_USE_FASTEST_SUPPORTED_CLOCK`). The HAL sets the voltage of 1.15 V that it
+/// needs.
 const CLOCK_HZ: u32 = 200_000_000;
 
 bind_interrupts!(struct Interrupts {
@@ -108,7 +110,7 @@ fn main() -> ! {
     }
 }
 
-/// Shows frame after frame: there is no end but a fault.
+/// Shows frame after frame, and returns only on a fault.
 fn run(
     bus: panel::Bus,
     pins: Pins,
@@ -120,7 +122,7 @@ fn run(
     for (number, band) in bands.iter_mut().enumerate() {
         TO_TRACE.try_send(schedule.next(number, band)).map_err(|_| Fault::Line)?;
     }
-    // One band is sent while others are traced.
+    // The panel sends one band while this core traces another.
     match block_on(select(panel.show(schedule), tracer()?.trace())) {
         Either::First(ended) | Either::Second(ended) => ended,
     }

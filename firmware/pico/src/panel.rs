@@ -1,4 +1,4 @@
-//! The panel: initialized by its driver, then given bands by DMA.
+//! The panel: its driver initializes it, then DMA sends bands to it.
 
 use core::convert::Infallible;
 
@@ -28,42 +28,42 @@ const PANEL_HEIGHT: usize = 240;
 const _: () = assert!(WIDTH <= PANEL_WIDTH && HEIGHT <= PANEL_HEIGHT, "the panel has 320x240 pixels");
 const _: () = assert!(WIDTH > 0 && HEIGHT > 0, "the picture has at least one pixel");
 
-/// The bus that the panel is alone on.
+/// The panel's bus, which has no other device.
 pub(crate) type Bus = Spi<'static, SPI0, Async>;
 
-/// How the bus is run.
+/// The settings of the bus.
 pub(crate) fn bus() -> Config {
     let mut config = Config::default();
-    // The fastest that the controller takes (Sitronix, "ST7789V", 16 ns a bit). The bus divides the chip's clock by an even
-    // number: of 200 MHz it makes 50.
+    // The controller's fastest clock: 16 ns a bit (Sitronix, "ST7789V"). The bus divides the chip's clock by
+    // an even number, so 200 MHz give 50 MHz.
     config.frequency = 62_500_000;
     config
 }
 
-/// The panel's pins beside the bus.
+/// The panel's pins that are not the bus's.
 pub(crate) struct Pins {
     /// High for data, low for commands.
     pub(crate) data: Output<'static>,
-    /// Low while the panel listens.
+    /// Low while the panel is selected.
     pub(crate) select: Output<'static>,
     pub(crate) backlight: Output<'static>,
 }
 
-/// A panel that waits for frames.
+/// An initialized panel.
 pub(crate) struct Panel {
     bus: Bus,
     pins: Pins,
 }
 
 impl Panel {
-    /// Initializes the panel, makes it black, and opens the window that all frames go to: in the middle.
+    /// Initializes the panel, makes it black, and opens the window of all frames, in the middle.
     pub(crate) fn new(mut bus: Bus, mut pins: Pins) -> Result<Self, Fault> {
         let mut buffer = [0; 512];
         let device = ExclusiveDevice::new_no_delay(&mut bus, &mut pins.select).map_err(|_| Fault::Panel)?;
         let interface = SpiInterface::new(device, &mut pins.data, &mut buffer);
         let mut display = Builder::new(ST7789, interface)
             .orientation(Orientation::new().rotate(Rotation::Deg90))
-            // As all of these panels want it.
+            // These panels show inverted colors unless inversion is on.
             .invert_colors(ColorInversion::Inverted)
             .init(&mut Delay)
             .map_err(|_| Fault::Panel)?;
@@ -74,15 +74,16 @@ impl Panel {
         interface.write_command(SetColumnAddress::new(left, right)).map_err(|_| Fault::Panel)?;
         interface.write_command(SetPageAddress::new(top, bottom)).map_err(|_| Fault::Panel)?;
 
-        // From here on it always listens.
+        // The panel stays selected from here on.
         pins.select.set_low();
         pins.backlight.set_high();
         Ok(Self { bus, pins })
     }
 
-    /// Sends bands for ever, frame after frame, and hands each out again with the lines that come next.
+    /// Sends bands, frame after frame, and returns each band to the cores with the lines of the next job. It
+    /// returns only on a fault.
     pub(crate) async fn show(mut self, mut schedule: Schedule) -> Result<Infallible, Fault> {
-        // Those that were traced before their turn.
+        // Jobs that were traced before their turn.
         let mut early: [Option<Job>; BANDS] = [const { None }; BANDS];
         loop {
             for turn in 0..BANDS {
@@ -106,7 +107,7 @@ impl Panel {
     }
 }
 
-/// The band whose turn it is, as soon as it is traced.
+/// Waits until the job of this turn is traced.
 async fn in_turn(turn: usize, early: &mut [Option<Job>; BANDS]) -> Job {
     loop {
         if let Some(job) = early.get_mut(turn).and_then(Option::take) {
@@ -119,13 +120,13 @@ async fn in_turn(turn: usize, early: &mut [Option<Job>; BANDS]) -> Job {
     }
 }
 
-/// The first and the last of `inner` places in the middle of `outer`.
+/// The first and the last column or row of a window of `inner` in the middle of a panel of `outer`.
 const fn window(outer: usize, inner: usize) -> (u16, u16) {
     let first = (outer - inner) / 2;
     (first as u16, (first + inner - 1) as u16)
 }
 
-/// Waits by counting the chip's clock.
+/// A delay that counts cycles of the chip's clock.
 struct Delay;
 
 impl DelayNs for Delay {

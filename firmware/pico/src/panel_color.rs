@@ -1,11 +1,11 @@
-//! Colors in the order of bytes in which a panel takes them.
+//! Colors in the byte order of the panel.
 
 use embedded_graphics::pixelcolor::raw::{RawU16, ToBytes};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
 use rayline::{DisplayColor, Light16, Quantizer, Tone};
 use zerocopy::{Immutable, IntoBytes};
 
-/// [`Rgb565`], the high byte first: lines of it go to the panel as they are.
+/// An [`Rgb565`] with the high byte first. Lines of these colors are sent to the panel without conversion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, IntoBytes, Immutable)]
 #[repr(transparent)]
 pub(crate) struct PanelColor([u8; 2]);

@@ -1,12 +1,14 @@
-//! The picture: scene, size, bounces and quality, chosen when the program is built.
+//! The picture's scene, size, bounces and quality, which `build.rs` wrote.
 
 use rayline::{PreparedScene, Settings};
-use rayline_show::Number;
 
 include!(concat!(env!("OUT_DIR"), "/picture.rs"));
 include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 
-/// The scene, prepared.
+/// The number system that the program computes in.
+pub(crate) type Number = rayline::math::Fixed;
+
+/// The prepared scene.
 pub(crate) type Prepared = PreparedScene<'static, Number, Set>;
 
 /// Memory for the prepared scene.
@@ -16,7 +18,8 @@ pub(crate) type Workspace = rayline::Workspace<PREPARED_BYTES>;
 pub(crate) const SETTINGS: Settings =
     Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
-/// Lines that are traced and sent at once: whole cells of the realtime quality's grid, and as many in each band, so that no core waits for
-/// the other: three of 120 lines. In bands of 24, tracing takes 5 % longer, because some samples are traced twice where bands meet; in
-/// bands of 32, of which the last is shorter, 16 %.
+/// Lines of a band, which is traced and sent at once. A band consists of whole cells of realtime quality's
+/// grid. 120 lines are three bands of the same size, so that neither core waits for the other. Bands of 24
+/// lines take 5 % longer, because some samples are traced twice where bands meet; bands of 32 lines take 16 %
+/// longer, because the last one is shorter.
 pub(crate) const LINES: usize = 40;

@@ -1,14 +1,13 @@
-//! How bands are traced: in exact or in realtime quality, chosen when the program is built.
+//! Tracing of bands in the quality that `build.rs` wrote: exact or realtime.
 
 use core::ops::Range;
 
 use rayline::{Frame, LineError, Realtime, RealtimeBuffer, RealtimeFrame, Renderer, Sample};
-use rayline_show::Number;
 
 use crate::band::Band;
 use crate::fault::Fault;
 use crate::panel_color::PanelColor;
-use crate::picture::{QUALITY, Set, WIDTH};
+use crate::picture::{Number, QUALITY, Set, WIDTH};
 
 const COLORS: usize = match QUALITY {
     None => WIDTH,
@@ -19,7 +18,7 @@ const SAMPLES: usize = match QUALITY {
     Some(quality) => quality.samples(WIDTH as u16),
 };
 
-/// What a core needs to trace lines.
+/// The memory that a core needs to trace lines.
 #[derive(Debug)]
 pub(crate) struct Memory {
     colors: [PanelColor; COLORS],
@@ -55,7 +54,7 @@ impl Memory {
 }
 
 impl Tracing<'_, '_> {
-    /// Goes on with other lines of the same frame.
+    /// Continues with other lines of the same frame.
     pub(crate) fn set_lines(&mut self, lines: Range<u32>) -> Result<(), LineError> {
         match self {
             Self::Exact(frame) => frame.set_lines(lines),
@@ -63,9 +62,9 @@ impl Tracing<'_, '_> {
         }
     }
 
-    /// Spends about so many rays; tells whether the band is complete.
+    /// Traces about `rays` rays; returns whether the band is complete.
     pub(crate) fn step(&mut self, band: &mut Band, rays: u32) -> Result<bool, Fault> {
-        // The program holds the code of one quality alone, because the compiler knows which it is.
+        // `QUALITY` is constant, so the compiler removes the code of the other quality.
         let progress = match (QUALITY, self) {
             (None, Self::Exact(frame)) => frame.step(band, rays),
             (Some(Realtime { .. }), Self::Realtime(frame)) => frame.step(band, rays),

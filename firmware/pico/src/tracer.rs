@@ -1,10 +1,10 @@
-//! What either core does: traces band after band.
+//! The work of each core: it traces band after band.
 
 use core::convert::Infallible;
 
 use embassy_futures::yield_now;
 use rayline::Renderer;
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
 use crate::band::Band;
 use crate::fault::Fault;
@@ -12,11 +12,12 @@ use crate::job::{TO_TRACE, TRACED};
 use crate::picture::{DESCRIPTION, Prepared, SETTINGS};
 use crate::quality::{Memory, Tracing};
 
-/// Rays between two looks at whether the panel waits for a band: about two milliseconds. With four times as many, bands would come
-/// back to the cores late, and frames take 5 % longer; with half as many, exact lines would be begun too often.
+/// Rays of one step, about two milliseconds; between steps, the first core sends bands to the panel. With
+/// four times as many, bands return to the cores late, and frames take 5 % longer; with half as many, exact
+/// lines are begun too often.
 const RAYS: u32 = 128;
 
-/// Traces bands. Each core has its own, and what they trace is the same.
+/// Traces bands. Each core has a tracer; both give the same pixels.
 #[derive(Debug)]
 pub(crate) struct Tracer {
     scene: Prepared,
@@ -29,7 +30,7 @@ impl Tracer {
         Self { scene, orbit: Orbit::around(&DESCRIPTION), memory }
     }
 
-    /// Traces for ever, frame after frame.
+    /// Traces frame after frame, and returns only on a fault.
     pub(crate) async fn trace(mut self) -> Result<Infallible, Fault> {
         let mut job = TO_TRACE.receive().await;
         loop {
@@ -41,7 +42,7 @@ impl Tracer {
                 job.band.clear();
                 tracing.set_lines(job.lines.clone())?;
                 while !step(&mut tracing, job.band)? {
-                    // Here the first core gives the panel a band, if it waits for one.
+                    // The first core runs the panel's task here.
                     yield_now().await;
                 }
                 TRACED.send(job).await;
@@ -51,8 +52,9 @@ impl Tracer {
     }
 }
 
-/// Traces a little more of a band; tells whether it is complete. A function of its own: `cargo boards` looks at all that
-/// it calls, and finds no panic.
+/// Traces some more rays of a band; returns whether the band is complete.
+// Not inlined: `cargo boards` finds this function by its name, and checks that no call from it leads to a
+// panic.
 #[inline(never)]
 fn step(tracing: &mut Tracing<'_, '_>, band: &mut Band) -> Result<bool, Fault> {
     #[cfg(feature = "twin-linked")]
@@ -60,7 +62,7 @@ fn step(tracing: &mut Tracing<'_, '_>, band: &mut Band) -> Result<bool, Fault> {
     tracing.step(band, RAYS)
 }
 
-/// A panic that the compiler cannot rule out.
+/// A panic that the compiler cannot remove.
 #[cfg(feature = "twin-linked")]
 fn reachable_panic() {
     let numbers = [1, 2, 3];

@@ -1,82 +1,90 @@
-//! The boards that the program runs on.
+//! The boards: for each, the program that is built for it, and its emulator.
 
 use crate::picture::{Mode, Size};
 
-/// A board: what it is, and how it is built for and emulated.
+/// A board, with its program and its emulator.
 #[derive(Debug)]
 pub(crate) struct Board {
     pub(crate) name: &'static str,
     /// Name of the processor core.
     pub(crate) core: &'static str,
-    /// What is special about it.
+    /// Memory and output of the board, in words.
     pub(crate) description: &'static str,
-    /// What the compiler calls the processor.
+    /// The compiler's name of the processor: a target triple.
     pub(crate) target: &'static str,
-    pub(crate) program: Source,
-    pub(crate) emulator: Emulator,
+    pub(crate) program: ProgramSource,
+    pub(crate) emulator: EmulatorKind,
     pub(crate) output: Output,
-    /// Size of the picture, if none is asked for.
+    /// Default size of the picture: what the board renders in about a second.
     pub(crate) size: Size,
-    /// Whether there is no such board: it stands in for one with less memory, and runs only where it is named and for the gallery.
+    /// Whether this is not a real board: it has the processor of another board, and more memory. It runs only
+    /// if it is named, for `--gallery` and for `--bench`.
     pub(crate) stands_in: bool,
 }
 
 impl Board {
-    /// Makes sure that the board's program can draw in a mode.
+    /// Whether the board's program can draw in a mode.
+    ///
+    /// # Errors
+    /// The modes that it can draw in.
     pub(crate) fn draws(&self, mode: Mode) -> Result<(), String> {
         if self.program.modes.contains(&mode) {
             return Ok(());
         }
         let modes: Vec<&str> = self.program.modes.iter().map(|mode| mode.name()).collect();
-        Err(format!("its program draws only in mode {}", modes.join(" or ")))
+        Err(format!(
+            "its program draws only in mode {}: use --mode {}",
+            modes.join(" or "),
+            modes.join(" or ")
+        ))
     }
 }
 
-/// What is built for a board.
+/// The program that is built for a board.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Source {
+pub(crate) struct ProgramSource {
     pub(crate) package: &'static str,
     /// The program's name in its package.
     pub(crate) binary: &'static str,
     pub(crate) features: &'static [&'static str],
-    /// Whether it stands on a hardware abstraction layer. Those have panics, so that of such a program only the
-    /// rendering is held to have none.
+    /// Whether the program uses a hardware abstraction layer (HAL). A HAL holds panics, so only the functions
+    /// that render are checked for panics.
     pub(crate) has_hal: bool,
-    /// How it can draw.
+    /// The modes that it can draw in.
     pub(crate) modes: &'static [Mode],
-    /// The folder with the board's memory layout, where a program for several boards asks for it.
+    /// The folder in `emulated/boards` with the board's memory layout: the value of `RAYLINE_BOARD`.
     pub(crate) layout: &'static str,
 }
 
-/// The program that emulates a board.
+/// The emulator of a board.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Emulator {
+pub(crate) enum EmulatorKind {
     /// QEMU.
     Qemu {
         command: &'static str,
-        /// Debian's package that holds it.
+        /// Debian's package with this command.
         package: &'static str,
-        /// Arguments that make it this board.
+        /// Arguments that choose this board.
         machine: &'static [&'static str],
     },
-    /// rp2040js in Node.js, until so many frames have been shown.
+    /// rp2040js in Node.js, until the panel has shown `frames` frames.
     Rp2040js { frames: u32 },
 }
 
-/// Where a board's picture goes.
+/// The place that a board's picture goes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Output {
-    /// To a file, as RGB565.
+    /// A file, as RGB565.
     File,
-    /// To a panel of this size, in 16 grays, two pixels a byte.
+    /// A panel of this size, in 16 grays, two pixels a byte.
     Panel(Size),
-    /// To the middle of a panel of this size, frame after frame, as RGB565. The emulator hands out the whole panel
-    /// after each frame.
+    /// The middle of a panel of this size, frame after frame, as RGB565. The emulator writes the whole panel
+    /// to a file after each frame.
     Frames(Size),
 }
 
 impl Output {
-    /// Bytes of each pixel that is handed out.
+    /// Bytes of a pixel, as the emulator writes it.
     pub(crate) fn pixel_bytes(self) -> usize {
         match self {
             Self::File | Self::Frames(_) => 2,
@@ -85,20 +93,21 @@ impl Output {
     }
 }
 
-/// The program that has nothing but the processor under it: each board has a folder in `emulated/src/bin`.
-const fn on_its_own(name: &'static str) -> Source {
-    Source {
+/// A program without a HAL, which draws one picture.
+const fn bare_metal(binary: &'static str, layout: &'static str) -> ProgramSource {
+    ProgramSource {
         package: "rayline-emulated",
-        binary: name,
+        binary,
         features: &[],
         has_hal: false,
         modes: &[Mode::Exact, Mode::Realtime],
-        layout: name,
+        layout,
     }
 }
 
-const fn pico(features: &'static [&'static str]) -> Source {
-    Source {
+/// The Pico's program.
+const fn pico(features: &'static [&'static str]) -> ProgramSource {
+    ProgramSource {
         package: "rayline-pico",
         binary: "pico",
         features,
@@ -108,20 +117,20 @@ const fn pico(features: &'static [&'static str]) -> Source {
     }
 }
 
-const fn arm(machine: &'static [&'static str]) -> Emulator {
-    Emulator::Qemu { command: "qemu-system-arm", package: "qemu-system-arm", machine }
+const fn arm(machine: &'static [&'static str]) -> EmulatorKind {
+    EmulatorKind::Qemu { command: "qemu-system-arm", package: "qemu-system-arm", machine }
 }
 
-const fn riscv32(machine: &'static [&'static str]) -> Emulator {
-    Emulator::Qemu { command: "qemu-system-riscv32", package: "qemu-system-misc", machine }
+const fn riscv32(machine: &'static [&'static str]) -> EmulatorKind {
+    EmulatorKind::Qemu { command: "qemu-system-riscv32", package: "qemu-system-misc", machine }
 }
 
 const OLED: Size = Size { width: 128, height: 64 };
-/// A common display, for cores with a floating-point unit.
+/// The size of a common display, for cores with an FPU.
 const QVGA: Size = Size { width: 320, height: 240 };
-/// For cores that compute floating-point numbers in software.
+/// For cores that compute `f32` in software.
 const SMALL: Size = Size { width: 64, height: 48 };
-/// A quarter of a common display: what the Pico's frames have.
+/// A quarter of a common display: the size of the Pico's frames.
 const QQVGA: Size = Size { width: 160, height: 120 };
 
 /// All boards.
@@ -131,7 +140,7 @@ pub(crate) const BOARDS: &[Board] = &[
         core: "Cortex-M3",
         description: "64 KB of RAM; the picture goes to its OLED panel of 128x64 pixels in 16 grays",
         target: "thumbv7m-none-eabi",
-        program: on_its_own("lm3s6965evb"),
+        program: bare_metal("lm3s6965evb", "lm3s6965evb"),
         emulator: arm(&["-M", "lm3s6965evb"]),
         output: Output::Panel(OLED),
         size: OLED,
@@ -140,9 +149,9 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an385",
         core: "Cortex-M3",
-        description: "floating-point numbers in software",
+        description: "`f32` in software",
         target: "thumbv7m-none-eabi",
-        program: on_its_own("mps2-an385"),
+        program: bare_metal("picture", "mps2-an385"),
         emulator: arm(&["-M", "mps2-an385"]),
         output: Output::File,
         size: SMALL,
@@ -151,9 +160,9 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an386",
         core: "Cortex-M4F",
-        description: "floating-point unit",
+        description: "FPU",
         target: "thumbv7em-none-eabihf",
-        program: on_its_own("mps2-an386"),
+        program: bare_metal("picture", "mps2-an386"),
         emulator: arm(&["-M", "mps2-an386"]),
         output: Output::File,
         size: QVGA,
@@ -162,10 +171,10 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an500",
         core: "Cortex-M7",
-        description: "floating-point unit",
+        description: "FPU",
         target: "thumbv7em-none-eabihf",
-        // Memory lies where it does on an386: the program that wants no more is built once for both.
-        program: Source { layout: "mps2-an386", ..on_its_own("mps2-an500") },
+        // Memory and clock are those of mps2-an386, so both boards run the same program.
+        program: bare_metal("picture", "mps2-an386"),
         emulator: arm(&["-M", "mps2-an500"]),
         output: Output::File,
         size: QVGA,
@@ -174,9 +183,9 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an505",
         core: "Cortex-M33",
-        description: "floating-point unit",
+        description: "FPU",
         target: "thumbv8m.main-none-eabihf",
-        program: on_its_own("mps2-an505"),
+        program: bare_metal("picture", "mps2-an505"),
         emulator: arm(&["-M", "mps2-an505"]),
         output: Output::File,
         size: QVGA,
@@ -185,9 +194,9 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "microbit",
         core: "Cortex-M0",
-        description: "16 KB of RAM; floating-point numbers in software",
+        description: "16 KB of RAM; `f32` in software",
         target: "thumbv6m-none-eabi",
-        program: on_its_own("microbit"),
+        program: bare_metal("picture", "microbit"),
         emulator: arm(&["-M", "microbit"]),
         output: Output::File,
         size: SMALL,
@@ -196,9 +205,10 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "mps2-an385-v6m",
         core: "Cortex-M3",
-        description: "code for a Cortex-M0 (ARMv6-M) on a Cortex-M3, with memory for scenes that a microbit has no room for",
+        description: "code for a Cortex-M0 (ARMv6-M) on a Cortex-M3 with 4 MB of RAM: for scenes too large \
+         for a microbit",
         target: "thumbv6m-none-eabi",
-        program: on_its_own("mps2-an385"),
+        program: bare_metal("picture", "mps2-an385"),
         emulator: arm(&["-M", "mps2-an385"]),
         output: Output::File,
         size: SMALL,
@@ -207,9 +217,9 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "riscv32",
         core: "RV32IMAC",
-        description: "QEMU's machine virt; floating-point numbers in software",
+        description: "QEMU's machine virt; `f32` in software",
         target: "riscv32imac-unknown-none-elf",
-        program: on_its_own("riscv32"),
+        program: bare_metal("picture", "riscv32"),
         emulator: riscv32(&["-M", "virt", "-bios", "none"]),
         output: Output::File,
         size: SMALL,
@@ -221,7 +231,7 @@ pub(crate) const BOARDS: &[Board] = &[
         description: "Raspberry Pi Pico with a panel of 320x240 pixels; one of its two cores traces",
         target: "thumbv6m-none-eabi",
         program: pico(&[]),
-        emulator: Emulator::Rp2040js { frames: 2 },
+        emulator: EmulatorKind::Rp2040js { frames: 2 },
         output: Output::Frames(QVGA),
         size: QQVGA,
         stands_in: false,
@@ -232,7 +242,7 @@ pub(crate) const BOARDS: &[Board] = &[
         description: "Raspberry Pi Pico with a panel of 320x240 pixels; both cores trace",
         target: "thumbv6m-none-eabi",
         program: pico(&["second-core"]),
-        emulator: Emulator::Rp2040js { frames: 2 },
+        emulator: EmulatorKind::Rp2040js { frames: 2 },
         output: Output::Frames(QVGA),
         size: QQVGA,
         stands_in: false,

@@ -18,33 +18,33 @@ use crate::screen::Screen;
 use crate::timing::Timing;
 use crate::{qemu, rp2040js};
 
-/// What a program reported.
+/// The report of a program.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
-    /// The digest that the program computed, if it does.
+    /// The digest of the picture, if the program computes it.
     pub(crate) digest: Option<u64>,
-    /// For one picture.
+    /// Instructions of one picture.
     pub(crate) instructions: u64,
     pub(crate) stack_bytes: u64,
-    /// Memory that the scene takes, where the program reads it; if there is no digest, there is less.
+    /// Memory that the scene needs, if the program reads the scene. Without a digest, the board has less.
     pub(crate) memory_bytes: u64,
-    /// Where the emulator knows more than instructions.
+    /// Cycles and clocks, if the emulator counts cycles.
     pub(crate) timing: Option<Timing>,
 }
 
-/// A running emulator; it ends with this value.
+/// A running emulator, which is ended when this value is dropped.
 #[derive(Debug)]
 pub(crate) struct Emulator {
     process: Child,
-    /// What the program tells, line by line.
+    /// The lines of the program's report.
     lines: Receiver<String>,
-    /// Its files: the program's picture, the control socket, its own messages.
+    /// The emulator's files: the program's picture, the control socket, the emulator's messages.
     folder: TempDir,
     deadline: Instant,
     timeout: Duration,
 }
 
-/// Runs a program, and gives what it reported and the bytes of its picture.
+/// Runs a program, and returns its report and the bytes of its picture.
 pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) -> Result<(Report, Vec<u8>)> {
     let mut emulator = Emulator::start(board, program, &[], timeout)?;
     let report = emulator.report()?;
@@ -55,8 +55,8 @@ pub(crate) fn run(board: &Board, program: &Path, size: Size, timeout: Duration) 
     Ok((report, picture))
 }
 
-/// Runs a program in rp2040js, and gives the counts that it wrote: for each address how often what is there was executed, and the cycles
-/// that took.
+/// Runs a program in rp2040js, and returns the counts that rp2040js wrote: for each address, executions and
+/// cycles.
 pub(crate) fn profile(board: &Board, program: &Path, timeout: Duration) -> Result<String> {
     let mut emulator = Emulator::start(board, program, &[], timeout)?;
     emulator.report()?;
@@ -65,7 +65,7 @@ pub(crate) fn profile(board: &Board, program: &Path, timeout: Duration) -> Resul
 }
 
 impl Emulator {
-    /// Starts a program, which finds these files by their names.
+    /// Starts a program in a folder with these files.
     pub(crate) fn start(
         board: &Board,
         program: &Path,
@@ -77,8 +77,8 @@ impl Emulator {
             fs::write(folder.path().join(name), bytes)?;
         }
         let mut process = match board.emulator {
-            board::Emulator::Qemu { command, machine, .. } => qemu::command(command, machine, program),
-            board::Emulator::Rp2040js { frames } => rp2040js::command(program, frames),
+            board::EmulatorKind::Qemu { command, machine, .. } => qemu::command(command, machine, program),
+            board::EmulatorKind::Rp2040js { frames } => rp2040js::command(program, frames),
         }
         .current_dir(&folder)
         .stdin(Stdio::null())
@@ -88,7 +88,7 @@ impl Emulator {
         .context("the emulator")?;
         let output = process.stdout.take();
         let (sender, lines) = mpsc::channel();
-        // Owns the process from here on, so that every error ends it.
+        // From here on, every error drops this value, which ends the process.
         let emulator = Self { process, lines, folder, deadline: Instant::now() + timeout, timeout };
         let output = BufReader::new(output.context("the emulator has no output")?);
         thread::spawn(move || {
@@ -101,13 +101,13 @@ impl Emulator {
         Ok(emulator)
     }
 
-    /// Waits until the program has told everything about one more picture, for which it has all the time again.
+    /// Waits for the report of the next picture; the time limit starts again.
     pub(crate) fn next_report(&mut self) -> Result<Report> {
         self.deadline = Instant::now() + self.timeout;
         self.report()
     }
 
-    /// Waits until the program has told everything.
+    /// Waits for the end of a report.
     fn report(&mut self) -> Result<Report> {
         let mut report = Report::default();
         loop {
@@ -130,18 +130,21 @@ impl Emulator {
                     report.timing.get_or_insert_default().set(name, number(digits)?);
                 }
                 None if line == "done" => return Ok(report),
-                _ => bail!("the program says {line:?}"),
+                _ => bail!("the report has an unknown line {line:?}: build the program again"),
             }
         }
     }
 
-    /// Waits for the end of a program, and gives the picture that it wrote.
+    /// Waits for the end of a program, and returns the picture that it wrote.
     fn file(&mut self) -> Result<Vec<u8>> {
         self.finish()?;
         fs::read(self.folder.path().join("picture")).context("the program's picture")
     }
 
-    /// Waits for the end of a program, which must be a good one.
+    /// Waits for the end of a program.
+    ///
+    /// # Errors
+    /// The program ended with an error, or has taken too long.
     pub(crate) fn finish(&mut self) -> Result<()> {
         let status = loop {
             match self.process.try_wait()? {
@@ -150,11 +153,11 @@ impl Emulator {
                 None => thread::sleep(Duration::from_millis(5)),
             }
         };
-        ensure!(status.success(), "the emulator ended badly ({status}){}", self.messages());
+        ensure!(status.success(), "the emulator failed ({status}){}", self.messages());
         Ok(())
     }
 
-    /// Reads what the panel shows.
+    /// Reads the panel's pixels.
     fn screen(&mut self, panel: Size) -> Result<Screen> {
         let mut control = Qmp::connect(&self.folder.path().join("qmp"), self.time_left())?;
         let dump = self.folder.path().join("screen.ppm");
@@ -168,13 +171,13 @@ impl Emulator {
 
     fn too_slow(&self) -> String {
         format!(
-            "the emulator was stopped after {} s: the program hangs, or needs a longer --timeout or a smaller --size{}",
+            "the emulator was stopped after {} s: use a longer --timeout or a smaller --size{}",
             self.timeout.as_secs(),
             self.messages()
         )
     }
 
-    /// What the emulator itself has to say.
+    /// The emulator's own messages, after a colon; empty if it has none.
     fn messages(&self) -> String {
         let messages = fs::read_to_string(self.folder.path().join("messages")).unwrap_or_default();
         if messages.trim().is_empty() { String::new() } else { format!(": {}", messages.trim()) }
@@ -183,7 +186,7 @@ impl Emulator {
 
 impl Drop for Emulator {
     fn drop(&mut self) {
-        // It has often ended by itself.
+        // Errors do not matter: the process may have ended by itself.
         let _ = self.process.kill();
         let _ = self.process.wait();
     }

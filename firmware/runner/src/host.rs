@@ -1,4 +1,4 @@
-//! The same picture, rendered by this computer.
+//! This computer's pictures, which the boards' are compared with.
 
 use anyhow::{Context, Result};
 use embedded_graphics::Pixel;
@@ -11,16 +11,16 @@ use rayline::math::Fixed;
 use rayline::{
     Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample,
 };
-use rayline_show::Orbit;
+use rayline_orbit::Orbit;
 
-use crate::board::{Board, Emulator, Output};
+use crate::board::{Board, EmulatorKind, Output};
 use crate::picture::{Mode, Number, Picture, Size};
 
-/// The bytes of a picture's pixels, line by line, as the board's emulator hands them out.
+/// The bytes of a picture's pixels, line by line, as the board's emulator writes them.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
     match (board.output, board.emulator) {
         (Output::Panel(_), _) => bytes_of_frame(picture, 0, Gray4::BLACK),
-        (Output::Frames(panel), Emulator::Rp2040js { frames }) => {
+        (Output::Frames(panel), EmulatorKind::Rp2040js { frames }) => {
             let mut bytes = Vec::new();
             for frame in 0..frames {
                 bytes.extend(centered(&bytes_of_frame(picture, frame, Rgb565::BLACK)?, picture.size, panel));
@@ -31,14 +31,14 @@ pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
     }
 }
 
-/// One number for these bytes.
+/// The digest of bytes.
 pub(crate) fn digest(bytes: &[u8]) -> u64 {
     let mut digest = Digest::new();
     digest.update(bytes);
     digest.value()
 }
 
-/// A frame in the picture's number system and mode.
+/// The bytes of a frame, in the picture's number system and mode.
 pub(crate) fn bytes_of_frame<C>(picture: &Picture, frame: u32, black: C) -> Result<Vec<u8>>
 where
     C: DisplayColor + PixelColor + ToBytes<Bytes: AsRef<[u8]>>,
@@ -50,15 +50,15 @@ where
     Ok(canvas.colors.iter().flat_map(|color| color.to_le_bytes().as_ref().to_vec()).collect())
 }
 
-/// The digest of many numbers, as a board tells it before it draws a gallery.
+/// The digest of arithmetic, which a board reports before it draws a gallery.
 pub(crate) fn digest_of_numbers(number: Number) -> u64 {
     match number {
-        Number::F32 => rayline_numbers::digest::<f32>(),
-        Number::Fixed => rayline_numbers::digest::<Fixed>(),
+        Number::F32 => rayline_arithmetic_digest::digest::<f32>(),
+        Number::Fixed => rayline_arithmetic_digest::digest::<Fixed>(),
     }
 }
 
-/// A frame in the picture's mode, and in any number system.
+/// A frame in the picture's mode, in any number system.
 pub(crate) fn render_frame<R: Real, C: DisplayColor>(
     picture: &Picture,
     frame: u32,
@@ -100,9 +100,9 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
 #[derive(Debug)]
 pub(crate) struct Canvas<C> {
     size: Size,
-    /// What was drawn so far.
+    /// The pixels that were drawn.
     pub(crate) colors: Vec<C>,
-    /// The rays that this took.
+    /// Number of rays that were traced.
     pub(crate) rays: u64,
 }
 
@@ -122,7 +122,7 @@ impl<C: PixelColor> DrawTarget for Canvas<C> {
     }
 }
 
-/// A black panel with a picture of RGB565 in the middle.
+/// The bytes of a black panel with a picture in the middle, as RGB565.
 fn centered(picture: &[u8], size: Size, panel: Size) -> Vec<u8> {
     let (width, height) = (usize::from(panel.width), usize::from(panel.height));
     let left = (width - usize::from(size.width)) / 2;

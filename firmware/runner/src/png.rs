@@ -1,4 +1,4 @@
-//! Pictures as files.
+//! Pictures as PNG files.
 
 use std::fs::File;
 use std::io::BufWriter;
@@ -12,7 +12,7 @@ use embedded_graphics::prelude::{GrayColor, RgbColor};
 use crate::board::{Board, Output};
 use crate::picture::Size;
 
-/// Where a board's picture goes: to `file` itself if it is the only board.
+/// The file of a board's picture: `file` itself if there is only one board.
 pub(crate) fn file_for(file: &Path, board: &Board, boards: usize) -> PathBuf {
     if boards == 1 {
         return file.to_path_buf();
@@ -27,7 +27,8 @@ pub(crate) fn file_for(file: &Path, board: &Board, boards: usize) -> PathBuf {
     file.with_file_name(name)
 }
 
-/// Writes a picture, of bytes as the board hands them out: of several frames, the whole panel after the last.
+/// Writes a picture from bytes as the emulator writes them. Of several frames, it writes the panel after the
+/// last one.
 pub(crate) fn write(file: &Path, size: Size, output: Output, bytes: &[u8]) -> Result<()> {
     let size = match output {
         Output::Frames(panel) => panel,

@@ -1,4 +1,4 @@
-//! The linked program: its sizes, and whether it holds a panic.
+//! The linked program: its sizes, and its panics.
 
 use std::fs;
 use std::path::Path;
@@ -7,10 +7,10 @@ use anyhow::{Context, Result, ensure};
 use object::elf::{SHF_ALLOC, SHT_NOBITS};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 
-use crate::board::Source;
+use crate::board::ProgramSource;
 use crate::calls::Calls;
 
-/// Parts of the names of functions that every panic goes through.
+/// Parts of the names of functions that panics call.
 const PANICS: [&str; 8] = [
     "core::panicking",
     "panic_fmt",
@@ -22,26 +22,26 @@ const PANICS: [&str; 8] = [
     "len_mismatch_fail",
 ];
 
-/// Statics in RAM, and code that was copied there.
+/// The sections of statics in RAM, and of code that is copied to RAM.
 const STATICS: [&str; 6] = [".data", ".data.code", ".sdata", ".bss", ".sbss", ".uninit"];
 
-/// The function that traces a line, in programs that stand on a HAL.
+/// The function that traces lines, in programs with a HAL.
 const RENDERING: &str = "pico::tracer::step";
 
-/// What a program takes, and what must not be in it.
+/// Sizes of a program, and its panics.
 #[derive(Debug)]
 pub(crate) struct Program {
     /// Bytes of flash: code, constants, and the first values of statics.
     pub(crate) text_bytes: u64,
     /// Bytes of RAM for statics.
     pub(crate) static_ram_bytes: u64,
-    /// Functions of panics; where the program stands on a HAL, those that can be reached from rendering.
+    /// Functions of panics. In a program with a HAL, only those that can be reached from rendering.
     pub(crate) panics: Vec<String>,
 }
 
 impl Program {
     /// Reads a linked program.
-    pub(crate) fn read(file: &Path, source: Source) -> Result<Self> {
+    pub(crate) fn read(file: &Path, source: ProgramSource) -> Result<Self> {
         let bytes = fs::read(file).with_context(|| file.display().to_string())?;
         let elf = object::File::parse(&*bytes)?;
         let (mut text_bytes, mut static_ram_bytes) = (0, 0);
@@ -61,7 +61,7 @@ impl Program {
         let panics = if source.has_hal {
             Calls::read(&elf)?.below(RENDERING)?.into_iter().map(String::from).filter(is_panic).collect()
         } else {
-            // `#` leaves out the hashes that names carry.
+            // `#` leaves out the hashes of names.
             let names =
                 elf.symbols().map(|symbol| Ok(format!("{:#}", rustc_demangle::demangle(symbol.name()?))));
             let names: Vec<String> = names.collect::<Result<_>>()?;
@@ -70,10 +70,16 @@ impl Program {
         Ok(Self { text_bytes, static_ram_bytes, panics })
     }
 
+    /// Checks that the program holds no panic.
+    ///
     /// # Errors
-    /// The panics that the program must not hold.
+    /// The program's panics.
     pub(crate) fn check(&self) -> Result<()> {
-        ensure!(self.panics.is_empty(), "the program holds panics: {}", self.panics.join(", "));
+        ensure!(
+            self.panics.is_empty(),
+            "the program can panic, remove the code that calls {}",
+            self.panics.join(", ")
+        );
         Ok(())
     }
 }

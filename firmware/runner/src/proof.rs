@@ -1,15 +1,15 @@
-//! Shows that the check for panics can fail, with twins of the program that hold one.
+//! Shows that the check for panics can fail, with twins of the program that hold a panic.
 
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
 use crate::board::Board;
-use crate::picture::Request;
 use crate::program::Program;
+use crate::request::Request;
 use crate::toolchain::{Built, PANIC, Toolchain};
 
-/// Builds the program of each board and its twins; tells whether no board that was required was skipped.
+/// Builds the program of each board and its twins; returns whether no required board was skipped.
 pub(crate) fn prove(boards: &[&Board], request: &Request, all_required: bool) -> Result<bool> {
     let mut complete = true;
     for board in boards {
@@ -33,14 +33,14 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     if board.program.has_hal {
         println!("{name}: the program links, and no panic can be reached from rendering");
     } else {
-        println!("{name}: the program links, and no symbol in it is a panic's");
+        println!("{name}: the program links, and none of its symbols is that of a panic");
         match toolchain.build(board, &picture, &["twin"])? {
             Built::Linked(_) => anyhow::bail!("{name}: a program with a panic links"),
             Built::Refused(reason) => {
                 ensure!(reason.contains(PANIC), "{name}: the twin was refused for another reason:\n{reason}");
             }
         }
-        println!("{name}: with a panic it does not link, for want of `{PANIC}`");
+        println!("{name}: with a panic it does not link, because `{PANIC}` is missing");
     }
 
     let Built::Linked(file) = toolchain.build(board, &picture, &["twin-linked"])? else {
@@ -48,6 +48,6 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     };
     let panics = read(&file)?.panics;
     ensure!(!panics.is_empty(), "{name}: the panic of the twin was not found");
-    println!("{name}: a panic in a twin that links is found: {}", panics.join(", "));
+    println!("{name}: the panic of a twin that links is found: {}", panics.join(", "));
     Ok(())
 }

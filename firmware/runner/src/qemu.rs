@@ -1,14 +1,15 @@
-//! How QEMU is started.
+//! The command that starts QEMU.
 
 use std::path::Path;
 use std::process::Command;
 
-/// Runs a program on a machine, with its report on the standard output and a control socket `qmp`.
+/// The command that runs a program on a machine. The report goes to the standard output; the control socket
+/// is `qmp`.
 pub(crate) fn command(emulator: &str, machine: &[&str], program: &Path) -> Command {
     let mut command = Command::new(emulator);
     command
         .args(machine)
-        // One instruction is a nanosecond of the emulator's time.
+        // An instruction takes one nanosecond of the emulator's time.
         .args(["-icount", "shift=0"])
         .args(["-display", "none", "-serial", "null", "-monitor", "none"])
         .args(["-chardev", "stdio,id=report"])

@@ -15,7 +15,7 @@ pub(crate) struct Qmp {
 }
 
 impl Qmp {
-    /// Connects, and leaves the mode in which only capabilities are negotiated.
+    /// Connects, and completes the negotiation of capabilities, which enables all other commands.
     pub(crate) fn connect(socket: &Path, timeout: Duration) -> Result<Self> {
         let stream = UnixStream::connect(socket).context("the emulator's control socket")?;
         stream.set_read_timeout(Some(timeout.max(Duration::from_secs(1))))?;
@@ -24,7 +24,7 @@ impl Qmp {
         Ok(qmp)
     }
 
-    /// Writes what the display shows to a PPM file.
+    /// Writes the display's pixels to a PPM file.
     pub(crate) fn screendump(&mut self, file: &Path) -> Result<()> {
         self.execute("screendump", json!({ "filename": file }))
     }
@@ -34,10 +34,12 @@ impl Qmp {
         writeln!(self.stream.get_mut(), "{request}")?;
         loop {
             let mut line = String::new();
-            let length =
-                self.stream.read_line(&mut line).context("no answer from the emulator's control socket")?;
+            let length = self
+                .stream
+                .read_line(&mut line)
+                .context("the emulator's control socket does not answer, use a longer --timeout")?;
             if length == 0 {
-                bail!("the emulator closed its control socket");
+                bail!("the emulator closed its control socket: run the board again");
             }
             let answer: Value = serde_json::from_str(&line)?;
             if let Some(error) = answer.get("error") {
@@ -46,7 +48,7 @@ impl Qmp {
             if answer.get("return").is_some() {
                 return Ok(());
             }
-            // The greeting, or an event.
+            // Skip the greeting and events.
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a picture lost, and the rays that it took: found out on this computer, whose picture is the board's.
+//! PSNR and rays of a picture, computed on this computer, whose pixels are those of the board.
 
 use anyhow::Result;
 use embedded_graphics::pixelcolor::Rgb888;
@@ -8,18 +8,19 @@ use rayline::math::Fixed;
 use crate::host::{Canvas, render_frame};
 use crate::picture::{Mode, Number, Picture};
 
-/// How good a picture is, and what that took. Of several frames, the first counts.
+/// PSNR and rays of a picture; of several frames, those of the first one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quality {
-    /// Rays that were traced.
+    /// Number of rays that were traced.
     pub(crate) rays: u64,
-    /// Peak signal-to-noise ratio in 8-bit sRGB: of a realtime picture against the exact one in the same number system,
-    /// of an exact one in fixed point against the exact one in f64. An exact one in f32 is the measure itself.
+    /// Peak signal-to-noise ratio in 8-bit sRGB: of a realtime picture against the exact one in the same
+    /// number system, of an exact picture in fixed point against the exact one in `f64`. `None` for an exact
+    /// picture in `f32`.
     pub(crate) psnr_db: Option<f64>,
 }
 
 impl Quality {
-    /// Renders a picture, and what it is measured against.
+    /// Renders a picture and its reference.
     pub(crate) fn of(picture: &Picture) -> Result<Self> {
         let exact = Picture { mode: Mode::Exact, ..*picture };
         let shown = in_number(picture)?;
@@ -40,7 +41,7 @@ fn in_number(picture: &Picture) -> Result<Canvas<Rgb888>> {
     }
 }
 
-/// Peak signal-to-noise ratio of two pictures; 99 dB at most, which stands for no difference.
+/// Peak signal-to-noise ratio of two pictures, in dB. Equal pictures have 99 dB, the maximum.
 fn psnr_db(a: &[Rgb888], b: &[Rgb888]) -> f64 {
     let channels = |color: &Rgb888| [color.r(), color.g(), color.b()].map(f64::from);
     let pairs = a.iter().flat_map(channels).zip(b.iter().flat_map(channels));
@@ -53,7 +54,7 @@ fn psnr_db(a: &[Rgb888], b: &[Rgb888]) -> f64 {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
     fn quality(number: Number, mode: Mode) -> Quality {
         let size = Some("32x24".parse().unwrap());
@@ -72,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn each_mode_has_its_measure() {
+    fn each_mode_has_its_reference() {
         let exact = quality(Number::F32, Mode::Exact);
         assert_eq!(exact.psnr_db, None);
         assert!(exact.rays >= 32 * 24);

@@ -1,4 +1,4 @@
-//! What was measured, as JSON and as a table.
+//! The results of boards, as JSON and as a table.
 
 use serde::Serialize;
 
@@ -7,18 +7,16 @@ use crate::picture::Picture;
 use crate::table::{Align, Table, with_commas};
 use crate::timing::{Rates, Timing};
 
-/// How it went with a board.
+/// The reason why there is no picture.
 #[derive(Debug)]
-pub(crate) enum Outcome {
-    /// It ran; the picture may still be wrong.
-    Ran(Figures),
-    /// It does not run here, for want of something.
+pub(crate) enum NoPicture {
+    /// The program cannot be run here, for this reason.
     Skipped(String),
-    /// It should have run.
+    /// The program failed, for this reason.
     Failed(String),
 }
 
-/// What a run measured.
+/// The figures of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Figures {
     pub(crate) instructions: u64,
@@ -33,7 +31,7 @@ pub(crate) struct Figures {
     pub(crate) psnr_db: Option<f64>,
 }
 
-/// One board's line of the results.
+/// The result of one picture on one board.
 #[derive(Debug, Serialize)]
 pub(crate) struct Record {
     pub(crate) board: &'static str,
@@ -43,10 +41,10 @@ pub(crate) struct Record {
     pub(crate) height: u16,
     pub(crate) number: &'static str,
     pub(crate) mode: &'static str,
-    /// Whether the program goes without what only makes it faster.
+    /// Whether the program leaves out the features that only make exact pictures faster.
     pub(crate) small: bool,
     pub(crate) rays: Option<u64>,
-    /// What the picture lost, see [`Quality`](crate::quality::Quality).
+    /// The picture's PSNR, see [`Quality`](crate::quality::Quality).
     pub(crate) psnr_db: Option<f64>,
     pub(crate) instructions: Option<u64>,
     instructions_per_pixel: Option<f64>,
@@ -69,20 +67,27 @@ enum Verdict {
     Failed,
 }
 
+impl NoPicture {
+    /// The reason that an error states.
+    pub(crate) fn failed(error: anyhow::Error) -> Self {
+        Self::Failed(format!("{error:#}"))
+    }
+}
+
 impl Record {
-    pub(crate) fn new(board: &Board, picture: &Picture, outcome: Outcome) -> Self {
+    pub(crate) fn new(board: &Board, picture: &Picture, outcome: Result<Figures, NoPicture>) -> Self {
         let (verdict, status, figures) = match outcome {
-            Outcome::Ran(figures) if figures.pixels_differ > 0 => (
+            Ok(figures) if figures.pixels_differ > 0 => (
                 Verdict::Failed,
                 format!("failed: {} pixels differ from the host's", figures.pixels_differ),
                 Some(figures),
             ),
-            Outcome::Ran(figures) if figures.digest != figures.host_digest => {
+            Ok(figures) if figures.digest != figures.host_digest => {
                 (Verdict::Failed, "failed: the digest differs from the host's".into(), Some(figures))
             }
-            Outcome::Ran(figures) => (Verdict::Right, "ok".into(), Some(figures)),
-            Outcome::Skipped(reason) => (Verdict::Skipped, format!("skipped: {reason}"), None),
-            Outcome::Failed(reason) => (Verdict::Failed, format!("failed: {reason}"), None),
+            Ok(figures) => (Verdict::Right, "ok".into(), Some(figures)),
+            Err(NoPicture::Skipped(reason)) => (Verdict::Skipped, format!("skipped: {reason}"), None),
+            Err(NoPicture::Failed(reason)) => (Verdict::Failed, format!("failed: {reason}"), None),
         };
         let pixels = picture.size.pixels() as f64;
         let hexadecimal = |digest: u64| format!("{digest:016x}");
@@ -113,17 +118,17 @@ impl Record {
         }
     }
 
-    /// How it went, in a line.
+    /// The outcome, in a line.
     pub(crate) fn status(&self) -> &str {
         &self.status
     }
 
-    /// Whether it ran, and its picture is right.
+    /// Whether the program ran, and its picture is the host's.
     pub(crate) fn is_right(&self) -> bool {
         self.verdict == Verdict::Right
     }
 
-    /// Whether this is no failure. A board that was skipped is one if all are required.
+    /// Whether the board did not fail. A skipped board fails if all boards are required.
     pub(crate) fn is_accepted(&self, all_required: bool) -> bool {
         match self.verdict {
             Verdict::Right => true,
@@ -132,7 +137,7 @@ impl Record {
         }
     }
 
-    /// What frames take in time, if that is known, in a line.
+    /// The time of frames in a line, where the emulator counts cycles.
     pub(crate) fn pace(&self) -> Option<String> {
         self.rates.map(|rates| format!("{}: {rates}", self.board))
     }
@@ -154,7 +159,7 @@ impl Record {
             self.number.into(),
             self.mode.into(),
             self.psnr_db.map_or("-".into(), |psnr| format!("{psnr:.1} dB")),
-            // Of what was measured: a number that is rounded already would be rounded twice.
+            // From the exact count: `instructions_per_pixel` is already rounded.
             count(self.instructions.map(|count| (count as f64 / pixels).round() as u64)),
             bytes(self.text_bytes),
             bytes(self.static_ram_bytes),
@@ -192,9 +197,9 @@ pub(crate) fn table(records: &[Record]) -> Table {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
-    fn record(outcome: Outcome) -> Record {
+    fn record(outcome: Result<Figures, NoPicture>) -> Record {
         let board = &BOARDS[0];
         Record::new(board, &Request::new("classic").unwrap().on(board), outcome)
     }
@@ -214,7 +219,7 @@ mod tests {
 
     #[test]
     fn the_json_has_every_figure() {
-        let json = serde_json::to_value(record(Outcome::Ran(FIGURES))).unwrap();
+        let json = serde_json::to_value(record(Ok(FIGURES))).unwrap();
         let expected = serde_json::json!({
             "board": "lm3s6965evb", "core": "Cortex-M3", "scene": "classic", "width": 128, "height": 64,
             "number": "f32", "mode": "exact", "small": false, "rays": 20_000, "psnr_db": 41.26,
@@ -226,16 +231,16 @@ mod tests {
     }
 
     #[test]
-    fn what_differs_fails() {
-        assert!(record(Outcome::Ran(FIGURES)).is_accepted(true));
-        assert!(!record(Outcome::Ran(Figures { digest: 1, ..FIGURES })).is_accepted(false));
-        assert!(!record(Outcome::Ran(Figures { pixels_differ: 1, ..FIGURES })).is_accepted(false));
-        assert!(!record(Outcome::Failed("no reason".into())).is_accepted(false));
+    fn a_picture_that_differs_fails() {
+        assert!(record(Ok(FIGURES)).is_accepted(true));
+        assert!(!record(Ok(Figures { digest: 1, ..FIGURES })).is_accepted(false));
+        assert!(!record(Ok(Figures { pixels_differ: 1, ..FIGURES })).is_accepted(false));
+        assert!(!record(Err(NoPicture::Failed("no reason".into()))).is_accepted(false));
     }
 
     #[test]
-    fn what_is_skipped_fails_only_if_all_are_required() {
-        let skipped = record(Outcome::Skipped("no emulator".into()));
+    fn a_skipped_board_fails_only_if_all_are_required() {
+        let skipped = record(Err(NoPicture::Skipped("no emulator".into())));
         assert!(skipped.is_accepted(false));
         assert!(!skipped.is_accepted(true));
         assert_eq!(skipped.status(), "skipped: no emulator");
@@ -243,12 +248,12 @@ mod tests {
 
     #[test]
     fn the_table_has_a_row_for_each_board() {
-        let text =
-            table(&[record(Outcome::Ran(FIGURES)), record(Outcome::Skipped(String::new()))]).to_string();
+        let text = table(&[record(Ok(FIGURES)), record(Err(NoPicture::Skipped(String::new())))]).to_string();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[2],
-            "| lm3s6965evb | Cortex-M3 | classic | 128x64 | f32    | exact | 41.3 dB |       1,000 | 20,000 B | 999 B | \
+            "| lm3s6965evb | Cortex-M3 | classic | 128x64 | f32    | exact | 41.3 dB |       1,000 | 20,000 \
+             B | 999 B | \
              1,000 B | yes       |"
         );
         assert_eq!(lines.len(), 4);

@@ -1,14 +1,17 @@
-//! How rp2040js is installed and started.
+//! The commands that install and start rp2040js.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::toolchain::is_on_path;
 
-/// Where the script is that runs it, and the package that names its version.
+/// The folder of the script that runs rp2040js, and of the package that names its version.
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../pico/emulator");
 
-/// Makes sure that it is there, or tells in one line what to install. npm fetches it at the first use.
+/// Installs rp2040js with npm if it is not there.
+///
+/// # Errors
+/// A line that says what to install.
 pub(crate) fn install() -> Result<(), String> {
     if !is_on_path("node") {
         return Err("no node: install Node.js, 18 or later".into());
@@ -17,7 +20,7 @@ pub(crate) fn install() -> Result<(), String> {
         return Ok(());
     }
     if !is_on_path("npm") {
-        return Err("no npm, which fetches rp2040js: install it".into());
+        return Err("no npm, which installs rp2040js: install npm".into());
     }
     let installed =
         Command::new("npm").args(["ci", "--silent"]).current_dir(FOLDER).stdout(Stdio::null()).status();
@@ -27,7 +30,7 @@ pub(crate) fn install() -> Result<(), String> {
     }
 }
 
-/// Runs a program until it has shown so many frames.
+/// The command that runs a program until the panel has shown `frames` frames.
 pub(crate) fn command(program: &Path, frames: u32) -> Command {
     let mut command = Command::new("node");
     command.arg(Path::new(FOLDER).join("main.mjs")).arg(program).arg(frames.to_string());

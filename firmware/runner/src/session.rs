@@ -1,76 +1,111 @@
-//! One board: build, run, compare.
+//! One picture on one board: build the program, run it, compare the picture.
 
+use std::fs;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
 
-use crate::board::{Board, Emulator, Output};
+use crate::board::{Board, EmulatorKind, Output};
 use crate::picture::{Picture, Size};
 use crate::program::Program;
 use crate::quality::Quality;
-use crate::record::{Figures, Outcome, Record};
+use crate::record::{Figures, NoPicture, Record};
 use crate::toolchain::{self, Toolchain};
 use crate::{emulator, host, png, rp2040js};
 
-/// What is to be done with one board.
+/// One picture on one board.
 #[derive(Debug)]
 pub(crate) struct Session<'a> {
     pub(crate) board: &'a Board,
     pub(crate) picture: Picture,
-    /// Where the board's picture goes.
+    /// The file that the board's picture is written to.
     pub(crate) picture_file: Option<PathBuf>,
     pub(crate) timeout: Duration,
 }
 
+/// A program that was built.
+#[derive(Debug)]
+pub(crate) struct BuiltProgram {
+    file: PathBuf,
+    program: Program,
+}
+
+impl BuiltProgram {
+    /// A copy of the program in another file, which no other build overwrites.
+    pub(crate) fn copied_to(self, file: PathBuf) -> Result<Self, NoPicture> {
+        match fs::copy(&self.file, &file) {
+            Ok(_) => Ok(Self { file, ..self }),
+            Err(error) => Err(NoPicture::Failed(format!("{}: {error}", file.display()))),
+        }
+    }
+}
+
 impl Session<'_> {
-    /// Does it, and says how it goes.
+    /// Builds and runs the program, and prints the progress.
     pub(crate) fn run(&self) -> Record {
-        let outcome = match self.toolchain() {
-            Err(reason) => Outcome::Skipped(reason),
-            Ok(toolchain) => match self.measure(&toolchain) {
-                Ok(figures) => Outcome::Ran(figures),
-                Err(error) => Outcome::Failed(format!("{error:#}")),
-            },
+        self.run_built(self.build())
+    }
+
+    /// Builds the program.
+    ///
+    /// # Errors
+    /// The board is skipped if its emulator or compiler is missing, or its panel is too small for the
+    /// picture; it fails if the program does not link or holds panics.
+    pub(crate) fn build(&self) -> Result<BuiltProgram, NoPicture> {
+        let toolchain = self.toolchain().map_err(NoPicture::Skipped)?;
+        self.say("building (the first time takes a minute)");
+        let build = || {
+            let file = toolchain.program(self.board, &self.picture)?;
+            let program = Program::read(&file, self.board.program)?;
+            program.check()?;
+            Ok(BuiltProgram { file, program })
         };
-        let record = Record::new(self.board, &self.picture, outcome);
+        build().map_err(NoPicture::failed)
+    }
+
+    /// Runs a program that [`build`](Self::build) returned.
+    pub(crate) fn run_built(&self, program: Result<BuiltProgram, NoPicture>) -> Record {
+        let measure = |program: BuiltProgram| self.measure(&program).map_err(NoPicture::failed);
+        let record = Record::new(self.board, &self.picture, program.and_then(measure));
         self.say(record.status());
         record
     }
 
-    /// The compiler, if everything is there that the board needs; else what is missing, in one line.
+    /// The compiler, if the board can be run here.
+    ///
+    /// # Errors
+    /// The reason why it cannot, and what to install, in one line.
     pub(crate) fn toolchain(&self) -> Result<Toolchain, String> {
         self.board.draws(self.picture.mode)?;
         let size = self.picture.size;
         let fits = |panel: Size| size.width <= panel.width && size.height <= panel.height;
         match self.board.output {
             Output::Panel(panel) if !fits(panel) || !size.width.is_multiple_of(2) => {
-                return Err(format!("its panel shows at most {panel}, and only even widths"));
+                return Err(format!(
+                    "its panel shows at most {panel}, and only even widths: choose another --size"
+                ));
             }
             Output::Frames(panel) if !fits(panel) => {
-                return Err(format!("its panel shows at most {panel}"));
+                return Err(format!("its panel shows at most {panel}: choose a smaller --size"));
             }
             Output::File | Output::Panel(_) | Output::Frames(_) => {}
         }
         match self.board.emulator {
-            Emulator::Qemu { command, package, .. } if !toolchain::is_on_path(command) => {
+            EmulatorKind::Qemu { command, package, .. } if !toolchain::is_on_path(command) => {
                 return Err(format!("no {command}: run `apt install {package}`"));
             }
-            Emulator::Qemu { .. } => {}
-            Emulator::Rp2040js { .. } => rp2040js::install()?,
+            EmulatorKind::Qemu { .. } => {}
+            EmulatorKind::Rp2040js { .. } => rp2040js::install()?,
         }
         Toolchain::find(self.board.target)
     }
 
-    fn measure(&self, toolchain: &Toolchain) -> Result<Figures> {
+    /// Runs the program, and compares its picture with the host's.
+    fn measure(&self, BuiltProgram { file, program }: &BuiltProgram) -> Result<Figures> {
         let Self { board, picture, .. } = self;
-        self.say("building (the first time takes a minute)");
-        let file = toolchain.program(board, picture)?;
-        let program = Program::read(&file, board.program)?;
-        program.check()?;
-
         self.say("running");
-        let (report, bytes) = emulator::run(board, &file, picture.size, self.timeout)?;
+        let (report, bytes) = emulator::run(board, file, picture.size, self.timeout)?;
         if let Some(file) = &self.picture_file {
             png::write(file, picture.size, board.output, &bytes)?;
         }
@@ -96,11 +131,11 @@ impl Session<'_> {
     }
 }
 
-/// How many pixels of a board's picture are not those of the host's.
+/// The number of pixels that differ between a board's picture and the host's.
 fn different_pixels(bytes: &[u8], expected: &[u8], pixel_bytes: usize) -> Result<usize> {
     ensure!(
         bytes.len() == expected.len(),
-        "the board's picture has {} bytes, not {}",
+        "the board's picture has {} bytes, and the host's has {}",
         bytes.len(),
         expected.len()
     );

@@ -1,8 +1,8 @@
-//! Tables in Markdown, aligned for the eye.
+//! Tables in Markdown, with aligned columns.
 
 use std::fmt;
 
-/// Where the cells of a column stand.
+/// The alignment of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Align {
     Left,
@@ -17,13 +17,13 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Without rows.
+    /// A table without rows.
     pub(crate) fn new<'h>(headings: impl IntoIterator<Item = (&'h str, Align)>) -> Self {
         let headings = headings.into_iter().map(|(heading, align)| (heading.to_owned(), align)).collect();
         Self { headings, rows: Vec::new() }
     }
 
-    /// Adds a row: a cell for each heading.
+    /// Adds a row, which has a cell for each heading.
     pub(crate) fn push(&mut self, row: impl IntoIterator<Item = String>) {
         self.rows.push(row.into_iter().collect());
     }
@@ -33,7 +33,7 @@ impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = |(column, (heading, _)): (usize, &(String, Align))| {
             let cells = self.rows.iter().filter_map(|row| row.get(column));
-            // A rule has three characters at least.
+            // A rule has at least three characters.
             cells.chain([heading]).map(|cell| cell.chars().count()).fold(3, usize::max)
         };
         let widths: Vec<usize> = self.headings.iter().enumerate().map(width).collect();

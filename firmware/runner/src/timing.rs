@@ -1,23 +1,23 @@
-//! What frames take in time: where the emulator counts cycles of a clock.
+//! The time of frames, from the cycles that an emulator counts.
 
 use std::fmt;
 
 use serde::Serialize;
 
-/// Cycles, and what they mean at the clock that the program sets.
+/// Cycles of frames, and the clocks that the program sets.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Timing {
     frames: u64,
-    /// Of the chip's clock, for all frames, from the first command of one to the first command of the next: the bus
-    /// is busy meanwhile, and all cores run.
+    /// Cycles of the chip's clock for all frames. A frame lasts from its first command to the first command
+    /// of the next frame; bus and cores all work during that time.
     cycles: u64,
     clock_hz: u64,
     spi_hz: u64,
-    /// How long the bus is busy for one frame.
+    /// Time that the bus is busy for one frame.
     spi_nanoseconds: u64,
 }
 
-/// As it stands in the JSON.
+/// The time of frames, as the JSON has it.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Rates {
     frames: u64,
@@ -30,19 +30,19 @@ pub(crate) struct Rates {
 }
 
 impl Timing {
-    /// Whether there is a figure of this name.
+    /// Whether a report's figure of this name belongs here.
     pub(crate) fn has(name: &str) -> bool {
         Self::default().figure(name).is_some()
     }
 
-    /// Sets the figure of this name.
+    /// Sets a figure by its name in the report.
     pub(crate) fn set(&mut self, name: &str, value: u64) {
         if let Some(figure) = self.figure(name) {
             *figure = value;
         }
     }
 
-    /// What the figures mean.
+    /// The time of a frame.
     pub(crate) fn rates(&self) -> Rates {
         let Self { frames, cycles, clock_hz, spi_hz, spi_nanoseconds } = *self;
         let frames_per_second = frames as f64 * clock_hz as f64 / cycles as f64;
@@ -74,7 +74,8 @@ impl fmt::Display for Rates {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{:.2} million cycles a frame, {} frames a second at {} MHz; the bus is busy for {:.2} ms of each at {} MHz",
+            "{:.2} million cycles a frame, {} frames a second at {} MHz; the bus at {4} MHz is busy for \
+             {3:.2} ms of each",
             self.cycles_per_frame as f64 / 1e6,
             self.frames_per_second,
             self.clock_hz as f64 / 1e6,
@@ -106,7 +107,8 @@ mod tests {
         assert_eq!(json, expected);
         assert_eq!(
             timing.rates().to_string(),
-            "12.50 million cycles a frame, 10 frames a second at 125 MHz; the bus is busy for 4.92 ms of each at 62.5 MHz"
+            "12.50 million cycles a frame, 10 frames a second at 125 MHz; the bus at 62.5 MHz is busy for \
+             4.92 ms of each"
         );
     }
 }

@@ -1,8 +1,8 @@
-//! The compiler for a board: that of rustup where the board's target is installed, else that of Debian, which builds
-//! the core library from its source.
+//! The compiler for a board: rustup's if the board's target is installed, else Debian's, which builds the
+//! core library from its source.
 
 use std::env;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -16,34 +16,39 @@ use crate::picture::{Number, Picture};
 /// The workspace of the firmware.
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
 
-/// The workspace of the programs for this computer.
-const MAIN_WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
+/// The manifest of the workspace of programs for this computer.
+pub(crate) const MAIN_WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
 
 /// A compiler that can build for a board.
 #[derive(Debug)]
 pub(crate) enum Toolchain {
-    /// The one in use has the target's core library.
+    /// The compiler in use, which has the target's core library.
     Installed,
-    /// Debian's has its source.
+    /// Debian's compiler, which has the source of the core library.
     Debian { rustc: PathBuf, cargo: PathBuf },
 }
 
-/// What a build came to.
+/// The outcome of a build.
 #[derive(Debug)]
 pub(crate) enum Built {
-    /// The program was linked to this file.
+    /// The file that the program was linked to.
     Linked(PathBuf),
-    /// It was not, and the compiler said why.
+    /// The compiler's messages about a program that was not built.
     Refused(String),
 }
 
 impl Built {
-    /// The program, which must have been built.
+    /// The file of the program.
+    ///
+    /// # Errors
+    /// The reason why the program was not built.
     fn linked(self) -> Result<PathBuf> {
         match self {
             Built::Linked(file) => Ok(file),
             Built::Refused(reason) if reason.contains(PANIC) => {
-                bail!("a panic can be reached: the linker misses `{PANIC}`")
+                bail!(
+                    "a panic can be reached, so the linker misses `{PANIC}`: remove the code that can panic"
+                )
             }
             Built::Refused(reason) => bail!("the program was not built:\n{}", reason.trim_end()),
         }
@@ -51,7 +56,10 @@ impl Built {
 }
 
 impl Toolchain {
-    /// Finds a compiler for a target, or tells in one line what to install.
+    /// Finds a compiler for a target.
+    ///
+    /// # Errors
+    /// A line that says what to install.
     pub(crate) fn find(target: &str) -> Result<Self, String> {
         if has_target(target) {
             return Ok(Self::Installed);
@@ -77,7 +85,7 @@ impl Toolchain {
         }
     }
 
-    /// The compiler's name and version, and where its core library comes from: programs depend on both.
+    /// The compiler's name and version, and the origin of its core library: programs depend on both.
     pub(crate) fn name(&self) -> Result<String> {
         let (rustc, core) = match self {
             Self::Installed => (installed_rustc(), ""),
@@ -87,7 +95,7 @@ impl Toolchain {
         Ok(format!("{}{core}", String::from_utf8(output.stdout)?.trim()))
     }
 
-    /// Builds the program of a board.
+    /// Builds the program of a board, with more features than the scene needs.
     pub(crate) fn build(&self, board: &Board, picture: &Picture, features: &[&str]) -> Result<Built> {
         self.build_by(self.cargo(board.target), board, picture, features)
     }
@@ -109,7 +117,7 @@ impl Toolchain {
             .env("RAYLINE_NUMBER", picture.number.name())
             .env("RAYLINE_MODE", picture.mode.name())
             .env("RAYLINE_BOARD", board.program.layout)
-            // Those are meant for this computer.
+            // The flags in use are meant for this computer.
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS");
         if let Self::Debian { .. } = self {
@@ -130,24 +138,30 @@ impl Toolchain {
         if !output.status.success() {
             return Ok(Built::Refused(String::from_utf8_lossy(&output.stderr).into_owned()));
         }
-        Ok(Built::Linked(executable(output.stdout)?))
+        Ok(Built::Linked(executable(&String::from_utf8(output.stdout)?)?))
     }
 
-    /// Builds the program of a board, which must succeed.
+    /// Builds the program of a board.
+    ///
+    /// # Errors
+    /// The reason why the program was not built.
     pub(crate) fn program(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
         self.build(board, picture, &[])?.linked()
     }
 
-    /// As [`program`](Self::program), with tables that tell which line each instruction comes from.
+    /// Builds the program of a board as [`program`](Self::program) does, with tables of the line that each
+    /// instruction comes from.
     pub(crate) fn program_with_lines(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
         let mut command = self.cargo(board.target);
         command.env("CARGO_PROFILE_RELEASE_DEBUG", "line-tables-only");
         self.build_by(command, board, picture, &[])?.linked()
     }
 
+    /// The toolchain's cargo. Instructions and flash depend on the profile, so the workspace's own is used:
+    /// no variable of the environment changes it.
     fn cargo(&self, target: &str) -> Command {
-        match self {
-            Self::Installed => Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into())),
+        let mut command = match self {
+            Self::Installed => Command::new(installed_cargo()),
             Self::Debian { rustc, cargo } => {
                 let mut command = Command::new(cargo);
                 let variable = target.to_uppercase().replace(['-', '.'], "_");
@@ -158,32 +172,48 @@ impl Toolchain {
                     .env("RUSTC_BOOTSTRAP", "1");
                 command
             }
+        };
+        for (name, _) in env::vars_os() {
+            if name == "CARGO_INCREMENTAL" || name.to_string_lossy().starts_with("CARGO_PROFILE_") {
+                command.env_remove(name);
+            }
         }
+        command
     }
 }
 
 /// Builds a program of the main workspace for this computer, as `cargo run --release` does.
 pub(crate) fn build_here(binary: &str) -> Result<PathBuf> {
-    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(["build", "--release", "--bin", binary, "--manifest-path", MAIN_WORKSPACE]);
-    command.args(["--message-format", "json-render-diagnostics"]);
-    let output = command.output().with_context(|| format!("{command:?}"))?;
-    let errors = String::from_utf8_lossy(&output.stderr);
-    ensure!(output.status.success(), "{binary} was not built:\n{}", errors.trim_end());
-    executable(output.stdout)
+    let arguments = ["build", "--release", "--bin", binary, "--manifest-path", MAIN_WORKSPACE];
+    let format = ["--message-format", "json-render-diagnostics"];
+    executable(&output_of(&installed_cargo(), &[&arguments[..], &format].concat())?)
 }
 
-/// The program that cargo has built, of which it tells in JSON.
-fn executable(messages: Vec<u8>) -> Result<PathBuf> {
-    let messages = String::from_utf8(messages)?;
+/// Runs a program of this computer, which must succeed, and returns its standard output.
+pub(crate) fn output_of(program: &OsStr, arguments: &[impl AsRef<OsStr>]) -> Result<String> {
+    let mut command = Command::new(program);
+    command.args(arguments);
+    let output = command.output().with_context(|| format!("{command:?}"))?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "{command:?} failed:\n{}", errors.trim_end());
+    Ok(String::from_utf8(output.stdout)?)
+}
+
+/// The cargo that runs this program.
+pub(crate) fn installed_cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
+/// The program that cargo has built, from cargo's messages in JSON.
+fn executable(messages: &str) -> Result<PathBuf> {
     let executable = messages
         .lines()
         .filter_map(|line| serde_json::from_str::<Value>(line).ok())
         .find_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?)));
-    executable.context("cargo built no program")
+    executable.context("cargo named no program in its messages: update cargo")
 }
 
-/// What the panic handler calls, and no program defines.
+/// The function that the panic handler calls, and that no program defines.
 pub(crate) const PANIC: &str = "rayline_panic_is_reachable";
 
 /// Whether a command can be run.
@@ -209,7 +239,7 @@ fn has_target(target: &str) -> bool {
     libraries().is_ok_and(|folder| Path::new(folder.trim_end()).is_dir())
 }
 
-/// The file or folder of an installed package of Debian whose path ends so.
+/// The first file or folder of an installed package of Debian whose path ends in `end`.
 fn debian_file(package: &str, end: &str) -> Option<PathBuf> {
     let output =
         Command::new("dpkg").args(["-L", package]).output().ok().filter(|output| output.status.success())?;

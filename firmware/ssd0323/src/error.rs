@@ -1,10 +1,10 @@
-//! What can go wrong on the way to the panel.
+//! The errors of drawing.
 
 use core::fmt;
 
 use embedded_graphics::geometry::Point;
 
-/// Drawing failed.
+/// An error of drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error<S, P> {
@@ -12,10 +12,10 @@ pub enum Error<S, P> {
     Bus(S),
     /// The pin that tells commands from data failed. Draw again.
     Pin(P),
-    /// A pixel came without the one that shares its byte. Draw areas that begin at an even column and are an
-    /// even number of columns wide.
+    /// A pixel came without the pixel that shares its byte. Draw areas that begin at an even column and are
+    /// an even number of columns wide.
     Unpaired {
-        /// The pixel that is alone.
+        /// The pixel without its partner.
         pixel: Point,
     },
 }
@@ -27,8 +27,8 @@ impl<S: fmt::Debug, P: fmt::Debug> fmt::Display for Error<S, P> {
             Self::Pin(error) => write!(f, "the data/command pin failed: {error:?}; draw again"),
             Self::Unpaired { pixel: Point { x, y } } => write!(
                 f,
-                "pixel ({x}, {y}) came without the one that shares its byte; draw even columns, an even number \
-                 of them"
+                "pixel ({x}, {y}) came without the pixel that shares its byte; draw areas that begin at an \
+                 even column and are an even number of columns wide"
             ),
         }
     }

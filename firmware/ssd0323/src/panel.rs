@@ -23,7 +23,7 @@ const LINE_BYTES: usize = WIDTH as usize / 2;
 const SET_COLUMNS: u8 = 0x15;
 const SET_ROWS: u8 = 0x75;
 
-/// What a panel is told first: each command with its arguments.
+/// The commands that set a panel up, each with its arguments.
 const INIT: [&[u8]; 9] = [
     &[0xAE],       // display off
     &[0xA0, 0x00], // columns from left to right, rows from top to bottom, along lines
@@ -36,7 +36,7 @@ const INIT: [&[u8]; 9] = [
     &[0xAF],       // display on
 ];
 
-/// A panel on a bus of its own, or on one that selects it.
+/// A panel on its own bus, or on a bus that selects it.
 #[derive(Debug)]
 pub struct Ssd0323<S, P> {
     bus: S,
@@ -45,10 +45,10 @@ pub struct Ssd0323<S, P> {
 }
 
 impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
-    /// Sets a panel up. Reset it first; its picture is not cleared.
+    /// Sets a panel up. Reset it first. The panel keeps the picture in its memory.
     ///
     /// # Errors
-    /// Those of bus and pin.
+    /// An error of the bus or of the pin.
     pub fn new(bus: S, data_command: P) -> Result<Self, Error<S::Error, P::Error>> {
         let mut panel = Self { bus, data_command };
         for command in INIT {
@@ -57,7 +57,7 @@ impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
         Ok(panel)
     }
 
-    /// Gives bus and pin back.
+    /// Returns bus and pin.
     pub fn release(self) -> (S, P) {
         (self.bus, self.data_command)
     }
@@ -67,16 +67,16 @@ impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
         self.send(bytes)
     }
 
-    /// Opens a window: the data that follows fills it line by line.
+    /// Opens a window, which the data that follows fills line by line.
     ///
-    /// The window lies inside the panel and begins and ends between pairs.
+    /// The window must lie inside the panel, and must begin and end between pairs of pixels.
     fn open(&mut self, columns: Range<i32>, rows: Range<i32>) -> Result<(), Error<S::Error, P::Error>> {
         self.command(&[SET_COLUMNS, (columns.start / 2) as u8, (columns.end / 2 - 1) as u8])?;
         self.command(&[SET_ROWS, rows.start as u8, (rows.end - 1) as u8])?;
         self.data_command.set_high().map_err(Error::Pin)
     }
 
-    /// Sends bytes, and waits until they are out: only then may the pin change.
+    /// Sends bytes, and waits until the bus has sent them: the pin must not change before.
     fn send(&mut self, bytes: &[u8]) -> Result<(), Error<S::Error, P::Error>> {
         self.bus.write(bytes).map_err(Error::Bus)?;
         self.bus.flush().map_err(Error::Bus)
@@ -93,8 +93,8 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
     type Color = Gray4;
     type Error = Error<S::Error, P::Error>;
 
-    /// Draws pixels that come in pairs, the left one first. A window is opened wherever a pair does not lie to the
-    /// right of the one before.
+    /// Draws pixels that come in pairs, the left one first. It opens a window for each pair that is not right
+    /// of the previous pair.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Self::Error>
     where
         I: IntoIterator<Item = Pixel<Gray4>>,
@@ -144,7 +144,7 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
         for y in area.rows().take_while(|y| *y < rows.end) {
             let mut burst = [0; LINE_BYTES];
             let mut pixels = 0;
-            // Colors of what is not visible are taken off as well.
+            // Skip the colors of pixels that are not visible.
             for (x, color) in area.columns().zip(&mut colors) {
                 if !(rows.contains(&y) && columns.contains(&x)) {
                     continue;
@@ -158,7 +158,7 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
                 self.send(burst)?;
             }
             if pixels % 2 != 0 {
-                // The colors ran out in the middle of a pair.
+                // The colors end in the middle of a pair.
                 return Err(Error::Unpaired { pixel: Point::new(columns.start + pixels as i32 - 1, y) });
             }
         }
@@ -166,7 +166,7 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: Gray4) -> Result<(), Self::Error> {
-        // Only what is visible: an area may be larger than anyone wants to count through.
+        // Draw only the visible part: an area may have billions of pixels.
         let (columns, rows) = visible(area);
         let size = Size::new(columns.len() as u32, rows.len() as u32);
         let visible = Rectangle::new(Point::new(columns.start, rows.start), size);
@@ -174,18 +174,18 @@ impl<S: SpiBus, P: OutputPin> DrawTarget for Ssd0323<S, P> {
     }
 }
 
-/// Columns and rows of an area that lie on the panel. `Rectangle::intersection` does not take every area.
+/// Columns and rows of an area that lie on the panel. `Rectangle::intersection` overflows for large areas.
 fn visible(area: &Rectangle) -> (Range<i32>, Range<i32>) {
     let clip = |range: Range<i32>, end: u32| range.start.max(0)..range.end.min(end as i32);
     (clip(area.columns(), WIDTH), clip(area.rows(), HEIGHT))
 }
 
-/// A left pixel in its byte.
+/// A left pixel's bits in the byte of its pair.
 fn upper_half(color: Gray4) -> u8 {
     color.luma() << 4
 }
 
-/// A right pixel in its byte.
+/// A right pixel's bits in the byte of its pair.
 fn lower_half(color: Gray4) -> u8 {
     color.luma()
 }

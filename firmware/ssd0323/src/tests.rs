@@ -1,4 +1,4 @@
-//! What reaches the bus, and what a panel would make of it.
+//! Tests with a mock panel, which interprets the bytes on the bus.
 
 use core::cell::RefCell;
 use core::convert::Infallible;
@@ -18,15 +18,15 @@ struct Panel {
     is_data: bool,
     /// Bytes of commands since the last data.
     commands: Vec<u8>,
-    /// Each window that data was written to, as first and last column byte, first and last row; and its bursts.
+    /// Each window that data was written to: first and last column byte, first and last row, and the bursts.
     windows: Vec<([u8; 4], Vec<Vec<u8>>)>,
     memory: [[u8; 64]; 64],
-    /// How many more writes the bus survives.
+    /// Number of writes before the bus fails.
     writes_left: usize,
 }
 
 impl Panel {
-    /// A panel that shows gray 5 everywhere.
+    /// A panel whose pixels all have gray 5.
     fn new() -> Self {
         Self {
             is_data: true,
@@ -124,7 +124,7 @@ impl OutputPin for Pin<'_> {
 type TestPanel<'p> = Ssd0323<Bus<'p>, Pin<'p>>;
 type TestResult = Result<(), Error<Broken, Infallible>>;
 
-/// Draws on a fresh panel.
+/// Draws on a new panel.
 fn draw(draw: impl FnOnce(&mut TestPanel) -> TestResult) -> (TestResult, Panel) {
     let panel = RefCell::new(Panel::new());
     let mut driver = Ssd0323::new(Bus(&panel), Pin(&panel)).unwrap();
@@ -168,7 +168,7 @@ fn an_area_is_one_window_and_a_burst_per_line() {
 }
 
 #[test]
-fn what_sticks_out_is_clipped() {
+fn areas_are_clipped_to_the_panel() {
     for area in [
         area(-3, 10, 9, 8),
         area(124, 10, 9, 8),
@@ -189,7 +189,7 @@ fn what_sticks_out_is_clipped() {
 }
 
 #[test]
-fn what_is_outside_draws_nothing() {
+fn areas_outside_the_panel_draw_nothing() {
     for outside in [area(128, 0, 4, 4), area(-4, 0, 4, 4), area(0, 64, 4, 4), area(0, 0, 0, 4)] {
         let (result, panel) = draw(|display| display.fill_contiguous(&outside, counting()));
         assert_eq!(result, Ok(()));

@@ -1,4 +1,4 @@
-//! The built-in scenes in both qualities and all number systems.
+//! Measures the built-in scenes in both qualities and all number systems.
 
 use std::time::Instant;
 
@@ -45,7 +45,8 @@ pub(super) fn measure(bench: &Bench, say: &dyn Fn(&str)) -> Result<String, Bench
     }
     let (width, height) = bench.size;
     Ok(format!(
-        "Built-in scenes at {width}x{height}: the best times of {} pictures each. PSNR is against the exact picture in f64.\n\n{table}",
+        "Built-in scenes at {width}x{height}: the best times of {} pictures each. PSNR is against the exact \
+         picture in f64.\n\n{table}",
         bench.runs
     ))
 }

@@ -1,11 +1,12 @@
-//! How fast pictures are: tables in Markdown.
+//! Measurements of the speed of rendering, as tables in Markdown.
 //!
-//! Times are of whole pictures, from the scene's description on: the scene is prepared, then traced. What is compared is
-//! measured in turn, so that a machine that slows down slows all of it. One thread beside POV-Ray's is measured by the
-//! processor's time, which POV-Ray reports as well and other programs disturb less; all others by the clock.
+//! A time covers a whole picture: preparing the scene and tracing it. Pictures that are compared are rendered
+//! in turn, so that a slowdown of the machine affects all of them. Beside POV-Ray, CPU time on one thread is
+//! measured, because POV-Ray reports it too and other programs disturb it less. All other times are
+//! wall-clock times.
 
 mod builtin;
-mod rival;
+mod povray;
 mod times;
 
 use core::fmt;
@@ -16,24 +17,25 @@ use crate::RenderError;
 use crate::nff::NffError;
 use crate::povray::RunError;
 
-/// What is measured.
+/// The extent of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bench {
-    /// Width and height of the built-in scenes.
+    /// The width and height of the pictures of built-in scenes, in pixels.
     pub size: (u32, u32),
-    /// Side of the pictures that POV-Ray renders as well.
-    pub rival_side: u32,
-    /// How often each picture is rendered.
+    /// The width and height of the pictures that POV-Ray renders as well, in pixels.
+    pub povray_side: u32,
+    /// How many times each picture is rendered.
     pub runs: usize,
 }
 
 impl Bench {
-    /// What takes about a minute.
-    pub const FULL: Self = Self { size: (320, 240), rival_side: 512, runs: 7 };
-    /// What takes a second, to see that it works.
-    pub const QUICK: Self = Self { size: (64, 48), rival_side: 64, runs: 1 };
+    /// A measurement of about a minute.
+    pub const FULL: Self = Self { size: (320, 240), povray_side: 512, runs: 7 };
+    /// A measurement of a second, to test that it works.
+    pub const QUICK: Self = Self { size: (64, 48), povray_side: 64, runs: 1 };
 
-    /// Measures the built-in scenes in both qualities and all number systems. `say` is told what is being measured.
+    /// Measures the built-in scenes in both qualities and all number systems. `say` is called with a text for
+    /// each measurement.
     ///
     /// # Errors
     /// See [`BenchError`].
@@ -41,29 +43,29 @@ impl Bench {
         builtin::measure(self, say)
     }
 
-    /// Measures Rayline beside POV-Ray, on one thread each; `None` where `povray` is not installed. Files that POV-Ray needs
-    /// are written to `directory`.
+    /// Measures Rayline and POV-Ray in turn, on one thread each; `None` if `povray` is not installed. Files
+    /// for POV-Ray are written to `directory`.
     ///
     /// # Errors
     /// See [`BenchError`].
     pub fn beside_povray(&self, directory: &Path, say: &dyn Fn(&str)) -> Result<Option<String>, BenchError> {
-        rival::measure(self, directory, say)
+        povray::measure(self, directory, say)
     }
 }
 
-/// Why there are no figures.
+/// The reason why a measurement failed.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum BenchError {
-    /// A picture could not be rendered. Mend what it says.
+    /// A picture could not be rendered.
     Render(RenderError),
-    /// POV-Ray gave no picture. Mend what it says.
+    /// POV-Ray failed.
     Povray(RunError),
-    /// POV-Ray's report does not tell the time of this step. Install version 3.7.
+    /// POV-Ray's report does not have the time of this step. Install version 3.7.
     NoTime(&'static str),
-    /// A scene that comes with this program is broken. Report it.
+    /// A scene of this program is broken. Report the bug.
     Scene(NffError),
-    /// The system refused a file. Mend what it says.
+    /// The system refused a file.
     Io(io::Error),
 }
 
@@ -78,7 +80,7 @@ impl fmt::Display for BenchError {
         match self {
             Self::Render(error) => error.fmt(f),
             Self::Povray(error) => error.fmt(f),
-            Self::NoTime(step) => write!(f, "POV-Ray does not tell its {step}; install version 3.7"),
+            Self::NoTime(step) => write!(f, "POV-Ray does not report its {step}; install version 3.7"),
             Self::Scene(error) => error.fmt(f),
             Self::Io(error) => error.fmt(f),
         }

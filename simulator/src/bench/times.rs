@@ -1,6 +1,6 @@
-//! Times of the same work, done several times.
+//! Times of repeated work.
 
-/// Times of the same work in seconds, in order.
+/// The times of repeated work in seconds, sorted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Times(Vec<f64>);
 
@@ -10,18 +10,18 @@ impl Times {
         self.0.insert(place, seconds);
     }
 
-    /// The least disturbed.
+    /// The shortest time, which was disturbed least.
     pub(super) fn best(&self) -> f64 {
         self.0.first().copied().unwrap_or(f64::NAN)
     }
 
-    /// The middle one: the lower of two.
+    /// The median; the lower of the two in the middle.
     pub(super) fn median(&self) -> f64 {
         self.0.get(self.0.len().saturating_sub(1) / 2).copied().unwrap_or(f64::NAN)
     }
 }
 
-/// Seconds as milliseconds, to one digit after the point.
+/// Seconds as text in milliseconds, with one digit after the point.
 pub(super) fn milliseconds(seconds: f64) -> String {
     format!("{:.1}", seconds * 1e3)
 }

@@ -1,23 +1,23 @@
-//! Boards that people have. Memory and clock as their makers' data sheets give them.
+//! Common boards, with memory and clock from their data sheets.
 
 /// A board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Board {
-    /// What to call it.
+    /// The name of the board.
     pub name: &'static str,
-    /// What is on it.
+    /// The microcontroller on it.
     pub chip: &'static str,
-    /// Its processor.
+    /// The kind of its processor.
     pub core: Core,
-    /// The clock.
+    /// The clock, in MHz.
     pub megahertz: f64,
-    /// Bytes of flash.
+    /// The size of flash, in bytes.
     pub flash: u64,
-    /// Bytes of RAM.
+    /// The size of RAM, in bytes.
     pub ram: u64,
 }
 
-/// A kind of processor, among those that were measured.
+/// A kind of processor that was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
     /// Cortex-M0 or M0+.
@@ -29,7 +29,7 @@ pub enum Core {
 }
 
 impl Core {
-    /// Whether it computes in `f32`; else in fixed point.
+    /// Whether the processor has an FPU and so computes in `f32`, else in fixed point.
     pub const fn has_fpu(self) -> bool {
         matches!(self, Self::M4F)
     }
@@ -37,7 +37,7 @@ impl Core {
 
 const KB: u64 = 1024;
 
-/// The boards that are known.
+/// The known boards.
 pub const BOARDS: [Board; 7] = [
     Board {
         name: "microbit",

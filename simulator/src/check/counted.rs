@@ -1,4 +1,4 @@
-//! What was counted on emulated boards.
+//! Estimates from instructions that were counted on emulated boards.
 
 use rayline::builtin::{CLASSIC, FLAKE, FLAKE_10, FLAKE_820};
 use rayline::limits::FEW_OBJECTS;
@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::boards::Core;
 
-/// The table that is kept with the source, as `cargo boards --bench --update` wrote it.
+/// The table of counts in the repository, written by `cargo boards --bench --update`.
 const TABLE: &str = include_str!("../../../firmware/boards.json");
 
 #[derive(Deserialize)]
@@ -24,35 +24,36 @@ struct Count {
     small: bool,
     rays: u64,
     instructions: u64,
-    /// Of a frame, where the emulator counts them: those of one core, while all work.
+    /// The cycles of a frame on one core while all cores work, if the emulator counts them.
     cycles: Option<u64>,
     text_bytes: u64,
     stack_bytes: u64,
 }
 
-/// What a kind of processor takes.
+/// The counts for one kind of processor.
 pub(super) struct Counted {
-    /// Of the program that draws balls and a polygon.
+    /// The counts of `classic`, a program that draws balls and a polygon.
     classic: Figures,
-    /// By how much code for another core is longer than for an M4F.
+    /// The size of code relative to that for an M4F.
     length: f64,
-    /// The scenes of one kind of shape each, on an M4F.
+    /// The counts of scenes with one kind of shape each, on an M4F.
     spheres: Figures,
     torus: Figures,
     csg: Figures,
     mesh: Figures,
     many: Figures,
-    /// By how much code is longer that has the hierarchy in place of candidates. In fixed point it is no longer: there are no groups.
+    /// The bytes of code that the hierarchy takes more than the candidates. In fixed point it is 0, because
+    /// there are no groups.
     hierarchy: f64,
-    /// How many times the instructions of an M4F a ray takes.
+    /// The instructions of a ray, relative to those on an M4F.
     slowness: f64,
-    /// Instructions of a ray on an M4F among more and more balls, from the fewest to the most.
+    /// The instructions of a ray on an M4F for several numbers of balls, in ascending order.
     growth: [Growth; 4],
-    /// Cycles of an instruction.
+    /// The cycles of an instruction.
     cycles: f64,
 }
 
-/// What a ray takes among so many objects.
+/// The instructions of a ray in a scene with this number of objects.
 #[derive(Clone, Copy)]
 struct Growth {
     objects: f64,
@@ -68,7 +69,7 @@ struct Figures {
 
 impl Counted {
     pub(super) fn new(core: Core) -> Self {
-        // The table is part of the program: a test reads it.
+        // The table is part of the program, and a test checks that it can be read.
         let counts = serde_json::from_str(TABLE).unwrap_or(Counts { measured: Vec::new() });
         let find = |board: &str, scene: &str| {
             let is_it = |count: &&Count| {
@@ -87,7 +88,8 @@ impl Counted {
             objects: objects.len() as f64,
             per_ray: figures(M4F, scene).per_ray,
         };
-        // Between these two the scene alone grows: what the first has more than ten balls, beyond the scene, is the hierarchy.
+        // From 91 to 820 balls only the data of the scene grows, which gives the bytes of an object. From 10
+        // to 91 balls the code grows as well, by the hierarchy.
         let [few, many, most] = [(FLAKE_10, "flake-10"), (FLAKE, "flake-91"), (FLAKE_820, "flake-820")]
             .map(|(scene, name)| (scene.objects.len() as f64, figures(M4F, name).text));
         let per_object = (most.1 - many.1) / (most.0 - many.0);
@@ -119,7 +121,7 @@ impl Counted {
         }
     }
 
-    /// The kinds of shapes that were measured, and whether the scene has them.
+    /// The counts of those measured kinds of shapes that the scene has.
     fn kinds(&self, scene: &Scene<'_>) -> impl Iterator<Item = Figures> {
         let has = |is_it: fn(&Shape<'_>) -> bool| scene.objects.iter().any(|object| is_it(&object.shape));
         let is_csg = |shape: &Shape<'_>| match shape {
@@ -140,27 +142,30 @@ impl Counted {
         kinds.into_iter().filter_map(|(figures, is_there)| is_there.then_some(figures))
     }
 
-    /// Bytes of code, as far as was measured.
+    /// The bytes of code, for the measured kinds of shapes.
     pub(super) fn code(&self, scene: &Scene<'_>) -> u64 {
         let more: f64 = self.kinds(scene).map(|figures| (figures.text - self.spheres.text).max(0.0)).sum();
         let hierarchy = if scene.objects.len() > FEW_OBJECTS { self.hierarchy } else { 0.0 };
         (self.classic.text + more * self.length + hierarchy) as u64
     }
 
-    /// Bytes of stack, about: those of `classic`, and as many times more as the scene's dearest kind of shape takes, or the hierarchy.
+    /// An estimate of the stack in bytes: that of `classic`, multiplied by the relative stack of the scene's
+    /// most expensive kind of shape or of the hierarchy.
     pub(super) fn stack(&self, scene: &Scene<'_>) -> u64 {
         let many = (scene.objects.len() > FEW_OBJECTS).then_some(self.many);
         let dearest = self.kinds(scene).chain(many).map(|figures| figures.stack / self.spheres.stack);
         (self.classic.stack * dearest.fold(1.0, f64::max)) as u64
     }
 
-    /// Cycles of a ray, about: those among as many balls, or for the scene's dearest kind of shape, whichever are more.
+    /// An estimate of the cycles of a ray: those for this number of balls, or those for the scene's most
+    /// expensive kind of shape, whichever is larger.
     pub(super) fn cycles_per_ray(&self, scene: &Scene<'_>) -> f64 {
         let kinds = self.kinds(scene).map(|figures| figures.per_ray);
         kinds.fold(self.per_ray_among(scene.objects.len() as f64), f64::max) * self.slowness * self.cycles
     }
 
-    /// Instructions of a ray among so many balls on an M4F: a power of their number, between those that were measured and beyond.
+    /// The instructions of a ray on an M4F in a scene of `objects` balls. Between the measured numbers, and
+    /// beyond the largest, a power law is used.
     fn per_ray_among(&self, objects: f64) -> f64 {
         let [fewest, few, more, most] = self.growth;
         let (from, to) = match objects {
@@ -175,7 +180,8 @@ impl Counted {
 
 const M4F: &str = "mps2-an386";
 
-/// The board whose cycles are counted, and not its instructions alone: an instruction is taken to be as long on the others.
+/// The board whose cycles are counted in addition to its instructions. All boards are assumed to need as many
+/// cycles for an instruction.
 const PICO: &str = "pico-dual";
 const PICO_CORES: u64 = 2;
 
@@ -203,11 +209,11 @@ mod tests {
             for figures in [classic, spheres, torus, csg, mesh, many] {
                 assert!(figures.text > 8192.0 && figures.per_ray > 50.0 && figures.stack > 1024.0);
             }
-            // The README's 12 KB.
+            // The README states 12 KB.
             let expected = if core.has_fpu() { 11e3..13e3 } else { 0.0..1.0 };
             assert!(expected.contains(&hierarchy), "{hierarchy}");
             assert!(length >= 1.0 && slowness >= 1.0);
-            // Balls, and what they lie on.
+            // The balls and the floor.
             assert_eq!(growth.map(|growth| growth.objects), [5.0, 11.0, 92.0, 821.0]);
             assert!(growth.is_sorted_by(|a, b| a.per_ray < b.per_ray));
             assert!((1.2..1.6).contains(&cycles), "{cycles}");
@@ -215,12 +221,12 @@ mod tests {
     }
 
     #[test]
-    fn rays_take_what_was_measured_among_as_many_objects() {
+    fn rays_cost_as_measured_for_the_measured_numbers_of_objects() {
         let counted = Counted::new(Core::M4F);
         for Growth { objects, per_ray } in counted.growth {
             assert!((counted.per_ray_among(objects) / per_ray - 1.0).abs() < 1e-9);
         }
-        // No less among fewer, and more among more.
+        // Scenes with fewer balls than the smallest take as much, scenes with more take more.
         let among = |objects| counted.per_ray_among(objects);
         assert_eq!(among(1.0), among(5.0));
         assert!(among(50.0) > among(11.0) && among(50.0) < among(92.0) && among(5000.0) > among(821.0));

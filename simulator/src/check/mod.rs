@@ -1,11 +1,13 @@
-//! Whether a scene can be drawn, and whether it fits a board.
+//! Checks whether a scene can be drawn and whether it fits a board.
 //!
-//! What a scene takes in memory and rays is computed. Flash and time are estimated from what `cargo boards --bench` counted on emulated
-//! boards (`firmware/boards.json`): of the scene that was built for a board itself, `cargo boards` tells exactly.
+//! The memory and the rays of a scene are computed. Flash and time are estimated from the counts of `cargo
+//! boards --bench` on emulated boards (`firmware/boards.json`). `cargo boards --scene` measures a scene
+//! exactly.
 //!
-//! For time, that is the instructions that a ray takes an M4F in `classic` (245), with other shapes, and among more balls; how many times
-//! more a ray of `classic` takes an M3 (1.64) or an M0 (3.03), in fixed point; and the cycles that an instruction takes a Pico, 1.41. Only
-//! there are they counted: other boards may take more, most of all where they wait for flash.
+//! The time is a product of three factors: the instructions of a ray on an M4F, for the shapes and the number
+//! of objects of the scene; the ratio of instructions on an M3 or M0, in fixed point, to those on an M4F, for
+//! a ray of `classic`; and the cycles of an instruction on a Pico. Only the cycles of a Pico are counted.
+//! Other boards may take more, most of all where they wait for flash.
 
 mod boards;
 mod counted;
@@ -22,31 +24,32 @@ use crate::RenderError;
 use crate::picture::memory_for;
 use crate::table::{Table, thousands};
 
-/// Whether a scene can be drawn.
+/// Checks whether a scene can be drawn.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The fault of the scene.
 pub fn check(scene: &Scene<'_>) -> Result<(), SceneError> {
     PreparedScene::<f32, _>::new(scene, &mut memory_for::<f32>(scene)).map(|_| ())
 }
 
-/// What a scene takes of a board.
+/// The resources of a board that a scene takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
     /// The board.
     pub board: &'static Board,
-    /// Bytes of flash, at least: the kernel with as many of the scene's kinds of shapes as were measured, and the scene.
+    /// A lower bound on flash, in bytes: the code, with those kinds of the scene's shapes that were measured,
+    /// and the scene.
     pub flash: u64,
-    /// Bytes of RAM without stack, about: the prepared scene, which has larger pointers here, and a line of 16-bit colors. Meshes are
-    /// baked: they are in flash.
+    /// An estimate of RAM without the stack, in bytes: the prepared scene with the pointers of this machine,
+    /// and a line of 16-bit colors. Meshes are baked into flash.
     pub ram: u64,
-    /// Bytes of stack, about.
+    /// An estimate of the stack, in bytes.
     pub stack: u64,
-    /// Rays of the pixel that takes most.
+    /// The rays of the pixel that takes most.
     pub worst_rays: u32,
-    /// Rays of a pixel in the mean.
+    /// The mean number of rays of a pixel.
     pub mean_rays: f64,
-    /// Seconds for a picture, about.
+    /// An estimate of the time for a picture, in seconds.
     pub seconds: f64,
 }
 
@@ -71,13 +74,13 @@ impl Demand {
         }
     }
 
-    /// Whether flash and RAM suffice.
+    /// Whether the board has enough flash and RAM.
     pub fn fits(&self) -> bool {
         self.flash <= self.board.flash && self.ram + self.stack <= self.board.ram
     }
 }
 
-/// What was found by tracing the picture in one number system.
+/// The memory and rays of a picture in one number system, found by tracing it.
 struct Traced {
     prepared_bytes: u64,
     baked_bytes: u64,
@@ -104,20 +107,22 @@ impl Traced {
     }
 }
 
-/// Bytes that the description takes in flash, about: as many as in a file of bytes, where most numbers have as many bytes as in memory.
+/// An estimate of the flash that the description takes, in bytes: the size of its `.rayline` file, where most
+/// numbers take as many bytes as in memory.
 fn description_bytes(scene: &Scene<'_>) -> u64 {
     crate::convert::to_bytes(scene).map_or(0, |bytes| bytes.len() as u64)
 }
 
-/// What a scene takes of several boards, as a table.
+/// The resources that a scene takes of several boards; displayed as a table.
 #[derive(Clone, Debug)]
 pub struct Demands(pub Vec<Demand>);
 
 impl Demands {
-    /// What a scene takes of boards in a picture of these settings, which is traced once for each number system.
+    /// Estimates the resources for a picture with these settings. The picture is traced once for each number
+    /// system.
     ///
     /// # Errors
-    /// It cannot be drawn in a board's number system, or with these settings.
+    /// The scene cannot be drawn in a board's number system, or not with these settings.
     pub fn new(
         scene: &Scene<'_>,
         boards: impl IntoIterator<Item = &'static Board>,
@@ -203,19 +208,20 @@ mod tests {
         assert!(demand(&FLAKE_820, "pico").fits());
     }
 
-    /// What the README's tables have was taken for as little as a quarter of that.
+    /// Earlier estimates were as low as a quarter of the times in the README's tables.
     #[test]
-    fn time_is_what_was_measured() {
+    fn estimated_times_agree_with_measured_ones() {
         let cycles = |scene: &Scene<'_>, bounces, board| {
             let board = BOARDS.iter().find(|known| known.name == board).unwrap();
             let settings = Settings { bounces, ..Settings::new(160, 120) };
             let demand = Demands::new(scene, [board], settings).unwrap().0[0];
             demand.seconds * board.megahertz * 1e6 / (160.0 * 120.0)
         };
-        // A Pico's core takes 51.06 million cycles for a picture of this size, some of them for the display.
+        // A Pico's core takes 51.06 million cycles for a picture of this size, including those for the
+        // display.
         let pico = cycles(&CLASSIC, 3, "pico") * 160.0 * 120.0;
         assert!((46.0e6..52.7e6).contains(&pico), "{pico}");
-        // The others' instructions of a pixel, of 1.407 cycles each.
+        // Measured instructions of a pixel on other boards, at 1.407 cycles each.
         for (scene, bounces, board, instructions) in [
             (&CLASSIC, 3, "microbit", 1702.0),
             (&CLASSIC, 3, "bluepill", 920.0),
@@ -230,15 +236,15 @@ mod tests {
         }
     }
 
-    /// The hierarchy's 12 KB were left out.
+    /// Earlier estimates left out the 12 KB of the hierarchy.
     #[test]
-    fn flash_among_many_objects_is_what_was_measured() {
+    fn estimated_flash_includes_the_hierarchy() {
         for (scene, measured) in [(&FLAKE_10, 31580.0), (&FLAKE, 45576.0), (&FLAKE_820, 63096.0)] {
             let estimated = demand(scene, "nrf52840dk").flash as f64;
-            // Large scenes take more of a program than of a file.
+            // Large scenes take more bytes in a program than in a file.
             assert!((estimated / measured - 1.0).abs() < 0.07, "{estimated}, {measured}");
         }
-        // In fixed point it takes the place of something larger: an M3 needs 42,344 bytes.
+        // In fixed point the hierarchy replaces code that is as large.
         let code = |scene| demand(scene, "bluepill").flash - description_bytes(scene);
         assert_eq!(code(&FLAKE), code(&FLAKE_10));
     }
@@ -248,7 +254,7 @@ mod tests {
         let (spheres, table) = (demand(&SPHERES, "pico"), demand(&TABLE, "pico"));
         assert!(table.flash > spheres.flash + 8 * 1024, "{table:?} {spheres:?}");
         assert!(table.seconds > spheres.seconds);
-        // A faster processor is faster, one with a floating-point unit still more.
+        // A board with an FPU is faster.
         assert!(demand(&TABLE, "blackpill").seconds < demand(&TABLE, "bluepill").seconds);
     }
 
@@ -266,7 +272,7 @@ mod tests {
     const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
 
     #[test]
-    fn what_cannot_be_drawn_is_refused() {
+    fn scenes_that_cannot_be_drawn_are_refused() {
         let settings = Settings { bounces: 99, ..SETTINGS };
         assert!(Demands::new(&CLASSIC, &BOARDS, settings).is_err());
     }

@@ -1,4 +1,4 @@
-//! Lists of numbers out of buffers (glTF 2.0 Specification, section 3.6.2).
+//! Accessors: lists of numbers in buffers (glTF 2.0 Specification, section 3.6.2).
 
 use gltf_json::Index;
 use gltf_json::accessor::{Accessor, ComponentType, Type};
@@ -8,10 +8,11 @@ use gltf_json::{Root, buffer};
 use super::buffers::Buffers;
 use super::error::{At, GltfFault, Wrong, find, name};
 
-/// The most elements of a list, and the most triangles of a file: what a controller can hold is a thousandth of that.
+/// The most elements of a list, and the most triangles of a file: a thousand times what a microcontroller can
+/// hold.
 pub(super) const MOST: usize = 1 << 22;
 
-/// Reads lists.
+/// Reads the lists of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lists<'f> {
     pub(super) root: &'f Root,
@@ -19,13 +20,13 @@ pub(super) struct Lists<'f> {
 }
 
 impl Lists<'_> {
-    /// How many elements a list has, which may be a lie.
+    /// The number of elements by the file, which is not checked against the bytes.
     pub(super) fn count(&self, index: Index<Accessor>) -> Result<usize, Wrong> {
         let accessor = find(&self.root.accessors, "accessor", index.value())?;
         Ok(usize::try_from(accessor.count.0).unwrap_or(usize::MAX))
     }
 
-    /// A list of vectors. Whole numbers that are `normalized` are shares of their largest.
+    /// A list of vectors. Integers that are `normalized` are shares of the largest integer.
     pub(super) fn vectors<const N: usize>(&self, index: Index<Accessor>) -> Result<Vec<[f32; N]>, Wrong> {
         let (expected, kind) = match N {
             2 => ("VEC2", Type::Vec2),
@@ -43,7 +44,7 @@ impl Lists<'_> {
         })
     }
 
-    /// A list of the numbers of vertices.
+    /// A list of indices of vertices.
     pub(super) fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, Wrong> {
         self.read(index, ("SCALAR", Type::Scalar), 0, |bytes, component, _| whole(bytes, component))
     }
@@ -71,7 +72,7 @@ impl Lists<'_> {
         if accessor.type_ != Checked::Valid(kind) {
             let found = match &accessor.type_ {
                 Checked::Valid(kind) => format!("{kind:?}").to_uppercase(),
-                Checked::Invalid => "what is none of its types".to_owned(),
+                Checked::Invalid => "an unknown type".to_owned(),
             };
             return Err(GltfFault::Kind { expected, found }.into());
         }
@@ -104,7 +105,7 @@ impl Lists<'_> {
         Ok(list)
     }
 
-    /// The bytes of each element; all of them are there.
+    /// The bytes of each element, or an error if the buffer is too short.
     fn strided(
         &self,
         view: Index<buffer::View>,
@@ -116,7 +117,7 @@ impl Lists<'_> {
         let stride = stride.unwrap_or(size);
         if stride < size {
             let found = format!("a stride of {stride} bytes");
-            return Err(GltfFault::Kind { expected: "one that its elements fit in", found }.into());
+            return Err(GltfFault::Kind { expected: "a stride of at least one element", found }.into());
         }
         let needed = match count.checked_sub(1) {
             Some(before_last) => (before_last as u64)
@@ -142,15 +143,14 @@ fn counted(count: u64) -> Result<usize, GltfFault> {
 fn component(given: &Checked<gltf_json::accessor::GenericComponentType>) -> Result<ComponentType, GltfFault> {
     match given {
         Checked::Valid(component) => Ok(component.0),
-        Checked::Invalid => Err(GltfFault::Kind {
-            expected: "a type of numbers",
-            found: "what is none of its types".to_owned(),
-        }),
+        Checked::Invalid => {
+            Err(GltfFault::Kind { expected: "a type of numbers", found: "an unknown type".to_owned() })
+        }
     }
 }
 
 fn not_whole(found: &str) -> GltfFault {
-    GltfFault::Kind { expected: "whole numbers without sign", found: found.to_owned() }
+    GltfFault::Kind { expected: "unsigned integers", found: found.to_owned() }
 }
 
 fn whole(bytes: &[u8], component: ComponentType) -> Result<u32, GltfFault> {
@@ -163,7 +163,7 @@ fn whole(bytes: &[u8], component: ComponentType) -> Result<u32, GltfFault> {
 }
 
 fn float(bytes: &[u8], component: ComponentType, normalized: bool) -> Result<f32, GltfFault> {
-    // Section 3.11 tells how shares are coded: the smallest number is -1, as is the one above it.
+    // Section 3.11 defines normalized integers: both the smallest one and the next stand for -1.
     let share = |number: f32, largest: f32| {
         if normalized { (number / largest).max(-1.0) } else { number }
     };
@@ -174,7 +174,7 @@ fn float(bytes: &[u8], component: ComponentType, normalized: bool) -> Result<f32
         (ComponentType::U16, [a, b]) => Ok(share(u16::from_le_bytes([*a, *b]).into(), 65_535.0)),
         (ComponentType::I16, [a, b]) => Ok(share(i16::from_le_bytes([*a, *b]).into(), 32_767.0)),
         _ => Err(GltfFault::Kind {
-            expected: "numbers of 8 or 16 bits, or with a fraction",
+            expected: "integers of 8 or 16 bits, or floats",
             found: format!("{component:?}"),
         }),
     }

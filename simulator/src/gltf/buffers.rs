@@ -1,4 +1,4 @@
-//! The bytes that a file has or names.
+//! Buffers: the bytes that a file has or refers to.
 
 use std::borrow::Cow;
 use std::fs;
@@ -23,7 +23,7 @@ pub(super) struct Buffers<'f> {
 }
 
 impl<'f> Buffers<'f> {
-    /// Reads them all; `binary` is the first of a binary file.
+    /// Reads all buffers; `binary` is the first buffer of a binary file.
     pub(super) fn read(root: &'f Root, folder: &'f Path, binary: Option<&'f [u8]>) -> Result<Self, Wrong> {
         let mut all = Self { root, folder, bytes: Vec::new() };
         let mut sum = 0usize;
@@ -49,7 +49,7 @@ impl<'f> Buffers<'f> {
         Ok(all)
     }
 
-    /// The bytes of a view, and the distance of its elements if it says one.
+    /// The bytes of a view, and its stride if it has one.
     pub(super) fn view(&self, index: Index<buffer::View>) -> Result<(&[u8], Option<usize>), Wrong> {
         let view = find(&self.root.buffer_views, "buffer view", index.value())?;
         let of_view = || {
@@ -64,12 +64,12 @@ impl<'f> Buffers<'f> {
         Ok((bytes, view.byte_stride.map(|stride| stride.0)))
     }
 
-    /// What a URI stands for: bytes written in itself, or a file in the folder or below.
+    /// The bytes of a URI: those in a `data:` URI, or those of a file in the folder or below.
     pub(super) fn resource(&self, uri: &str) -> Result<Cow<'f, [u8]>, GltfFault> {
         if let Some(data) = strip_scheme(uri, "data:") {
             let (_, text) = data
                 .split_once(";base64,")
-                .ok_or_else(|| GltfFault::NotBase64("there is no `;base64,` before them".to_owned()))?;
+                .ok_or_else(|| GltfFault::NotBase64("`;base64,` is missing".to_owned()))?;
             let bytes = BASE64_STANDARD.decode(text.trim_ascii());
             return Ok(Cow::Owned(bytes.map_err(|error| GltfFault::NotBase64(error.to_string()))?));
         }
@@ -86,10 +86,10 @@ fn strip_scheme<'u>(uri: &'u str, scheme: &str) -> Option<&'u str> {
     start.eq_ignore_ascii_case(scheme).then_some(rest)
 }
 
-/// The path from the folder of the file, if it stays in it.
+/// The relative path of a URI, if it stays in the folder of the file.
 fn below(uri: &str) -> Option<PathBuf> {
     let path = unescaped(uri)?;
-    // A scheme, a drive, or a separator of other systems.
+    // These characters may belong to a scheme, a drive, or a separator of other systems.
     if path.is_empty() || path.contains([':', '\\', '\0']) {
         return None;
     }
@@ -97,7 +97,7 @@ fn below(uri: &str) -> Option<PathBuf> {
     path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)).then_some(path)
 }
 
-/// The text that stands in a URI with some characters written as `%` and two digits.
+/// The text of a URI in which some characters are written as `%` and two hexadecimal digits.
 fn unescaped(uri: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();

@@ -1,4 +1,4 @@
-//! The camera (glTF 2.0 Specification, section 3.10).
+//! Cameras (glTF 2.0 Specification, section 3.10).
 
 use gltf_json::Root;
 use gltf_json::camera::Perspective;
@@ -10,10 +10,10 @@ use super::nodes::Placed;
 use super::notes::Notes;
 use crate::model::view;
 
-/// A camera, the size of its picture, and what it is called.
+/// A camera, the size of its picture in pixels, and its name.
 pub(super) type Named = (Camera, (u32, u32), String);
 
-/// The first camera of the scene that is perspective; `None`: there is none.
+/// The first perspective camera of the scene; `None` if there is none.
 pub(super) fn first(
     root: &Root,
     nodes: &[Placed<'_>],
@@ -30,7 +30,7 @@ pub(super) fn first(
             continue;
         };
         if first.is_some() {
-            notes.add(called, "left out, as one camera takes the picture");
+            notes.add(called, "left out, as only the first camera is used");
             continue;
         }
         let camera = described(placed, perspective, bounds).at(|| called.clone())?;
@@ -52,13 +52,14 @@ fn described(placed: &Placed<'_>, perspective: &Perspective, bounds: Aabb<f32>) 
     })
 }
 
-/// How far along its way a camera comes nearest to the middle of the scene; 1 where it leads away.
+/// The distance along the line of sight to the point nearest to the middle of the scene; 1 if that point is
+/// behind the camera.
 fn depth(eye: Vec3, forward: Vec3, bounds: Aabb<f32>) -> f32 {
     let depth = (bounds.center() - eye).dot(forward);
     if depth > 1e-3 { depth } else { 1.0 }
 }
 
-/// Width and height of a picture of this width over height.
+/// The size of a picture with this aspect ratio, width over height.
 fn size(aspect: Option<f32>) -> (u32, u32) {
     let (width, height) = view::SIZE;
     match aspect {

@@ -1,4 +1,4 @@
-//! The JSON of a file, and the bytes behind it in a binary one (glTF 2.0 Specification, section 4.4).
+//! The JSON of a file, and the binary chunk of a `.glb` file (glTF 2.0 Specification, section 4.4).
 
 use gltf_json::Root;
 use serde::Deserialize;
@@ -6,7 +6,7 @@ use serde::Deserialize;
 use super::error::{At, GltfFault, Wrong};
 use crate::text::without_mark;
 
-/// What the crate `gltf-json` or this one knows.
+/// The extensions that the crate `gltf-json` or this importer supports.
 const EXTENSIONS: [&str; 8] = [
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
@@ -18,19 +18,19 @@ const EXTENSIONS: [&str; 8] = [
     "KHR_texture_transform",
 ];
 
-/// Reads the JSON; the bytes are those of the first buffer.
+/// Reads the JSON, and returns the bytes of the first buffer if they are in the file.
 pub(super) fn open(bytes: &[u8]) -> Result<(Root, Option<&[u8]>), Wrong> {
     let (json, buffer) = if bytes.starts_with(b"glTF") { split(bytes)? } else { (without_mark(bytes), None) };
     Ok((parse(json)?, buffer))
 }
 
-/// The extensions that a file uses and that are not known.
+/// The unsupported extensions in a list.
 pub(super) fn unknown_extensions(used: &[String]) -> impl Iterator<Item = &String> {
     used.iter().filter(|name| !EXTENSIONS.contains(&name.as_str()))
 }
 
 fn parse(json: &[u8]) -> Result<Root, Wrong> {
-    /// As little as tells the version: in other versions, all else may be different.
+    /// Only the version: in other versions all other fields may differ.
     #[derive(Deserialize)]
     struct Versioned {
         asset: Asset,
@@ -51,7 +51,7 @@ fn parse(json: &[u8]) -> Result<Root, Wrong> {
     Ok(root)
 }
 
-/// The chunks of a binary file: JSON, and bytes if there are any.
+/// The chunks of a binary file: the JSON, and the bytes if there are any.
 fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Wrong> {
     let (header, _) = words::<3>(bytes)?;
     let [_, version, length] = header;
@@ -65,7 +65,7 @@ fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Wrong> {
     if kind != u32::from_le_bytes(*b"JSON") {
         return Err(GltfFault::NoJson.into());
     }
-    // A file ends here that has all of its bytes elsewhere.
+    // A file without a second chunk has all of its bytes in other files.
     if rest.is_empty() {
         return Ok((json, None));
     }
@@ -73,7 +73,7 @@ fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Wrong> {
     Ok((json, (kind == u32::from_le_bytes(*b"BIN\0")).then_some(bytes)))
 }
 
-/// What kind the first chunk is of, what is in it, and what follows it.
+/// The kind of the first chunk, its contents, and the bytes after it.
 fn chunk(bytes: &[u8]) -> Result<(u32, &[u8], &[u8]), GltfFault> {
     let ([length, kind], rest) = words::<2>(bytes)?;
     let truncated = || GltfFault::Truncated { needed: length.into(), given: rest.len() as u64 };
@@ -82,7 +82,7 @@ fn chunk(bytes: &[u8]) -> Result<(u32, &[u8], &[u8]), GltfFault> {
     Ok((kind, content, rest))
 }
 
-/// The first numbers of 32 bits, and what follows them.
+/// The first `N` numbers of 32 bits, and the bytes after them.
 fn words<const N: usize>(bytes: &[u8]) -> Result<([u32; N], &[u8]), GltfFault> {
     let truncated = || GltfFault::Truncated { needed: 4 * N as u64, given: bytes.len() as u64 };
     let (head, rest) = bytes.split_at_checked(4 * N).ok_or_else(truncated)?;

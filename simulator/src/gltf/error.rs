@@ -1,92 +1,93 @@
-//! What can be wrong with a glTF file.
+//! Errors of glTF files.
 
 use core::fmt;
 use std::path::PathBuf;
 
 use crate::nff::Excerpt;
 
-/// A glTF file was refused: which part of it, and why.
+/// The error of a glTF file, with the part that is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfError {
     /// The file.
     pub path: PathBuf,
-    /// The part, from the outside inward, as in ``mesh 3 `Door`, primitive 0``; empty where the file is wrong as a whole.
+    /// The part, from the outside inward, as in ``mesh 3 `Door`, primitive 0``; empty for an error of the
+    /// whole file.
     pub place: String,
-    /// What is wrong there, and what to do.
+    /// The fault of that part.
     pub fault: GltfFault,
 }
 
-/// Why a file was refused.
+/// The fault of a glTF file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GltfFault {
-    /// The system cannot read a file, for this reason. Mend it.
+    /// The system cannot read a file, for this reason.
     Unreadable(String),
-    /// The JSON is broken, or says what glTF does not know. Mend it where the reason says.
+    /// The JSON is broken, or is not that of a glTF file. Correct it at the position in the reason.
     Json(String),
-    /// The file is of another version than 2. Export it again as glTF 2.0.
+    /// The version of the file is not 2. Export it again as glTF 2.0.
     Version(String),
-    /// A part of the file says to be longer than what is there. Copy the file again.
+    /// The file is shorter than its own length fields. Copy it again.
     Truncated {
-        /// How many bytes it says.
+        /// The bytes by the length field.
         needed: u64,
-        /// How many are there.
+        /// The bytes in the file.
         given: u64,
     },
     /// A binary file does not begin with its JSON. Export it again.
     NoJson,
-    /// The file cannot be read without this extension. Export it without.
+    /// The file requires this extension, which is not supported. Export it without the extension.
     Extension(String),
-    /// There is no part of this number. Name one that there is.
+    /// The file refers to a part that it does not have. Correct the number.
     Unknown {
-        /// What kind of part.
+        /// The kind of the part.
         what: &'static str,
-        /// What was named.
+        /// The number of the part.
         named: usize,
-        /// How many there are, counted from 0.
+        /// How many parts of this kind there are, counted from 0.
         count: usize,
     },
-    /// A file that is named lies elsewhere than in the folder of this one or below. Put it there.
+    /// The file refers to a file that is not in its own folder or below. Move that file there.
     Outside(String),
-    /// Bytes inside of the file are not in base64. Export it again.
+    /// The bytes of a `data:` URI are not in base64. Export the file again.
     NotBase64(String),
-    /// A buffer has no bytes: it names no file, and is not the first of a binary file. Give it some.
+    /// A buffer has no bytes: it has no URI, and is not the first buffer of a binary file. Add its bytes.
     NoBytes,
-    /// There are fewer bytes than a part takes. Export the file again, or correct the numbers.
+    /// A part takes more bytes than there are. Export the file again, or correct the numbers.
     Short {
-        /// How many it takes.
+        /// The bytes that the part takes.
         needed: u64,
-        /// How many there are.
+        /// The bytes that there are.
         given: u64,
     },
-    /// Something of another kind must stand here. Export the file again.
+    /// A part has the wrong kind. Export the file again.
     Kind {
-        /// What must.
+        /// The expected kind.
         expected: &'static str,
-        /// What does.
+        /// The kind in the file.
         found: String,
     },
-    /// A number is NaN, infinite, or out of the range that it may be in. Replace it.
+    /// A number is NaN, infinite, or out of its range. Replace it.
     Number {
-        /// What the number stands for.
+        /// The meaning of the number.
         meaning: &'static str,
         /// The number.
         found: f64,
     },
-    /// A node is in the scene twice: as a child of two nodes, or of itself. Make it two.
+    /// A node is in the scene twice: as a child of two nodes, or of itself. Make two nodes of it.
     Repeated,
-    /// There are more of these than are read. Use fewer.
+    /// The file has more parts of a kind than the importer reads. Use fewer.
     TooMany {
-        /// Of what.
+        /// The kind of the parts.
         what: &'static str,
-        /// How many are read.
+        /// The most parts that are read.
         most: usize,
     },
-    /// The scene has no triangle that has an area. Is it the right file?
+    /// The scene has no triangle with an area. Check that it is the right file.
     NoFaces,
 }
 
-/// What is wrong in a part of the file at hand.
+/// A fault with the part that is wrong. The caller adds the path of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wrong {
     pub(super) place: String,
@@ -99,9 +100,9 @@ impl From<GltfFault> for Wrong {
     }
 }
 
-/// Says where in the file something is wrong.
+/// Adds the part of the file to an error.
 pub(super) trait At<T> {
-    /// The same, inside of this part.
+    /// The error, inside of this part.
     fn at(self, place: impl FnOnce() -> String) -> Result<T, Wrong>;
 }
 
@@ -115,7 +116,7 @@ impl<T, E: Into<Wrong>> At<T> for Result<T, E> {
     }
 }
 
-/// What to call a part of the file.
+/// The name of a part of the file in messages.
 pub(super) fn name(kind: &str, index: usize, name: Option<&String>) -> String {
     match name {
         Some(name) if !name.is_empty() => format!("{kind} {index} `{}`", Excerpt(name)),
@@ -123,7 +124,7 @@ pub(super) fn name(kind: &str, index: usize, name: Option<&String>) -> String {
     }
 }
 
-/// The part of this number, of which there are so many.
+/// The part of this number, or [`GltfFault::Unknown`].
 pub(super) fn find<'f, T>(parts: &'f [T], what: &'static str, named: usize) -> Result<&'f T, GltfFault> {
     parts.get(named).ok_or(GltfFault::Unknown { what, named, count: parts.len() })
 }
@@ -144,45 +145,45 @@ impl fmt::Display for GltfFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreadable(reason) => f.write_str(reason),
-            Self::Json(reason) => write!(f, "{reason}; mend the file"),
+            Self::Json(reason) => write!(f, "{reason}; correct the file"),
             Self::Version(version) => {
-                write!(f, "it is of version `{}`; export it again as glTF 2.0", Excerpt(version))
+                write!(f, "its version is `{}`; export it again as glTF 2.0", Excerpt(version))
             }
             Self::Truncated { needed, given } => {
-                write!(f, "it should have {needed} bytes, and {given} are there; copy the file again")
+                write!(f, "it should have {needed} bytes, but has {given}; copy the file again")
             }
             Self::NoJson => f.write_str("it does not begin with its JSON; export the file again"),
             Self::Extension(name) => {
                 write!(
                     f,
-                    "it needs the extension `{}`, which is not known here; export it without",
+                    "it needs the extension `{}`, which is not supported; export it without",
                     Excerpt(name)
                 )
             }
             Self::Unknown { what, named, count } => {
-                write!(f, "there is no {what} {named}: there are {count}, counted from 0; name another")
+                write!(f, "there is no {what} {named}: there are {count}, counted from 0; correct the number")
             }
-            Self::Outside(uri) => write!(
-                f,
-                "`{}` is not in the folder of the file or below it, and nothing is read from elsewhere; put it there",
-                Excerpt(uri)
-            ),
+            Self::Outside(uri) => {
+                write!(f, "`{}` is not in the folder of the file or below it; move it there", Excerpt(uri))
+            }
             Self::NotBase64(reason) => {
                 write!(f, "its bytes are not in base64: {reason}; export the file again")
             }
             Self::NoBytes => {
-                f.write_str("it has no bytes: there is no `uri`, and no binary part of the file for it")
+                f.write_str("it has no bytes: there is no `uri` and no binary chunk for it; add one")
             }
             Self::Short { needed, given } => {
-                write!(f, "it takes {needed} bytes, and there are {given}; export the file again")
+                write!(f, "it takes {needed} bytes, but there are {given}; export the file again")
             }
             Self::Kind { expected, found } => write!(f, "expected {expected}, found {found}"),
             Self::Number { meaning, found } => write!(f, "{meaning} must not be {found}; replace it"),
-            Self::Repeated => {
-                f.write_str("it is there twice: as a child of two nodes, or of itself; make two nodes of it")
-            }
+            Self::Repeated => f.write_str(
+                "it is in the scene twice: as a child of two nodes, or of itself; make two nodes of it",
+            ),
             Self::TooMany { what, most } => write!(f, "more than {most} {what}; use fewer"),
-            Self::NoFaces => f.write_str("the scene has no triangle that has an area; is it the right file?"),
+            Self::NoFaces => {
+                f.write_str("the scene has no triangle with an area; check that it is the right file")
+            }
         }
     }
 }

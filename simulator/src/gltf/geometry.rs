@@ -1,5 +1,7 @@
 //! Triangles, normals and texture coordinates of meshes (glTF 2.0 Specification, section 3.7).
 
+use gltf_json::Index;
+use gltf_json::accessor::Accessor;
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked;
 use rayline::Vec3;
@@ -11,19 +13,20 @@ use super::nodes::Place;
 use super::textures::Coordinates;
 use crate::model::{FARTHEST_UV, Whole};
 
-/// A primitive of a mesh, in the place of a node.
-#[derive(Clone, Debug)]
+/// A primitive of a mesh, in the coordinates of the scene.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Geometry {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     normals: Option<Vec<Vec3>>,
     uvs: Option<Vec<[f32; 2]>>,
-    /// What of it is left out.
+    /// Notes about parts that are left out.
     pub(super) notes: Vec<&'static str>,
 }
 
 impl Geometry {
-    /// Reads the triangles of a primitive. `room` is how many vertices, and triangles, may still come.
+    /// Reads the triangles of a primitive. `room` is the number of vertices and corners of triangles that may
+    /// still be read.
     pub(super) fn read(
         lists: Lists<'_>,
         primitive: &Primitive,
@@ -31,31 +34,19 @@ impl Geometry {
         coordinates: &Coordinates,
         room: &mut usize,
     ) -> Result<Self, Wrong> {
-        let mut notes = Vec::new();
         let mode = match primitive.mode {
             Checked::Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => mode,
             Checked::Valid(_) => {
-                notes.push("points and lines are left out");
-                return Ok(Self {
-                    vertices: Vec::new(),
-                    triangles: Vec::new(),
-                    normals: None,
-                    uvs: None,
-                    notes,
-                });
+                let notes = vec!["points and lines are left out"];
+                return Ok(Self { notes, ..Self::default() });
             }
             Checked::Invalid => {
-                let found = "what is none of glTF's".to_owned();
+                let found = "an unknown mode".to_owned();
                 return Err(GltfFault::Kind { expected: "a mode from 0 to 6", found }.into());
             }
         };
-        if primitive.targets.as_ref().is_some_and(|targets| !targets.is_empty()) {
-            notes.push("morph targets are left out");
-        }
+        let mut notes = left_out(primitive);
         let attribute = |semantic| primitive.attributes.get(&Checked::Valid(semantic)).copied();
-        if attribute(Semantic::Colors(0)).is_some() {
-            notes.push("colors of vertices are left out");
-        }
         let Some(positions) = attribute(Semantic::Positions) else {
             let found = "none".to_owned();
             return Err(GltfFault::Kind { expected: "an attribute POSITION", found }.into());
@@ -68,56 +59,38 @@ impl Geometry {
         let positions = lists.vectors::<3>(positions).at(|| "POSITION".to_owned())?;
         let vertices =
             positions.iter().map(|position| placed(place, *position)).collect::<Result<Vec<_>, _>>()?;
-        let matches = |given: usize| match given == vertices.len() {
-            true => Ok(()),
-            false => Err(GltfFault::Kind {
-                expected: "as many as positions",
-                found: format!("{given} for {}", vertices.len()),
-            }),
-        };
         let normals = match attribute(Semantic::Normals) {
-            Some(normals) => Some(lists.vectors::<3>(normals).at(|| "NORMAL".to_owned())?),
+            Some(normals) => Some(self::normals(lists, normals, place, vertices.len())?),
             None => None,
         };
-        if let Some(normals) = &normals {
-            matches(normals.len()).at(|| "NORMAL".to_owned())?;
-        }
-        let normals = normals.map(|normals| normals.into_iter().map(place.of_normals()).collect());
-        let mut uvs = None;
-        if let Some(given) = attribute(Semantic::TexCoords(coordinates.set)) {
-            let at = || format!("TEXCOORD_{}", coordinates.set);
-            let given = lists.vectors::<2>(given).at(at)?;
-            matches(given.len()).at(at)?;
-            let given: Vec<_> = given.into_iter().map(|uv| coordinates.upward(uv)).collect();
-            if given.as_flattened().iter().all(|coordinate| coordinate.abs() <= FARTHEST_UV) {
-                uvs = Some(given);
-            } else {
-                notes.push("texture coordinates are left out: some are beyond ±59");
-            }
+        let uvs = match attribute(Semantic::TexCoords(coordinates.set)) {
+            Some(uvs) => Some(self::uvs(lists, uvs, coordinates, vertices.len())?),
+            None => None,
+        };
+        if uvs.as_ref().is_some_and(|uvs| is_too_far(uvs)) {
+            notes.push("texture coordinates are left out: some are beyond ±59");
         }
         let corners = match primitive.indices {
             Some(indices) => lists.indices(indices).at(|| "indices".to_owned())?,
             None => (0..vertices.len() as u32).collect(),
         };
-        if let Some(unknown) = corners.iter().find(|corner| **corner as usize >= vertices.len()) {
-            let (named, count) = (*unknown as usize, vertices.len());
-            return Err(GltfFault::Unknown { what: "vertex", named, count }).at(|| "indices".to_owned());
-        }
+        check_corners(&corners, vertices.len()).at(|| "indices".to_owned())?;
         let mut triangles = triangles(mode, &corners);
         if place.mirrors() {
             for [_, second, third] in &mut triangles {
                 core::mem::swap(second, third);
             }
         }
+        let uvs = uvs.filter(|uvs| !is_too_far(uvs));
         Ok(Self { vertices, triangles, normals, uvs, notes })
     }
 
-    /// Whether it has texture coordinates.
+    /// Whether the primitive has texture coordinates.
     pub(super) fn has_uvs(&self) -> bool {
         self.uvs.is_some()
     }
 
-    /// Whether there is no triangle.
+    /// Whether the primitive has no triangles.
     pub(super) fn is_empty(&self) -> bool {
         self.triangles.is_empty()
     }
@@ -132,7 +105,68 @@ impl Geometry {
     }
 }
 
-/// A vertex in the scene, if it is in reach.
+/// Notes about parts of a primitive that are left out.
+fn left_out(primitive: &Primitive) -> Vec<&'static str> {
+    let has_targets = primitive.targets.as_ref().is_some_and(|targets| !targets.is_empty());
+    let has_colors = primitive.attributes.contains_key(&Checked::Valid(Semantic::Colors(0)));
+    let notes =
+        [(has_targets, "morph targets are left out"), (has_colors, "colors of vertices are left out")];
+    notes.into_iter().filter_map(|(is_there, note)| is_there.then_some(note)).collect()
+}
+
+/// The normals of a primitive with this number of vertices.
+fn normals(
+    lists: Lists<'_>,
+    accessor: Index<Accessor>,
+    place: &Place,
+    vertices: usize,
+) -> Result<Vec<Vec3>, Wrong> {
+    let at = || "NORMAL".to_owned();
+    let normals = lists.vectors::<3>(accessor).at(at)?;
+    check_count(normals.len(), vertices).at(at)?;
+    Ok(normals.into_iter().map(place.of_normals()).collect())
+}
+
+/// The texture coordinates of a primitive with this number of vertices.
+fn uvs(
+    lists: Lists<'_>,
+    accessor: Index<Accessor>,
+    coordinates: &Coordinates,
+    vertices: usize,
+) -> Result<Vec<[f32; 2]>, Wrong> {
+    let at = || format!("TEXCOORD_{}", coordinates.set);
+    let uvs = lists.vectors::<2>(accessor).at(at)?;
+    check_count(uvs.len(), vertices).at(at)?;
+    Ok(uvs.into_iter().map(|uv| coordinates.upward(uv)).collect())
+}
+
+/// Whether texture coordinates are beyond the range of fixed point.
+fn is_too_far(uvs: &[[f32; 2]]) -> bool {
+    uvs.as_flattened().iter().any(|coordinate| !(coordinate.abs() <= FARTHEST_UV))
+}
+
+/// Refuses a list that does not have one element for each vertex.
+fn check_count(given: usize, vertices: usize) -> Result<(), GltfFault> {
+    match given == vertices {
+        true => Ok(()),
+        false => Err(GltfFault::Kind {
+            expected: "as many as positions",
+            found: format!("{given} for {vertices}"),
+        }),
+    }
+}
+
+/// Refuses a corner of a triangle that is none of the vertices.
+fn check_corners(corners: &[u32], vertices: usize) -> Result<(), GltfFault> {
+    match corners.iter().find(|corner| **corner as usize >= vertices) {
+        Some(unknown) => {
+            Err(GltfFault::Unknown { what: "vertex", named: *unknown as usize, count: vertices })
+        }
+        None => Ok(()),
+    }
+}
+
+/// A vertex in the coordinates of the scene, or an error if it is out of range.
 fn placed(place: &Place, position: [f32; 3]) -> Result<Vec3, GltfFault> {
     let point = place.point(position);
     let beyond = [point.x, point.y, point.z].into_iter().find(|number| !(number.abs() <= MAX_COORDINATE));
@@ -145,7 +179,7 @@ fn placed(place: &Place, position: [f32; 3]) -> Result<Vec3, GltfFault> {
 fn triangles(mode: Mode, corners: &[u32]) -> Vec<[u32; 3]> {
     let windows = || corners.windows(3).filter_map(|window| window.first_chunk::<3>().copied());
     match mode {
-        // Every second one runs the other way.
+        // Every second triangle of a strip has the opposite orientation.
         Mode::TriangleStrip => windows()
             .enumerate()
             .map(|(index, [a, b, c])| if index % 2 == 0 { [a, b, c] } else { [a, c, b] })

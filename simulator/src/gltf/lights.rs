@@ -10,27 +10,28 @@ use super::error::{At, GltfFault, Wrong, find, name};
 use super::nodes::{Place, Placed};
 use super::notes::Notes;
 
-/// The lights of a scene and what they are called.
+/// The lights of a scene, and their names.
 pub(super) type Named = (Vec<Light>, Vec<String>);
 
-/// A light of the file, in the place of a node.
+/// A light of the file at a node.
 #[derive(Clone, Debug)]
 struct Lit<'f> {
     light: &'f Punctual,
     kind: Type,
     place: Place,
-    /// By how much it lights a surface in the middle of the scene that faces it, in lux.
+    /// The illuminance, in lux, of a surface in the middle of the scene that faces the light.
     illuminance: f64,
     name: String,
 }
 
-/// The nearest distance that a lamp falls off from.
+/// The smallest distance at which the falloff of a lamp begins.
 const NEAREST: f32 = 2e-3;
 
-/// How much brighter than white a surface is lit where a lamp no longer grows brighter.
+/// The largest light of a lamp near its position, in units of white.
 const BRIGHTEST: f32 = 16.0;
 
-/// All lights, in such a measure that in the middle of the scene the root of the sum of their squares is white.
+/// All lights, scaled so that the root of the sum of their squared illuminances in the middle of the scene is
+/// white.
 pub(super) fn of(
     root: &Root,
     nodes: &[Placed<'_>],
@@ -43,12 +44,12 @@ pub(super) fn of(
         let Some(extension) = extension else { continue };
         let lit = lit(root, extension.light, placed, bounds).at(|| placed.name())?;
         if lit.light.range.is_some() {
-            notes.add(&*lit.name, "its range is left out: it shines for ever");
+            notes.add(&*lit.name, "its range is left out: it shines at any distance");
         }
         if lit.illuminance > 0.0 {
             all.push(lit);
         } else {
-            notes.add(&*lit.name, "left out: it gives no light");
+            notes.add(&*lit.name, "left out: it has no light");
         }
     }
     let sum: f64 = all.iter().map(|lit| lit.illuminance * lit.illuminance).sum();
@@ -86,7 +87,7 @@ fn lit<'f>(
     let illuminance = match kind {
         Type::Directional => brightest,
         Type::Point | Type::Spot => {
-            // A lamp amid the scene does not stand for what it does to what touches it.
+            // For a lamp inside of the scene, assume at least half of the scene's diagonal.
             let radius = (bounds.max - bounds.min).length() * 0.5;
             let distance = (placed.place.point([0.0; 3]) - bounds.center()).length().max(radius);
             brightest / f64::from(distance).powi(2)
@@ -96,7 +97,7 @@ fn lit<'f>(
 }
 
 impl Lit<'_> {
-    /// The light of the core, where so many lux are white.
+    /// Converts the light; an illuminance of `white`, in lux, becomes 1.
     fn described(&self, white: f64) -> Result<Light, GltfFault> {
         let Punctual { color: [red, green, blue], intensity, .. } = self.light;
         let measured = (f64::from(*intensity) / white) as f32;

@@ -1,4 +1,5 @@
-//! Materials (glTF 2.0 Specification, section 3.9 and appendix B); what becomes of them, the table of [`gltf`](super) tells.
+//! Materials (glTF 2.0 Specification, section 3.9 and appendix B). The table in [`gltf`](super) describes how
+//! they are converted.
 
 use std::collections::HashMap;
 
@@ -14,28 +15,37 @@ use super::error::{At, GltfFault, Wrong, find, name};
 use super::notes::Notes;
 use super::textures::{Coordinates, Picture, Textures};
 
-/// How much of what is diffuse is ambient, as in `obj`.
+/// The ambient coefficient as a share of the diffuse one, as in `obj`.
 const AMBIENT: f32 = 0.1;
 
-/// The largest exponent of a highlight: a smaller spot falls between the pixels of small displays.
+/// The largest exponent of a highlight: smaller spots fall between the pixels of small displays.
 const SMOOTHEST: f32 = 2000.0;
 
-/// The strength of a highlight that is still seen: one of 256 levels.
+/// The smallest visible strength of a highlight: one of 256 levels.
 const FAINTEST: f32 = 1.0 / 256.0;
 
-/// The most light that a surface gives off: white is 1, and fixed point holds no more than 127.
+/// The largest emission; white is 1.
 const BRIGHTEST: f32 = 100.0;
 
-/// The materials of a scene, described as objects ask for them.
+/// The base color of a material.
+struct Base<'a> {
+    /// The image of its texture, if it has one.
+    picture: Option<Picture>,
+    color: Texture<'a>,
+    /// The mean color.
+    mean: LinearRgb,
+}
+
+/// The materials of a scene, converted when an object needs them.
 #[derive(Debug)]
 pub(super) struct Materials<'a, 'f> {
     arena: &'a Bump,
     root: &'f Root,
     textures: Textures<'a, 'f>,
-    /// By the number in the file, and whether the object has texture coordinates.
+    /// The converted materials, by their number in the file and whether the object has texture coordinates.
     known: HashMap<(Option<usize>, bool), u16>,
     pub(super) all: Vec<Material<'a>>,
-    /// What the file calls them.
+    /// The names of the materials in the file.
     pub(super) names: Vec<String>,
 }
 
@@ -44,15 +54,15 @@ impl<'a, 'f> Materials<'a, 'f> {
         Self { arena, root, textures, known: HashMap::new(), all: Vec::new(), names: Vec::new() }
     }
 
-    /// What the texture of a material lies by.
+    /// The texture coordinates that a material uses.
     pub(super) fn coordinates(&self, index: Option<usize>) -> Result<Coordinates, Wrong> {
         let Some(index) = index else { return Ok(Coordinates::of(None)) };
         let material = find(&self.root.materials, "material", index)?;
         Ok(Coordinates::of(material.pbr_metallic_roughness.base_color_texture.as_ref()))
     }
 
-    /// The number of a material in the scene, for an object that has texture coordinates or not; that of glTF's default where the
-    /// file names none.
+    /// The number in the scene of a material of the file, or of glTF's default material for `None`. An object
+    /// without texture coordinates gets a version without textures.
     pub(super) fn id(
         &mut self,
         index: Option<usize>,
@@ -86,64 +96,28 @@ impl<'a, 'f> Materials<'a, 'f> {
         has_uvs: bool,
         notes: &mut Notes,
     ) -> Result<Material<'a>, Wrong> {
-        let pbr = &described.pbr_metallic_roughness;
-        let [red, green, blue, alpha] = pbr.base_color_factor.0.map(share);
-        let factor = [red, green, blue];
-        let mut picture = None;
-        if let Some(info) = &pbr.base_color_texture {
-            picture = self.textures.picture(info.index, notes)?;
-            if !has_uvs && picture.take().is_some() {
-                notes.add(name, "the texture is left out where a mesh has no coordinates for it");
-            }
-        }
-        let (color, mean) = match &picture {
-            Some(picture) => {
-                let [r, g, b] = picture.light();
-                let placed = self.textures.colored(picture, factor)?;
-                (Texture::Placed(placed), rgb([red * r, green * g, blue * b]))
-            }
-            None => (Texture::Solid(rgb(factor)), rgb(factor)),
-        };
+        let [.., alpha] = described.pbr_metallic_roughness.base_color_factor.0.map(share);
+        let Base { picture, color, mean } = self.base(described, name, has_uvs, notes)?;
         let extensions = described.extensions.as_ref();
         let plain = Material { color, ambient: AMBIENT, ..Material::matte(mean) };
         if extensions.is_some_and(|extensions| extensions.unlit.is_some()) {
             let seen = Material { ambient: 1.0, diffuse: 0.0, ..plain };
             return self.faded(seen, described, picture.as_ref(), alpha);
         }
-
         let (metallic, roughness) = self.metallic_roughness(described, notes)?;
-        for (left_out, what) in [
-            (described.normal_texture.is_some(), "the normal texture is left out"),
-            (described.occlusion_texture.is_some(), "the occlusion texture is left out"),
-        ] {
-            if left_out {
-                notes.add(name, what);
-            }
-        }
+        note_textures(described, name, notes);
         let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
-        if transmission.is_some_and(|transmission| transmission.transmission_texture.is_some()) {
-            notes.add(name, "the transmission texture is left out");
-        }
         let transmittance =
             transmission.map_or(0.0, |transmission| share(transmission.transmission_factor.0));
-        let volume = extensions.and_then(|extensions| extensions.volume.as_ref());
         let is_metal = metallic >= 0.5;
         let is_glass = transmittance > 0.0 && !is_metal;
         let ior = extensions.and_then(|extensions| Some(extensions.ior.as_ref()?.ior.0)).unwrap_or(1.5);
-        // Fixed point holds no others; the file's 0 asks for a mirror, of which this is near enough.
+        // The range of fixed point. In glTF, 0 stands for a perfect mirror, which a large index approximates.
         let ior = ior.clamp(0.14, 7.0);
-        let straight = ((ior - 1.0) / (ior + 1.0)).powi(2);
 
-        // Mirrors are sharp here: from half of the roughness on there are none.
+        // Reflections are sharp in Rayline: from a roughness of 0.5 on there are none.
         let sharpness = (1.0 - 2.0 * roughness).max(0.0);
-        let squared = roughness.powi(4);
-        let shininess = (2.0 / squared - 2.0).min(SMOOTHEST);
-        let peak = if is_metal { 1.0 } else { straight } * shininess / 8.0;
-        let strength = peak.min(1.0) * (1.0 - roughness);
-        // What no display shows is not worth the time.
-        let specular = if strength < FAINTEST { 0.0 } else { strength };
-        let material =
-            Material { specular, shininess: if specular > 0.0 { shininess } else { 0.0 }, ..plain };
+        let material = with_highlight(plain, roughness, if is_metal { None } else { Some(ior) });
         let mut optics = Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN };
         let material = if is_metal {
             (optics.fresnel, optics.reflection_color) = (Fresnel::Schlick, mean);
@@ -152,7 +126,7 @@ impl<'a, 'f> Materials<'a, 'f> {
         } else if is_glass {
             optics.fresnel = Fresnel::Exact;
             optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
-            optics.absorption = absorption(volume);
+            optics.absorption = absorption(extensions.and_then(|extensions| extensions.volume.as_ref()));
             let diffuse = 1.0 - transmittance;
             Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
         } else {
@@ -174,7 +148,36 @@ impl<'a, 'f> Materials<'a, 'f> {
         })
     }
 
-    /// How metallic and how rough a surface is; of a texture, the mean.
+    /// The base color of a material, as a texture if the object has texture coordinates.
+    fn base(
+        &mut self,
+        described: &Described,
+        name: &str,
+        has_uvs: bool,
+        notes: &mut Notes,
+    ) -> Result<Base<'a>, Wrong> {
+        let pbr = &described.pbr_metallic_roughness;
+        let [red, green, blue, _] = pbr.base_color_factor.0.map(share);
+        let factor = [red, green, blue];
+        let mut picture = None;
+        if let Some(info) = &pbr.base_color_texture {
+            picture = self.textures.picture(info.index, notes)?;
+            if !has_uvs && picture.take().is_some() {
+                notes.add(name, "the texture is left out on meshes without texture coordinates");
+            }
+        }
+        let (color, mean) = match &picture {
+            Some(picture) => {
+                let [r, g, b] = picture.light();
+                let placed = self.textures.colored(picture, factor)?;
+                (Texture::Placed(placed), rgb([red * r, green * g, blue * b]))
+            }
+            None => (Texture::Solid(rgb(factor)), rgb(factor)),
+        };
+        Ok(Base { picture, color, mean })
+    }
+
+    /// The metallic and roughness factors of a surface; of a texture, the mean.
     fn metallic_roughness(&mut self, described: &Described, notes: &mut Notes) -> Result<(f32, f32), Wrong> {
         let pbr = &described.pbr_metallic_roughness;
         let (mut metallic, mut roughness) = (share(pbr.metallic_factor.0), share(pbr.roughness_factor.0));
@@ -189,7 +192,7 @@ impl<'a, 'f> Materials<'a, 'f> {
 
     fn emission(&self, described: &Described, name: &str, notes: &mut Notes) -> LinearRgb {
         if described.emissive_texture.is_some() {
-            notes.add(name, "the emissive texture is left out, and all light that the surface gives off");
+            notes.add(name, "the emissive texture is left out, and with it all emission");
             return Optics::PLAIN.emission;
         }
         let strength =
@@ -199,7 +202,7 @@ impl<'a, 'f> Materials<'a, 'f> {
         LinearRgb::new(r, g, b)
     }
 
-    /// The material, let through by as much as the file's alpha says.
+    /// The material with the transparency of the file's alpha.
     fn faded(
         &mut self,
         material: Material<'a>,
@@ -213,7 +216,7 @@ impl<'a, 'f> Materials<'a, 'f> {
             Checked::Valid(AlphaMode::Mask) if alpha < cutoff => 0.0,
             _ => 1.0,
         };
-        // Behind glass, alpha has nothing to hide.
+        // Glass is transparent already: ignore its alpha.
         if material.transmittance > 0.0 {
             return Ok(material);
         }
@@ -241,7 +244,37 @@ impl<'a, 'f> Materials<'a, 'f> {
     }
 }
 
-/// What is lost on each unit of the way through glass: after the distance that the file says, its color is left.
+/// Adds notes about textures that are left out.
+fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
+    let extensions = described.extensions.as_ref();
+    let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
+    let has_transmission =
+        transmission.is_some_and(|transmission| transmission.transmission_texture.is_some());
+    for (left_out, what) in [
+        (described.normal_texture.is_some(), "the normal texture is left out"),
+        (described.occlusion_texture.is_some(), "the occlusion texture is left out"),
+        (has_transmission, "the transmission texture is left out"),
+    ] {
+        if left_out {
+            notes.add(name, what);
+        }
+    }
+}
+
+/// The material with the highlight of this roughness. `ior` is the index of refraction of a clear coat or of
+/// glass; `None` for a metal.
+fn with_highlight(plain: Material<'_>, roughness: f32, ior: Option<f32>) -> Material<'_> {
+    let squared = roughness.powi(4);
+    let shininess = (2.0 / squared - 2.0).min(SMOOTHEST);
+    let straight = ior.map_or(1.0, |ior| ((ior - 1.0) / (ior + 1.0)).powi(2));
+    let strength = (straight * shininess / 8.0).min(1.0) * (1.0 - roughness);
+    // Drop a highlight that no display shows: it would only take time.
+    let specular = if strength < FAINTEST { 0.0 } else { strength };
+    Material { specular, shininess: if specular > 0.0 { shininess } else { 0.0 }, ..plain }
+}
+
+/// The absorption of glass per unit of length: after `attenuationDistance`, the share `attenuationColor` is
+/// left.
 fn absorption(volume: Option<&Volume>) -> LinearRgb {
     let Some(volume) = volume else { return Optics::PLAIN.absorption };
     let per_unit = 1.0 / volume.attenuation_distance.0;

@@ -1,47 +1,57 @@
-//! Models and scenes in glTF 2.0, `.gltf` and `.glb`, as modeling programs and stores of models write them (The Khronos Group, "glTF 2.0
-//! Specification", 2021; ISO/IEC 12113). The crate `gltf-json` reads the JSON; every number in it is checked here.
+//! Reading of models and scenes in glTF 2.0, `.gltf` and `.glb` (The Khronos Group, "glTF 2.0 Specification",
+//! 2021; ISO/IEC 12113). The crate `gltf-json` reads the JSON; every number in it is checked here.
 //!
-//! What a file says becomes:
+//! The parts of a file become:
 //!
-//! | in the file | in the scene |
-//! |---|---|
-//! | `scene` | that scene; without, the first; without any, all nodes |
-//! | nodes | what hangs on them, where their matrices put it; where one mirrors, triangles are turned so that fronts stay outside |
-//! | a primitive of a mesh, at a node | a mesh; one of more than 65535 vertices or triangles, several |
-//! | triangles, strips, fans | triangles; points and lines are left out |
-//! | `NORMAL` | smooth normals; without, it is flat |
-//! | `TEXCOORD_n` | u, and 1 - v for v, since v grows downward there; n is what the base color texture asks for, else 0; moved, turned and stretched as `KHR_texture_transform` says |
-//! | the first perspective camera of the nodes | the camera; `aspectRatio` becomes the shape of the picture |
-//! | `KHR_lights_punctual` | directional lights, and lamps that fall off with the square of the distance; see below |
-//! | buffers, images | read from the file itself, from `data:` URIs, and from files in its folder or below; from nowhere else |
+//! - `scene`: the scene to read; without it the first scene, and without scenes all nodes.
+//! - nodes: transforms of their meshes, cameras and lights; a mirroring node reverses its triangles, so that
+//!   their fronts stay outside.
+//! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several.
+//! - triangles, strips, fans: triangles; points and lines are left out.
+//! - `NORMAL`: smooth normals; a mesh without them is flat.
+//! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else 0;
+//!   transformed by `KHR_texture_transform`.
+//! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
+//!   picture.
+//! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
+//! - buffers, images: read from the file itself, from `data:` URIs, and from files in its folder or below,
+//!   but from no other place.
 //!
-//! A camera or light that is missing is added. Animations, skins (meshes rest as they are written), morph targets, colors of vertices, other
-//! cameras and other scenes are left out, and so are extensions that are not named here. [`Import::notes`] say what was
-//! added and left out.
+//! A missing camera or light is added. Animations, skins (meshes keep their rest pose), morph targets, vertex
+//! colors, other cameras, other scenes and all extensions that are not named here are left out.
+//! [`Import::notes`] lists what was added and left out.
 //!
 //! # Materials
-//! | in the file | in the scene |
-//! |---|---|
-//! | `baseColorFactor` | the color, in linear light |
-//! | `baseColorTexture` | an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`; beyond its edges as `wrapS` says |
-//! | `metallicFactor` | from 0.5 on, a metal: what it mirrors has its color (Schlick's Fresnel; of a texture, the mean). Below: the color is diffuse, and a clear coat mirrors by Fresnel's equations |
-//! | `roughnessFactor` | mirrors are sharp here, so their share is 1 - 2 roughness, and none from 0.5 on; a metal is diffuse for the rest |
-//! | | the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, up to 2000; its strength (1 - roughness) f n / 8, up to 1 - roughness, where f is 1 for metals, else what the coat mirrors straight on; none below 1/256 |
-//! | `metallicRoughnessTexture` | its mean, times the factors |
-//! | `emissiveFactor`, `KHR_materials_emissive_strength` | light of its own, up to 100 |
-//! | `KHR_materials_transmission` | glass: the factor is the transmittance; the root of the color at each surface, so that the way in and out has the color. Each surface refracts, so a pane must have two |
-//! | `KHR_materials_ior` | the index of refraction; without, 1.5 |
-//! | `KHR_materials_volume` | absorption in glass, from distance and color |
-//! | `KHR_materials_unlit` | the color, seen without any light |
-//! | `alphaMode` | `BLEND`: what is not opaque is seen through, without refraction; such a surface mirrors nothing. `MASK`: there is all or nothing |
-//! | `doubleSided` | nothing: all surfaces are seen from both sides |
+//! - `baseColorFactor`: the color, in linear light.
+//! - `baseColorTexture`: an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`;
+//!   wrapped by `wrapS`.
+//! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color (of a texture, the mean) by Schlick's
+//!   approximation. Below 0.5: the color is diffuse, under a clear coat that mirrors by Fresnel's equations.
+//! - `roughnessFactor`: reflections are sharp in Rayline, so the reflectance is 1 - 2 roughness, and 0 from
+//!   0.5 on; the rest of a metal's reflectance is diffuse.
+//! - the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, at most 2000; its strength (1 - roughness) f n /
+//!   8, at most 1 - roughness, where f is 1 for metals, else the coat's reflectance at normal incidence; none
+//!   below 1/256.
+//! - `metallicRoughnessTexture`: its mean, times the factors.
+//! - `emissiveFactor`, `KHR_materials_emissive_strength`: the emission, at most 100.
+//! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
+//!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
+//!   have two.
+//! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
+//! - `KHR_materials_volume`: absorption in glass, from distance and color.
+//! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
+//! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
+//!   `MASK`: it is opaque or fully transparent.
+//! - `doubleSided`: ignored: all surfaces are seen from both sides.
 //!
-//! A tenth of what is diffuse is ambient, as by [`obj`](crate::obj). Normal, occlusion, emissive and transmission textures are left out.
+//! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Normal, occlusion,
+//! emissive and transmission textures are left out.
 //!
 //! # Lights
-//! Files measure light in lux and candela, with no word of how bright the picture shall be. So all lights are brought
-//! to one measure: each by what it does to a surface that faces it in the middle of the scene (a lamp that is nearer than half the
-//! diagonal of the scene, at that distance), such that the root of the sum of the squares is white.
+//! Files measure light in lux and candela, but do not say how bright the picture shall be. So all lights are
+//! multiplied by one factor. It is chosen for the illuminances of a surface that faces each light in the
+//! middle of the scene (a lamp counts as at least half the diagonal of the scene away): the root of the sum
+//! of their squares becomes white.
 
 mod accessor;
 mod buffers;
@@ -82,14 +92,14 @@ use textures::Textures;
 pub struct Import<'a> {
     /// The scene; it is checked when it is prepared.
     pub scene: Scene<'a>,
-    /// Width and height of the picture that the camera frames.
+    /// The width and height of the picture, in pixels.
     pub resolution: (u32, u32),
-    /// What was added to the file's, and what was left out.
+    /// Notes about everything that was added to the contents of the file, or left out.
     pub notes: Vec<String>,
     names: Names,
 }
 
-/// What the file calls the parts of the scene.
+/// The names of the parts of the scene in the file.
 #[derive(Clone, Debug, Default)]
 struct Names {
     camera: Option<String>,
@@ -99,7 +109,8 @@ struct Names {
 }
 
 impl Import<'_> {
-    /// What the file calls this part of the scene, where to look when the scene is refused. `None` for what is not in the file.
+    /// The name of this part of the scene in the file, for errors of the scene. `None` for a part that is not
+    /// in the file.
     pub fn name_of(&self, part: Part) -> Option<&str> {
         let name = match part {
             Part::Camera => self.names.camera.as_ref(),
@@ -112,11 +123,12 @@ impl Import<'_> {
     }
 }
 
-/// Reads a scene from a `.gltf` or `.glb` file and the files that it names. Its lists are kept in `arena`.
+/// Reads a scene from a `.gltf` or `.glb` file and the files that it refers to. Its lists are kept in
+/// `arena`.
 ///
 /// # Errors
-/// The file that cannot be read, or the part of it that is wrong, and why. A picture that does not exist or is in another
-/// format is no error but a [note](Import::notes).
+/// A file cannot be read, or a part of it is wrong. An image that does not exist or has another format is not
+/// an error: it gives a [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, GltfError> {
     let error = |Wrong { place, fault }| GltfError { path: path.to_owned(), place, fault };
     let unreadable = |reason: std::io::Error| error(GltfFault::Unreadable(reason.to_string()).into());
@@ -135,10 +147,11 @@ fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'
     let lists = Lists { root: &root, buffers: &buffers };
     let mut notes = Notes::default();
     for extension in container::unknown_extensions(&root.extensions_used) {
-        notes.add(format!("extension `{}`", extension.escape_debug()), "left out, as it is not known here");
+        notes.add(format!("extension `{}`", extension.escape_debug()), "left out, as it is not supported");
     }
     for (index, animation) in root.animations.iter().enumerate() {
-        notes.add(name("animation", index, animation.name.as_ref()), "left out: nothing moves");
+        notes
+            .add(name("animation", index, animation.name.as_ref()), "left out: animations are not supported");
     }
     let nodes = nodes::placed(&root, &mut notes)?;
     let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
@@ -179,7 +192,7 @@ fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'
     Ok(Import { scene, resolution, notes: notes.lines(), names })
 }
 
-/// What is needed to read the meshes of nodes.
+/// The state for reading the meshes of nodes.
 struct Meshes<'s, 'a, 'f> {
     arena: &'a Bump,
     lists: Lists<'f>,
@@ -189,7 +202,7 @@ struct Meshes<'s, 'a, 'f> {
 }
 
 impl<'a> Meshes<'_, 'a, '_> {
-    /// Adds the mesh of a node, if it has one, to the objects and what they are called.
+    /// Adds the mesh of a node, if it has one, to the objects and their names.
     fn add(
         &mut self,
         root: &Root,

@@ -1,4 +1,4 @@
-//! Where the nodes of a scene stand (glTF 2.0 Specification, section 3.5).
+//! Nodes and their transforms (glTF 2.0 Specification, section 3.5).
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 use gltf_json::Root;
@@ -8,7 +8,7 @@ use rayline::Vec3;
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::notes::Notes;
 
-/// A node in the scene.
+/// A node of the scene with its transform.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed<'f> {
     pub(super) index: usize,
@@ -17,18 +17,18 @@ pub(super) struct Placed<'f> {
 }
 
 impl Placed<'_> {
-    /// What to call it.
+    /// The name of the node in messages.
     pub(super) fn name(&self) -> String {
         name("node", self.index, self.node.name.as_ref())
     }
 }
 
-/// From the coordinates of a node to those of the scene.
+/// The transform from the coordinates of a node to those of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place(DAffine3);
 
 impl Place {
-    /// Of the scene itself.
+    /// The transform of the scene itself: identity.
     const ROOT: Self = Self(DAffine3::IDENTITY);
 
     fn of(node: &Node) -> Result<DAffine3, GltfFault> {
@@ -69,25 +69,25 @@ impl Place {
         }
     }
 
-    /// Whether right and left change places, and so the fronts and backs of triangles.
+    /// Whether the transform mirrors, and so exchanges the fronts and backs of triangles.
     pub(super) fn mirrors(&self) -> bool {
         self.0.matrix3.determinant() < 0.0
     }
 
-    /// A point of the node, rounded once.
+    /// Transforms a point, computed in `f64` and rounded once.
     pub(super) fn point(&self, point: [f32; 3]) -> Vec3 {
         rounded(self.0.transform_point3(DVec3::from_array(point.map(f64::from))))
     }
 
-    /// What is a direction along the node's surfaces, of length 1; `None` where nothing is left of it.
+    /// Transforms a direction to a unit vector; `None` if its length becomes 0.
     pub(super) fn direction(&self, direction: [f32; 3]) -> Option<Vec3> {
         let direction = self.0.transform_vector3(DVec3::from_array(direction.map(f64::from)));
         direction.try_normalize().map(rounded)
     }
 
-    /// What turns normals so that they stay normal to surfaces: the inverse, transposed, but for its length.
+    /// The transform of normals: the transposed inverse, scaled.
     pub(super) fn of_normals(&self) -> impl Fn([f32; 3]) -> Vec3 {
-        // The cofactors: where the node is flattened, there is no inverse.
+        // Use cofactors, because a node that flattens its meshes has no inverse.
         let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.0.matrix3;
         let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
         let sign = if self.mirrors() { -1.0 } else { 1.0 };
@@ -103,7 +103,7 @@ fn rounded(vector: DVec3) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// All nodes of the scene that is to be shown, parents before their children.
+/// All nodes of the scene that is shown, parents before their children.
 pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed<'f>>, Wrong> {
     let (mut open, mut is_there) = (Vec::new(), vec![false; root.nodes.len()]);
     let mut placed = Vec::new();
@@ -129,7 +129,7 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
     Ok(placed)
 }
 
-/// The nodes of the scene that have no parent: those of the scene that the file names, else of its first, else of all.
+/// The root nodes of the scene that the file selects, else of its first scene, else of all nodes.
 fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
     let named = root.scene.map_or(0, |scene| scene.value());
     if root.scenes.is_empty() && root.scene.is_none() {
@@ -143,7 +143,7 @@ fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
     }
     let scene = find(&root.scenes, "scene", named)?;
     for (index, other) in root.scenes.iter().enumerate().filter(|(index, _)| *index != named) {
-        notes.add(name("scene", index, other.name.as_ref()), "left out, as one scene alone is shown");
+        notes.add(name("scene", index, other.name.as_ref()), "left out, as only one scene is shown");
     }
     Ok(scene.nodes.iter().map(|node| node.value()).collect())
 }

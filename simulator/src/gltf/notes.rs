@@ -1,19 +1,19 @@
-//! What is said of a file: once for all parts of which it is true.
+//! Notes about a file; equal notes about several parts are merged into one.
 
-/// What was added to a file's scene and what was left out.
+/// Notes about everything that was added to the contents of a file, or left out.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Notes(Vec<Note>);
 
 #[derive(Clone, Debug)]
 struct Note {
     what: String,
-    /// The first part of which it is true, and how many follow it.
+    /// The first part that the note is about, and the number of further ones in `more`.
     first: String,
     more: usize,
 }
 
 impl Notes {
-    /// Says this of a part of the file; the same is said once for many.
+    /// Adds a note about a part of the file, or counts the part if there is such a note.
     pub(super) fn add(&mut self, part: impl Into<String>, what: impl Into<String>) {
         let (part, what) = (part.into(), what.into());
         match self.0.iter_mut().find(|note| note.what == what) {
@@ -23,7 +23,7 @@ impl Notes {
         }
     }
 
-    /// A line for each.
+    /// The notes as lines of text.
     pub(super) fn lines(self) -> Vec<String> {
         let line = |Note { what, first, more }| match more {
             0 => format!("{first}: {what}"),

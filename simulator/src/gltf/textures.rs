@@ -1,4 +1,4 @@
-//! Pictures on surfaces (glTF 2.0 Specification, section 3.8).
+//! Textures and their images (glTF 2.0 Specification, section 3.8).
 
 use std::collections::HashMap;
 use std::io::Cursor;
@@ -15,21 +15,21 @@ use super::accessor::Lists;
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::notes::Notes;
 
-/// The most pixels of all pictures together.
+/// The most pixels of all images together.
 const MOST: usize = 1 << 26;
 
-/// Which coordinates of vertices a texture lies by, and how it is moved, turned and stretched over these (`KHR_texture_transform`).
+/// The set of texture coordinates that a texture uses, and their transform (`KHR_texture_transform`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Coordinates {
     pub(super) set: u32,
     offset: [f32; 2],
-    /// Sine and cosine of the angle.
+    /// The sine and cosine of the rotation.
     turn: (f32, f32),
     scale: [f32; 2],
 }
 
 impl Coordinates {
-    /// Those of a texture; where there is none, as they are.
+    /// The coordinates of a texture; set 0 without a transform for `None`.
     pub(super) fn of(info: Option<&Info>) -> Self {
         let set = info.map_or(0, |info| info.tex_coord);
         let as_is = Self { set, offset: [0.0; 2], turn: (0.0, 1.0), scale: [1.0; 2] };
@@ -44,7 +44,8 @@ impl Coordinates {
         }
     }
 
-    /// The place on the picture that coordinates of the file stand for, v upward as in the core: there it is downward.
+    /// Transforms the coordinates of a vertex to those of the core, where v grows upward; in glTF it grows
+    /// downward.
     pub(super) fn upward(&self, [u, v]: [f32; 2]) -> [f32; 2] {
         let ([left, down], (sine, cosine)) = (self.offset, self.turn);
         let [u, v] = [u * self.scale[0], v * self.scale[1]];
@@ -52,7 +53,7 @@ impl Coordinates {
     }
 }
 
-/// A picture of the file, and what is seen beyond its edges and between its pixels.
+/// An image of the file with its filter and wrapping.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
     image: Rc<RgbaImage>,
@@ -60,13 +61,13 @@ pub(super) struct Picture {
     ends: Ends,
 }
 
-/// The pictures of a file, read as they are asked for.
+/// The images of a file, read when a material needs them.
 #[derive(Debug)]
 pub(super) struct Textures<'a, 'f> {
     arena: &'a Bump,
     lists: Lists<'f>,
     read: HashMap<usize, Option<Rc<RgbaImage>>>,
-    /// How many pixels may still come.
+    /// The number of pixels that may still be read.
     room: usize,
 }
 
@@ -75,7 +76,7 @@ impl<'a, 'f> Textures<'a, 'f> {
         Self { arena, lists, read: HashMap::new(), room: MOST }
     }
 
-    /// The picture of a texture; `None` where it cannot be read, which is noted.
+    /// The image of a texture; `None` with a note if it cannot be read.
     pub(super) fn picture(
         &mut self,
         texture: Index<Texture>,
@@ -85,9 +86,9 @@ impl<'a, 'f> Textures<'a, 'f> {
         let index = texture.value();
         let texture = find(&root.textures, "texture", index)?;
         let at = || name("texture", index, texture.name.as_ref());
-        // Another format, by an extension, has no source of the plain kind.
+        // A texture in a format of an extension has no plain source.
         if texture.source.value() == u32::MAX as usize {
-            notes.add(at(), "left out: it is of another format than PNG and JPEG");
+            notes.add(at(), "left out: its format is not PNG or JPEG");
             return Ok(None);
         }
         let image = match self.read.get(&texture.source.value()) {
@@ -104,7 +105,7 @@ impl<'a, 'f> Textures<'a, 'f> {
         };
         let ends = ends(sampler);
         if ends[0] != ends[1] {
-            notes.add(at(), "beyond its upper and lower edge it goes on as beyond the others");
+            notes.add(at(), "the wrapping of its left and right edges is used for all edges");
         }
         let filter = match sampler.and_then(|sampler| sampler.mag_filter) {
             Some(Checked::Valid(MagFilter::Nearest)) => Filter::Nearest,
@@ -148,14 +149,14 @@ impl<'a, 'f> Textures<'a, 'f> {
         }
     }
 
-    /// Makes sure that there are not too many pixels.
+    /// Counts pixels, and refuses too many.
     fn take(&mut self, pixels: usize) -> Result<(), GltfFault> {
         let too_many = GltfFault::TooMany { what: "pixels of textures", most: MOST };
         self.room = self.room.checked_sub(pixels).ok_or(too_many)?;
         Ok(())
     }
 
-    /// The picture in these shares of its light, as the core has it.
+    /// The image for the core, with its linear light multiplied by `factor`.
     pub(super) fn colored(&mut self, picture: &Picture, factor: [f32; 3]) -> Result<&'a Placed<'a>, Wrong> {
         self.take(picture.image.len() / 4)?;
         let tables = factor.map(Codes::new);
@@ -173,7 +174,8 @@ impl<'a, 'f> Textures<'a, 'f> {
         Ok(self.placed(picture, Pixels::Rgb888(pixels), Encoding::Srgb))
     }
 
-    /// How opaque the picture is, and how clear, where an alpha of the file stands for `opacity`; `None`: it is opaque all over.
+    /// Two images for the core: the opacity of each pixel and 1 minus that, where `opacity` maps alpha to an
+    /// opacity. `None` if the image is fully opaque.
     pub(super) fn alpha(
         &mut self,
         picture: &Picture,
@@ -200,7 +202,7 @@ impl<'a, 'f> Textures<'a, 'f> {
 
     fn placed(&self, picture: &Picture, pixels: Pixels<'a>, encoding: Encoding) -> &'a Placed<'a> {
         let image = Image {
-            // Decoders were told not to make larger ones.
+            // The limits of the decoder exclude larger images.
             width: picture.image.width() as u16,
             height: picture.image.height() as u16,
             pixels,
@@ -213,12 +215,12 @@ impl<'a, 'f> Textures<'a, 'f> {
 }
 
 impl Picture {
-    /// The mean of its light.
+    /// The mean of the pixels' linear light, in each channel.
     pub(super) fn light(&self) -> [f32; 3] {
         self.mean(|code| light(code).into())
     }
 
-    /// The mean of its numbers.
+    /// The mean of the pixels' numbers, in each channel.
     pub(super) fn numbers(&self) -> [f32; 3] {
         self.mean(|code| f64::from(code) / 255.0)
     }
@@ -236,7 +238,7 @@ impl Picture {
     }
 }
 
-/// For each code of sRGB that of a share of its light.
+/// A table from codes of sRGB to the codes of their light multiplied by a factor.
 struct Codes(Vec<u8>);
 
 impl Codes {
@@ -253,7 +255,7 @@ impl Codes {
     }
 }
 
-/// The light of a code of sRGB (IEC 61966-2-1).
+/// The linear light of a code of sRGB (IEC 61966-2-1).
 fn light(code: u8) -> f32 {
     let code = f32::from(code) / 255.0;
     if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
@@ -264,7 +266,7 @@ fn code(light: f32) -> u8 {
 }
 
 fn byte(share: f32) -> u8 {
-    // The cast brings what is outside to the nearest.
+    // The cast saturates.
     (share * 255.0).round() as u8
 }
 

@@ -1,9 +1,9 @@
-//! What models in all formats need: meshes of any size in pieces that the core holds, and a camera and a light where there is none.
+//! Parts that all importers of models share: splitting of large meshes, and a default camera and light.
 
 mod pieces;
 pub(crate) mod view;
 
 pub(crate) use pieces::Whole;
 
-/// Texture coordinates beyond this fixed point cannot compute with.
+/// The largest texture coordinate in fixed point.
 pub(crate) const FARTHEST_UV: f32 = 59.0;

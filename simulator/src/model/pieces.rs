@@ -1,4 +1,4 @@
-//! Meshes of any size, in pieces that a mesh of the core can be.
+//! Splitting of large meshes into meshes that the core accepts.
 
 use std::collections::HashMap;
 
@@ -7,19 +7,19 @@ use rayline::Vec3;
 use rayline::limits::MAX_COUNT;
 use rayline::shape::Mesh;
 
-/// A mesh as a file has it.
+/// A mesh of any size, as in a file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Whole<'m> {
     pub(crate) vertices: &'m [Vec3],
     pub(crate) triangles: &'m [[u32; 3]],
-    /// As many as vertices.
+    /// One for each vertex.
     pub(crate) normals: Option<&'m [Vec3]>,
-    /// As many as vertices.
+    /// One for each vertex.
     pub(crate) uvs: Option<&'m [[f32; 2]]>,
 }
 
 impl Whole<'_> {
-    /// The meshes that it becomes, but for those without area.
+    /// The meshes of the core that it is split into, without those that have no area.
     pub(crate) fn meshes<'a>(&self, arena: &'a Bump) -> Vec<Mesh<'a>> {
         let of_piece = |piece: Piece| {
             let vertices = pick(arena, &piece, self.vertices, Vec3::ZERO);
@@ -34,23 +34,23 @@ impl Whole<'_> {
     }
 }
 
-/// What belongs to the vertices of a piece, out of what belongs to those of its mesh.
+/// Selects the data of a piece's vertices from the data of the whole mesh's vertices.
 fn pick<'a, T: Copy>(arena: &'a Bump, piece: &Piece, from: &[T], missing: T) -> &'a [T] {
     let indices = piece.vertices.iter();
     arena.alloc_slice_fill_iter(indices.map(|index| from.get(*index as usize).copied().unwrap_or(missing)))
 }
 
-/// A part of a mesh.
+/// A piece of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Piece {
-    /// Positions of its vertices in the whole mesh.
+    /// The positions of its vertices in the whole mesh.
     vertices: Vec<u32>,
-    /// Its triangles, by positions in `vertices`.
+    /// Its triangles, as positions in `vertices`.
     triangles: Vec<[u16; 3]>,
 }
 
-/// Cuts a mesh in pieces of at most `most` vertices and triangles, in the order of its triangles. Pieces join without a gap, as they
-/// have the same vertices where they do.
+/// Splits a mesh into pieces of at most `most` vertices and triangles, in the order of its triangles. There
+/// are no gaps, because neighboring pieces have copies of the same vertices.
 fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
     let most = most.min(usize::from(u16::MAX));
     if vertices <= most && triangles.len() <= most {
@@ -62,7 +62,7 @@ fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
     let mut piece = Piece::default();
     let mut places = HashMap::new();
     for corners in triangles {
-        // Three more vertices are the most that a triangle adds.
+        // A triangle adds at most three vertices.
         if piece.vertices.len() + 3 > most || piece.triangles.len() >= most {
             pieces.push(core::mem::take(&mut piece));
             places.clear();
@@ -79,8 +79,8 @@ fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
     pieces
 }
 
-/// Whether a triangle is thicker than two millionths of its sides: twice as thick as the core demands, so that it never refuses a
-/// mesh of which one is.
+/// Whether a triangle is thicker than two millionths of its sides. The core accepts triangles half as thick,
+/// so it never refuses a mesh with one that passes this test.
 fn has_area(triangle: &[u16; 3], vertices: &[Vec3]) -> bool {
     let [a, b, c] = triangle.map(|corner| vertices.get(usize::from(corner)).copied().unwrap_or(Vec3::ZERO));
     let (ab, ac) = ((b - a).to::<f64>(), (c - a).to::<f64>());

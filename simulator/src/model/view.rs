@@ -1,35 +1,35 @@
-//! A camera and a light for what has none.
+//! A default camera and light for models without them.
 
 use rayline::math::Aabb;
 use rayline::shape::{Mesh, Shape};
 use rayline::{Background, Camera, Light, LinearRgb, Object, Vec3};
 
-/// What is said of the camera.
+/// The note about the default camera.
 pub(crate) const SEEN: &str =
-    "all of it is seen from the front, a little from the right and from above (y is up)";
-/// What is said of the light.
+    "the whole model is seen from the front, slightly from the right and above (y is up)";
+/// The note about the default light.
 pub(crate) const LIT: &str = "lit from the upper left";
 
-/// From there toward the middle.
+/// The direction from the center of the model to the eye.
 const TOWARD_EYE: Vec3 = Vec3::new(0.45, 0.4, 1.0);
 
-/// The angle of view, and the tangent of half of it.
+/// The vertical angle of view in radians. `TANGENT_OF_HALF` is the tangent of half of it.
 const FOV: f32 = 0.6;
 const TANGENT_OF_HALF: f32 = 0.309_336_25;
-/// How much farther than to the edge of the picture it may be.
+/// The margin around the model: the distance is 1.1 times that at which the model fills the picture.
 const MARGIN: f32 = 1.1;
-/// Width and height that such a scene is meant to be seen in, and width over height.
+/// The width and height of the picture in pixels. `ASPECT` is width over height.
 pub(crate) const SIZE: (u32, u32) = (640, 480);
 const ASPECT: f32 = 4.0 / 3.0;
 
-/// The light.
+/// The default light.
 pub(crate) static LIGHTS: [Light; 1] =
     [Light::Directional { direction: Vec3::new(0.6, -1.0, -0.6), color: LinearRgb::gray(0.9) }];
 
-/// What is behind all of it.
+/// The default background.
 pub(crate) const BACKGROUND: Background<'static> = Background::gray(0.1);
 
-/// The box around all meshes; `None` where there are none.
+/// The bounding box of all meshes; `None` if there are none.
 pub(crate) fn bounds(objects: &[Object<Shape<'_>>]) -> Option<Aabb<f32>> {
     let corners = objects.iter().filter_map(|object| match object.shape {
         Shape::Mesh(Mesh { vertices, triangles, .. }) => Some((vertices, triangles)),
@@ -41,7 +41,7 @@ pub(crate) fn bounds(objects: &[Object<Shape<'_>>]) -> Option<Aabb<f32>> {
     corners.map(|corner| Aabb::point(*corner)).reduce(Aabb::union)
 }
 
-/// A camera that sees the box around all in full.
+/// A camera that sees the whole bounding box.
 pub(crate) fn of(bounds: Aabb<f32>) -> Camera {
     let target = bounds.center();
     let up = Vec3::new(0.0, 1.0, 0.0);
@@ -49,7 +49,7 @@ pub(crate) fn of(bounds: Aabb<f32>) -> Camera {
     let right = up.cross(backward);
     let right = right * right.length().recip();
     let upward = backward.cross(right);
-    // As far away as the corner asks for that is the nearest to the edge of the picture.
+    // The largest distance that any corner needs.
     let distance = bounds.corners().fold(0.0f32, |distance, corner| {
         let corner = corner - target;
         let across = corner.dot(upward).abs().max(corner.dot(right).abs() / ASPECT);

@@ -1,58 +1,58 @@
-//! What can be wrong with the text of an NFF file.
+//! Errors of NFF files.
 
 use core::fmt;
 
-/// An NFF file was refused: in which line, and why.
+/// The error of an NFF file, with its line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NffError {
-    /// The line, counted from 1. Where something is missing, the last line of the file.
+    /// The line, counted from 1; the last line of the file if a part is missing.
     pub line: usize,
-    /// What is wrong there, and what to do.
+    /// The fault in that line.
     pub fault: NffFault,
 }
 
-/// Why an NFF file was refused.
+/// The fault of an NFF file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NffFault {
     /// The file is not text. Convert it to UTF-8 or plain ASCII.
     NotUtf8,
-    /// Something else stands where a number or a word must be. Write what is expected.
+    /// A word is not the expected number or keyword. Write the expected one.
     Expected {
-        /// What must stand there.
+        /// The expected number or keyword.
         expected: &'static str,
-        /// What stands there.
+        /// The word in the file.
         found: String,
     },
     /// The file ends in the middle of a statement. Complete it.
     EndOfFile {
-        /// What must follow.
+        /// The number or keyword that must follow.
         expected: &'static str,
     },
     /// A number is NaN, infinite or too large for an `f32`. Replace it.
     NotFinite {
-        /// What the number stands for.
+        /// The meaning of the number.
         meaning: &'static str,
-        /// How it is written.
+        /// The number as it is written in the file.
         found: String,
     },
-    /// No statement begins so. Use one of those that the format has.
+    /// No statement begins with this word. Use a statement of the format.
     UnknownKeyword {
         /// The word.
         found: String,
     },
-    /// `v` or `b` stands in the file for a second time. Keep one.
+    /// The file has a second `v` or `b`. Keep one.
     Repeated {
-        /// Which of the two.
+        /// The keyword, `v` or `b`.
         keyword: &'static str,
     },
-    /// The file has no `v`. Say where the camera is.
+    /// The file has no `v`. Add it to describe the camera.
     NoView,
-    /// An object stands before the first material. Put an `f` in front of it.
+    /// An object comes before the first material. Put an `f` in front of it.
     NoMaterial,
     /// The file has more materials than a scene can hold. Use the same `f` for several objects.
     TooManyMaterials {
-        /// How many a scene can hold.
+        /// The most materials of a scene.
         most: usize,
     },
 }
@@ -75,13 +75,15 @@ impl fmt::Display for NffFault {
                 write!(f, "{meaning} is not a finite number: `{}`", Excerpt(found))
             }
             Self::UnknownKeyword { found } => {
-                write!(f, "unknown keyword `{}`; there are v, b, l, f, s, c, p and pp", Excerpt(found))
+                write!(f, "unknown keyword `{}`; the keywords are v, b, l, f, s, c, p and pp", Excerpt(found))
             }
-            Self::Repeated { keyword } => write!(f, "a second `{keyword}`; keep one"),
-            Self::NoView => f.write_str("the file has no `v`; say where the camera is"),
-            Self::NoMaterial => f.write_str("an object before the first material; put an `f` in front of it"),
+            Self::Repeated { keyword } => write!(f, "there is a second `{keyword}`; keep one"),
+            Self::NoView => f.write_str("the file has no `v`; add it to describe the camera"),
+            Self::NoMaterial => {
+                f.write_str("there is an object before the first material; put an `f` in front of it")
+            }
             Self::TooManyMaterials { most } => {
-                write!(f, "more than {most} materials; use the same `f` for several objects")
+                write!(f, "the file has more than {most} materials; use the same `f` for several objects")
             }
         }
     }
@@ -95,7 +97,7 @@ impl core::error::Error for NffError {
 
 impl core::error::Error for NffFault {}
 
-/// A word from the file, so that it fits in a line of a terminal and does nothing to it.
+/// A word from the file for an error message: shortened, and with control characters escaped.
 pub(crate) struct Excerpt<'a>(pub(crate) &'a str);
 
 impl fmt::Display for Excerpt<'_> {

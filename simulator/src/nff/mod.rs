@@ -1,5 +1,5 @@
-//! Scenes in Neutral File Format, as Eric Haines' Standard Procedural Databases print them ("A Proposal for
-//! Standard Graphics Environments", IEEE Computer Graphics & Applications, 1987).
+//! Reading of scenes in Neutral File Format (NFF), the output of Eric Haines' Standard Procedural Databases
+//! ("A Proposal for Standard Graphics Environments", IEEE Computer Graphics & Applications, 1987).
 //!
 //! ```text
 //! v from X Y Z at X Y Z up X Y Z angle DEG hither H resolution W H
@@ -13,16 +13,19 @@
 //! # a comment, to the end of the line
 //! ```
 //!
-//! Words are separated by white space; line breaks mean nothing but the end of a comment. What the words mean:
+//! Words are separated by white space, and line breaks only end comments. The words mean:
 //!
 //! - `angle` is the full vertical angle of view in degrees, and pixels are square.
-//! - `hither`, the distance of a clipping plane, must be a number and is otherwise ignored: rays begin at the eye.
-//! - A light without color has intensity 1/√(number of lights) in each channel. Nothing falls off with distance.
-//! - `f` becomes diffuse Kd, specular Ks with exponent `shine`, reflectance Ks, transmittance T; there is no
-//!   ambient light. Opaque materials often say `ior` 0, which nothing ever asks for: it is read as 1.
-//! - A polygon of three vertices is a triangle. A patch is the fan of triangles around its first vertex, with
-//!   interpolated normals; triangles of a fan without area (repeated vertices, vertices on one line) show
-//!   nothing and are left out, since tessellated surfaces have them at their poles and seams.
+//! - `hither` is the distance of a clipping plane. It must be a number, but is ignored: rays begin at the
+//!   eye.
+//! - A light without a color has intensity 1/√(number of lights) in each channel. Light does not fall off
+//!   with distance.
+//! - `f` becomes a material with diffuse Kd, specular and reflectance Ks, exponent `shine` and transmittance
+//!   T; there is no ambient light. Opaque materials often have an `ior` of 0, which has no effect: it is read
+//!   as 1.
+//! - A polygon of three vertices becomes a triangle. A patch becomes a fan of triangles around its first
+//!   vertex, with interpolated normals. Triangles without area (with repeated vertices, or vertices on one
+//!   line) are left out: tessellated surfaces have them at their poles and seams.
 
 mod error;
 #[cfg(test)]
@@ -45,12 +48,12 @@ use tokens::Tokens;
 pub struct Import<'a> {
     /// The scene; it is checked when it is prepared.
     pub scene: Scene<'a>,
-    /// Width and height of the picture that the file asks for: 1 to 65535.
+    /// The width and height of the picture by the file, in pixels: 1 to 65535.
     pub resolution: (u32, u32),
     lines: Lines,
 }
 
-/// Where in the file each part of the scene begins.
+/// The line of the file in which each part of the scene begins.
 #[derive(Clone, Debug, Default)]
 struct Lines {
     camera: usize,
@@ -61,8 +64,8 @@ struct Lines {
 }
 
 impl Import<'_> {
-    /// The line in which the file describes this part of the scene, counted from 1: where to look when the scene
-    /// is refused. `None` for what is not in the file.
+    /// The line in which the file describes this part of the scene, counted from 1, for errors of the scene.
+    /// `None` for a part that is not in the file.
     pub fn line_of(&self, part: Part) -> Option<usize> {
         match part {
             Part::Camera => Some(self.lines.camera),
@@ -78,7 +81,7 @@ impl Import<'_> {
 /// Reads a scene from the bytes of an NFF file.
 ///
 /// # Errors
-/// As [`parse`], or the line that is not UTF-8.
+/// The errors of [`parse`], or the line that is not UTF-8.
 pub fn parse_bytes<'a>(arena: &'a Bump, bytes: &[u8]) -> Result<Import<'a>, NffError> {
     let text = text::of_bytes(bytes).map_err(|line| NffError { line, fault: NffFault::NotUtf8 })?;
     parse(arena, text)
@@ -87,9 +90,9 @@ pub fn parse_bytes<'a>(arena: &'a Bump, bytes: &[u8]) -> Result<Import<'a>, NffE
 /// Reads a scene from the text of an NFF file. Its lists are kept in `arena`.
 ///
 /// # Errors
-/// The first line that breaks the grammar, and what was expected there. Numbers that are written well but make
-/// no scene, such as a negative radius, are found by [`PreparedScene::new`](rayline::PreparedScene::new); for
-/// those [`Import::line_of`] tells the line.
+/// The first line that breaks the grammar, and what was expected there. Numbers that are refused for their
+/// value, such as a negative radius, are found by [`PreparedScene::new`](rayline::PreparedScene::new);
+/// [`Import::line_of`] gives the line of such an error.
 pub fn parse<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, NffError> {
     let mut tokens = Tokens::new(text);
     let mut reader = Reader::new(arena);
@@ -99,14 +102,14 @@ pub fn parse<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, NffError> {
     reader.finish(tokens.last_line())
 }
 
-/// What was read so far.
+/// The parts of the scene that were read so far.
 struct Reader<'a> {
     arena: &'a Bump,
     view: Option<(Camera, (u32, u32))>,
     background: LinearRgb,
     objects: Vec<Object<Shape<'a>>>,
     materials: Vec<Material<'static>>,
-    /// `None`: the file gives no color.
+    /// Positions and colors; `None` where the file gives no color.
     lights: Vec<(Vec3, Option<LinearRgb>)>,
     lines: Lines,
 }
@@ -251,13 +254,13 @@ fn cone<'a>(tokens: &mut Tokens<'_>) -> Result<Shape<'a>, NffError> {
     })
 }
 
-/// Reads a count, and then so many items.
+/// Reads a count, and then that number of items.
 fn list<T>(
     tokens: &mut Tokens<'_>,
     item: impl Fn(&mut Tokens<'_>) -> Result<T, NffError>,
 ) -> Result<Vec<T>, NffError> {
     let count = tokens.count("the number of vertices, 3 or more", 3, u32::MAX)?;
-    // The list grows with what the file has, not with what it promises.
+    // The list grows with the contents of the file, not with the count, which may be wrong.
     let mut items = Vec::new();
     for _ in 0..count {
         items.push(item(tokens)?);
@@ -288,8 +291,8 @@ fn patch(tokens: &mut Tokens<'_>) -> Result<impl Iterator<Item = Triangle>, NffE
     Ok(fan.filter(has_area))
 }
 
-/// Whether a triangle is thicker than two millionths of its sides: twice as thick as the core demands, so that
-/// it never refuses a triangle that a file did not name.
+/// Whether a triangle is thicker than two millionths of its sides. The core accepts triangles half as thick,
+/// so it never refuses a triangle of a patch, which the file does not name.
 fn has_area(triangle: &Triangle) -> bool {
     let [a, b, c] = triangle.vertices.map(Vec3::to::<f64>);
     let (ab, ac) = (b - a, c - a);

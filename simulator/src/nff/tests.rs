@@ -1,4 +1,4 @@
-//! The meaning of every statement, and the message for every mistake.
+//! Tests of every statement and of every error message.
 
 use rayline::{Background, Fault, PreparedScene, SceneError};
 
@@ -15,7 +15,7 @@ fn error_of(text: &str) -> NffError {
     parse(&Bump::new(), text).unwrap_err()
 }
 
-/// The scene's own objection, and the line that it is about.
+/// The fault for which the core refuses the scene, and the line of the refused part.
 fn refused(text: &str) -> (Fault, Option<usize>) {
     let arena = Bump::new();
     let import = parse_ok(&arena, text);
@@ -63,7 +63,7 @@ fn lights_without_color_share_the_intensity() {
 }
 
 #[test]
-fn materials_hold_for_what_follows() {
+fn materials_apply_to_the_objects_that_follow() {
     let arena = Bump::new();
     let text = format!("{VIEW}f .1 .2 .3 .4 .5 60 .3 1.5 s 0 0 0 1 s 1 0 0 1 f 1 1 1 1 0 9 0 0 s 2 0 0 1");
     let import = parse_ok(&arena, &text);
@@ -146,7 +146,7 @@ fn parts_that_the_core_refuses_are_found_in_the_file() {
 }
 
 #[test]
-fn broken_statements_tell_line_and_expectation() {
+fn broken_statements_are_reported_with_line_and_expectation() {
     let message = |statement: &str| error_of(&format!("{VIEW}{GRAY}\n{statement}")).to_string();
     for (statement, expected) in [
         ("s 1 2 3", "line 4: the file ends where the radius of the sphere must follow"),
@@ -160,10 +160,10 @@ fn broken_statements_tell_line_and_expectation() {
         ("pp 3.0 0 0 0", "line 4: expected the number of vertices, 3 or more, found `3.0`"),
         ("p 4000000000 0 0 0", "line 4: the file ends where a vertex of the polygon must follow"),
         ("p 99999999999 0 0 0", "line 4: expected the number of vertices, 3 or more, found `99999999999`"),
-        ("sphere 0 0 0 1", "line 4: unknown keyword `sphere`; there are v, b, l, f, s, c, p and pp"),
-        ("\u{1b}[2J", "line 4: unknown keyword `\\u{1b}[2J`; there are v, b, l, f, s, c, p and pp"),
-        (VIEW, "line 4: a second `v`; keep one"),
-        ("b 0 0 0\nb 0 0 0", "line 5: a second `b`; keep one"),
+        ("sphere 0 0 0 1", "line 4: unknown keyword `sphere`; the keywords are v, b, l, f, s, c, p and pp"),
+        ("\u{1b}[2J", "line 4: unknown keyword `\\u{1b}[2J`; the keywords are v, b, l, f, s, c, p and pp"),
+        (VIEW, "line 4: there is a second `v`; keep one"),
+        ("b 0 0 0\nb 0 0 0", "line 5: there is a second `b`; keep one"),
     ] {
         assert_eq!(message(statement), expected);
     }
@@ -200,7 +200,10 @@ fn more_materials_than_can_be_numbered() {
 proptest::proptest! {
     #[test]
     fn any_text_gives_a_scene_or_an_error(
-        words in proptest::collection::vec("[vblfscp#\n]|pp|from|at|up|angle|hither|resolution|[0-9.e-]{1,4}|\\PC*", 0..40),
+        words in proptest::collection::vec(
+            "[vblfscp#\n]|pp|from|at|up|angle|hither|resolution|[0-9.e-]{1,4}|\\PC*",
+            0..40,
+        ),
         cut in 0usize..400,
     ) {
         let text = format!("{VIEW}{GRAY}{}", words.join(" "));

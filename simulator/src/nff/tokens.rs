@@ -9,7 +9,7 @@ use super::{NffError, NffFault};
 /// The words of a file from front to back, without comments.
 pub(super) struct Tokens<'t> {
     words: Peekable<Words<'t>>,
-    /// The line of the word that was taken last.
+    /// The line of the last word.
     line: usize,
     last_line: usize,
 }
@@ -25,7 +25,7 @@ impl<'t> Tokens<'t> {
         Self { words: words.peekable(), line: 1, last_line: text.lines().count().max(1) }
     }
 
-    /// The line of the word that was taken last.
+    /// The line of the last word.
     pub(super) fn line(&self) -> usize {
         self.line
     }
@@ -41,18 +41,18 @@ impl<'t> Tokens<'t> {
         Some(word)
     }
 
-    /// Whether a number comes next: then an optional part of a statement is there.
+    /// Whether the next word is a number, and so an optional part of a statement follows.
     pub(super) fn number_follows(&mut self) -> bool {
         self.words.peek().is_some_and(|(_, word)| word.parse::<f32>().is_ok())
     }
 
-    /// The next word, which must be there.
+    /// The next word, or an error at the end of the file.
     fn word(&mut self, expected: &'static str) -> Result<&'t str, NffError> {
         let last_line = self.last_line;
         self.next().ok_or(NffError { line: last_line, fault: NffFault::EndOfFile { expected } })
     }
 
-    /// The next word, which must be the one that `expected` has between back quotes.
+    /// Reads the next word, which must be `expected` without its back quotes.
     pub(super) fn keyword(&mut self, expected: &'static str) -> Result<(), NffError> {
         let found = self.word(expected)?;
         if found == expected.trim_matches('`') { Ok(()) } else { Err(self.unexpected(expected, found)) }
@@ -84,7 +84,7 @@ impl<'t> Tokens<'t> {
         Ok(LinearRgb::new(self.number(meaning)?, self.number(meaning)?, self.number(meaning)?))
     }
 
-    /// An error in the line of the word that was taken last.
+    /// An error in the line of the last word.
     pub(super) fn error(&self, fault: NffFault) -> NffError {
         NffError { line: self.line, fault }
     }

@@ -1,73 +1,74 @@
-//! What can be wrong with an OBJ file or an MTL file.
+//! Errors of OBJ and MTL files.
 
 use core::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::nff::Excerpt;
 
-/// An OBJ file, or an MTL file that it names, was refused: which, in which line, and why.
+/// The error of an OBJ file or of an MTL file that it refers to, with the file and the line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjError {
     /// The file.
     pub path: PathBuf,
-    /// The line, counted from 1; `None` where the file is wrong as a whole.
+    /// The line, counted from 1; `None` for an error of the whole file.
     pub line: Option<usize>,
-    /// What is wrong there, and what to do.
+    /// The fault there.
     pub fault: ObjFault,
 }
 
-/// Why a file was refused.
+/// The fault of a file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ObjFault {
-    /// The system cannot read the file, for this reason. Mend it.
+    /// The system cannot read the file, for this reason.
     Unreadable(String),
     /// The file is not text. Convert it to UTF-8 or plain ASCII.
     NotUtf8,
-    /// Something else, or nothing, stands where a number or a name must be. Write what is expected.
+    /// A word is not the expected number or name, or is missing. Write the expected one.
     Expected {
-        /// What must stand there.
+        /// The expected number or name.
         expected: &'static str,
-        /// What stands there; empty at the end of the line.
+        /// The word in the file; empty at the end of the line.
         found: String,
     },
-    /// A number is NaN, infinite, or farther than a scene may reach. Replace it.
+    /// A number is NaN, infinite, or beyond the limits of a scene. Replace it.
     OutOfRange {
-        /// What the number stands for.
+        /// The meaning of the number.
         meaning: &'static str,
-        /// How it is written.
+        /// The text in the file.
         found: String,
     },
-    /// A face names a vertex, a texture coordinate or a normal that no line before it defines. Define it or name another.
+    /// A face refers to a vertex, a texture coordinate or a normal that no line before it defines. Define it
+    /// or correct the number.
     Unknown {
-        /// Which of these it is.
+        /// The kind: vertex, texture coordinate or normal.
         what: &'static str,
-        /// How it is written.
+        /// The text in the file.
         found: String,
-        /// How many there are so far.
+        /// The number of such elements so far.
         count: usize,
     },
     /// A face has fewer than three corners. Remove it or add corners.
     FewCorners {
-        /// How many it has.
+        /// The number of its corners.
         given: usize,
     },
-    /// A line of an MTL file says something of a material before the first `newmtl`. Name the material first.
+    /// A line of an MTL file describes a material before the first `newmtl`. Name the material first.
     NoMaterial,
-    /// The file has no face that has an area. Is it an OBJ file?
+    /// The file has no face with an area. Check that it is an OBJ file.
     NoFaces,
     /// The files have more materials than a scene can hold. Use fewer.
     TooManyMaterials {
-        /// How many there are.
+        /// The number of materials in the files.
         given: usize,
-        /// How many a scene can hold.
+        /// The most materials of a scene.
         most: usize,
     },
-    /// `tobj` refuses the file, for this reason. Mend what it says.
+    /// `tobj` refuses the file, for this reason. Correct the file.
     Refused(tobj::LoadError),
 }
 
-/// What is wrong in a line of the file at hand.
+/// A fault with its line. The caller adds the path of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LineError {
     pub(super) line: usize,
@@ -75,7 +76,7 @@ pub(super) struct LineError {
 }
 
 impl LineError {
-    /// The same, of this file.
+    /// The error with the path of the file.
     pub(super) fn of(self, path: &Path) -> ObjError {
         ObjError { path: path.to_owned(), line: Some(self.line), fault: self.fault }
     }
@@ -111,19 +112,20 @@ impl fmt::Display for ObjFault {
             Self::Unknown { what, found, count } => {
                 write!(
                     f,
-                    "there is no {what} `{}`: there are {count} so far, counted from 1; define it or name another",
+                    "there is no {what} `{}`: there are {count} so far, counted from 1; define it or correct \
+                     the number",
                     Excerpt(found)
                 )
             }
             Self::FewCorners { given } => {
-                write!(f, "a face of {given} corners; remove it or give it three or more")
+                write!(f, "a face has {given} corners; remove it or give it three or more")
             }
-            Self::NoMaterial => f.write_str("there is no `newmtl` yet; name the material first"),
-            Self::NoFaces => f.write_str("the file has no face that has an area; is it an OBJ file?"),
+            Self::NoMaterial => f.write_str("there is no `newmtl` before this line; name the material first"),
+            Self::NoFaces => f.write_str("the file has no face with an area; check that it is an OBJ file"),
             Self::TooManyMaterials { given, most } => {
-                write!(f, "{given} materials are too many; use at most {most}")
+                write!(f, "the files have {given} materials; use at most {most}")
             }
-            Self::Refused(reason) => write!(f, "{reason}; mend the file"),
+            Self::Refused(reason) => write!(f, "{reason}; correct the file"),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Materials of MTL files; what becomes of them, the table of [`obj`](super) tells.
+//! Materials of MTL files. The table in [`obj`](super) describes how they are converted.
 
 use std::path::Path;
 
@@ -7,20 +7,20 @@ use rayline::{LinearRgb, Material, Texture};
 use super::error::{LineError, ObjError, ObjFault};
 use super::statements::{lines, number};
 
-/// What names no material.
+/// The material of meshes without one.
 pub(super) const GRAY: Material<'static> =
     Material { ambient: AMBIENT, ..Material::matte(LinearRgb::gray(0.7)) };
 
 const AMBIENT: f32 = 0.1;
 
-/// All MTL files of an OBJ file.
+/// The contents of all MTL files of an OBJ file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Library {
-    /// Checked and written anew for `tobj`.
+    /// The checked statements, written for `tobj`.
     pub(super) text: String,
-    /// The materials that they have.
+    /// The names of the materials.
     pub(super) names: Vec<String>,
-    /// What was left out.
+    /// Notes about parts that were left out.
     pub(super) notes: Vec<String>,
 }
 
@@ -28,7 +28,7 @@ pub(super) struct Library {
 pub(super) fn read(folder: &Path, names: &[(usize, String)]) -> Result<Library, ObjError> {
     let mut library = Library::default();
     for (_, name) in names {
-        // A name may have spaces in it, and there may be several names in a line.
+        // A name may contain spaces, or a line may have several names.
         let whole = folder.join(name);
         let paths = if whole.is_file() {
             vec![whole]
@@ -68,7 +68,7 @@ impl Library {
                 "Kd" | "Ks" | "Ke" => color(words)
                     .map(|color| color.map(|[red, green, blue]| format!("{keyword} {red} {green} {blue}"))),
                 "Ns" | "Ni" | "d" => {
-                    // Of a halo, the number comes behind the word.
+                    // With `-halo`, the number follows that word.
                     let word = words.find(|word| *word != "-halo");
                     number(word, "a number").map(|number| Some(format!("{keyword} {number}")))
                 }
@@ -99,7 +99,7 @@ impl Library {
     }
 }
 
-/// A color of three numbers, or of one for all; `None`: one by wavelengths.
+/// Reads a color of three numbers, or of one for all channels; `None` for a spectral or XYZ color.
 fn color<'w>(mut words: impl Iterator<Item = &'w str>) -> Result<Option<[f32; 3]>, ObjFault> {
     let first = words.next();
     if matches!(first, Some("spectral" | "xyz")) {
@@ -114,7 +114,7 @@ fn color<'w>(mut words: impl Iterator<Item = &'w str>) -> Result<Option<[f32; 3]
     Ok(Some([red, green, blue]))
 }
 
-/// What the core makes of a material.
+/// Converts a material.
 pub(super) fn material(described: &tobj::Material) -> Material<'static> {
     let share = |value: f32| value.clamp(0.0, 1.0);
     let color = |color: [f32; 3]| {
@@ -135,7 +135,7 @@ pub(super) fn material(described: &tobj::Material) -> Material<'static> {
         shininess,
         reflectance: if mirrors { specular * opacity } else { 0.0 },
         transmittance,
-        // Beyond these, fixed point cannot compute.
+        // The range of fixed point.
         ior: if refracts { described.optical_density.unwrap_or(1.0).clamp(0.14, 7.0) } else { 1.0 },
         ..Material::matte(described.diffuse.map_or(LinearRgb::gray(0.7), color))
     };

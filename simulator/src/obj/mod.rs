@@ -1,31 +1,29 @@
-//! Models in Wavefront OBJ with materials in MTL, as modeling programs write them (Wavefront Technologies, "Advanced Visualizer
-//! Manual", 1990, appendices B and C). The crate `tobj` puts the meshes together.
+//! Reading of models in Wavefront OBJ with materials in MTL (Wavefront Technologies, "Advanced Visualizer
+//! Manual", 1990, appendices B and C). The crate `tobj` assembles the meshes.
 //!
-//! What a file says becomes:
+//! The statements of a file become:
 //!
-//! | in the file | in the scene |
-//! |---|---|
-//! | `v`, `vn` | vertices; normals, where all corners of a mesh have one, make it smooth |
-//! | `vt` | the first two numbers are u and v, where all corners of a mesh have them and none is beyond ±59 |
-//! | `f` | triangles; of more corners, the fan around the first |
-//! | `o`, `g`, `usemtl` | each stretch of one of these is a mesh; one of more than 65535 vertices or triangles, several |
-//! | `mtllib` | the materials of that file |
+//! - `v`, `vn`: vertices; normals, if all corners of a mesh have one.
+//! - `vt`: u and v, if all corners of a mesh have them and none is beyond ±59.
+//! - `f`: triangles; a face with more corners becomes a fan around its first corner.
+//! - `o`, `g`, `usemtl`: each begins a new mesh; one of more than 65535 vertices or triangles becomes
+//!   several.
+//! - `mtllib`: the materials of that file.
 //!
-//! Smoothing groups, lines, points and free-form surfaces are left out. There is no camera in such a file and no
-//! light, so they are added. [`Import::notes`] say what was added and left out.
+//! Smoothing groups, lines, points and free-form surfaces are left out. OBJ files have no camera and no
+//! lights, so both are added. [`Import::notes`] lists what was added and left out.
 //!
 //! # Materials
-//! | in the file | in the scene |
-//! |---|---|
-//! | `Kd` | the color, shown in full by lights |
-//! | `Ks` | the strength of the highlight, the mean of the three; and the reflectance, if `illum` is 3 to 7 |
-//! | `Ns` | the exponent of the highlight; without, there is none |
-//! | `d`, or `Tr` = 1 - `d` | the transmittance, 1 - `d`; what is diffuse and reflected gives way to it |
-//! | `Ni` | the index of refraction, where there is any transmittance |
-//! | `Ke` | where it is not black, the color, seen without any light |
+//! - `Kd`: the color; `diffuse` is 1.
+//! - `Ks`: the mean of the three is the strength of the highlight, and the reflectance if `illum` is 3 to 7.
+//! - `Ns`: the exponent of the highlight; without `Ns` there is no highlight.
+//! - `d`, or `Tr` = 1 - `d`: the transmittance is 1 - `d`; ambient, diffuse and reflectance are multiplied by
+//!   `d`.
+//! - `Ni`: the index of refraction, if the transmittance is not 0.
+//! - `Ke`: if it is not black, the color, with `ambient` 1 and `diffuse` 0.
 //!
-//! A tenth of the color is ambient, as the one light that such a scene gets leaves half of it in the dark. `Ka` and textures (`map_…`)
-//! are left out.
+//! The ambient coefficient is 0.1, because the single added light leaves half of the model dark. `Ka` and
+//! textures (`map_…`) are left out.
 
 mod error;
 mod materials;
@@ -39,7 +37,7 @@ use std::path::Path;
 
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
-use rayline::shape::Shape;
+use rayline::shape::{Mesh, Shape};
 use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
@@ -54,16 +52,17 @@ use statements::Statements;
 pub struct Import<'a> {
     /// The scene; it is checked when it is prepared.
     pub scene: Scene<'a>,
-    /// Width and height of the picture that the camera frames.
+    /// The width and height of the picture, in pixels.
     pub resolution: (u32, u32),
-    /// What was added to the file's, and what was left out.
+    /// Notes about everything that was added to the contents of the file, or left out.
     pub notes: Vec<String>,
-    /// What the file calls the mesh that each object is made of.
+    /// The name in the file of each object's mesh.
     names: Vec<String>,
 }
 
 impl Import<'_> {
-    /// What the file calls this part of the scene, where to look when the scene is refused. `None` for what is not in the file.
+    /// The name of this part of the scene in the file, for errors of the scene. `None` for a part without a
+    /// name.
     pub fn name_of(&self, part: Part) -> Option<&str> {
         match part {
             Part::Object(index) => self.names.get(index).map(String::as_str),
@@ -72,11 +71,11 @@ impl Import<'_> {
     }
 }
 
-/// Reads a scene from an OBJ file and the MTL files that it names. Its lists are kept in `arena`.
+/// Reads a scene from an OBJ file and the MTL files that it refers to. Its lists are kept in `arena`.
 ///
 /// # Errors
-/// The file that cannot be read, or the first line that breaks the grammar, and what was expected there. An MTL file that does not
-/// exist is no error but a [note](Import::notes).
+/// A file cannot be read, or a line breaks the grammar. A missing MTL file is not an error: it gives a
+/// [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
     let text = text_of(path)?;
@@ -85,8 +84,44 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     let library = materials::read(folder, &statements.libraries)?;
 
     let mut notes = library.notes;
-    let unknown: Vec<_> =
-        statements.materials.iter().filter(|(_, name)| !library.names.contains(name)).collect();
+    note_left_out(&statements, &library.names, path, &mut notes);
+
+    let options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
+    let load_materials = |_: &Path| tobj::load_mtl_buf(&mut library.text.as_bytes());
+    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &options, load_materials)
+        .map_err(|reason| error(ObjFault::Refused(reason)))?;
+    let loaded = loaded.map_err(|reason| error(ObjFault::Refused(reason)))?;
+
+    let mut materials: Vec<_> = loaded.iter().map(materials::material).collect();
+    // The last material is for meshes without one.
+    materials.push(materials::GRAY);
+    let (mut objects, mut names) = (Vec::new(), Vec::new());
+    for tobj::Model { mesh, name } in &models {
+        let meshes = meshes(arena, mesh, name, &mut notes);
+        for mesh_of_piece in meshes {
+            let material = mesh.material_id.unwrap_or(materials.len().saturating_sub(1));
+            let material = u16::try_from(material)
+                .map_err(|_| error(ObjFault::TooManyMaterials { given: materials.len(), most: MAX_COUNT }))?;
+            objects.push(Object::new(Shape::Mesh(mesh_of_piece), material));
+            names.push(name.clone());
+        }
+    }
+    let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
+    let (path, seen, lit) = (path.display(), view::SEEN, view::LIT);
+    notes.push(format!("{path}: OBJ files have no camera and no lights; {seen}, {lit}"));
+    let scene = Scene {
+        camera: view::of(bounds),
+        background: view::BACKGROUND,
+        objects: arena.alloc_slice_copy(&objects),
+        materials: arena.alloc_slice_copy(&materials),
+        lights: &view::LIGHTS,
+    };
+    Ok(Import { scene, resolution: view::SIZE, notes, names })
+}
+
+/// Adds notes about unknown materials and about statements that are left out.
+fn note_left_out(statements: &Statements, known: &[String], path: &Path, notes: &mut Vec<String>) {
+    let unknown = statements.materials.iter().filter(|(_, name)| !known.contains(name));
     let mut said = HashSet::new();
     for (line, name) in unknown {
         if said.insert(name) {
@@ -100,65 +135,38 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     for (keyword, line) in &statements.left_out {
         notes.push(format!("{}:{line}: `{keyword}` is left out, here and below", path.display()));
     }
+}
 
-    let options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
-    let load_materials = |_: &Path| tobj::load_mtl_buf(&mut library.text.as_bytes());
-    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &options, load_materials)
-        .map_err(|reason| error(ObjFault::Refused(reason)))?;
-    let loaded = loaded.map_err(|reason| error(ObjFault::Refused(reason)))?;
-
-    let mut materials: Vec<_> = loaded.iter().map(materials::material).collect();
-    // For what names none.
-    materials.push(materials::GRAY);
-    let (mut objects, mut names) = (Vec::new(), Vec::new());
-    for tobj::Model { mesh, name } in &models {
-        let vertices = vectors(&mesh.positions);
-        let normals = vectors(&mesh.normals);
-        let is_smooth = !normals.is_empty() && normals.len() == vertices.len();
-        if !normals.is_empty() && !is_smooth {
-            notes
-                .push(format!("`{}`: not all of its corners have a normal; it is flat", name.escape_debug()));
-        }
-        let (uvs, _) = mesh.texcoords.as_chunks::<2>();
-        let is_far = |uv: &[f32; 2]| uv.iter().any(|coordinate| coordinate.abs() > FARTHEST_UV);
-        let flaw = if uvs.len() != vertices.len() {
-            Some("not all of its corners have them")
-        } else if uvs.iter().any(is_far) {
-            Some("some are beyond ±59")
-        } else {
-            None
-        };
-        if let Some(flaw) = flaw
-            && !uvs.is_empty()
-        {
-            notes.push(format!("`{}`: texture coordinates are left out: {flaw}", name.escape_debug()));
-        }
-        let (triangles, _) = mesh.indices.as_chunks::<3>();
-        let whole = Whole {
-            vertices: &vertices,
-            triangles,
-            normals: is_smooth.then_some(&normals),
-            uvs: flaw.is_none().then_some(uvs),
-        };
-        for mesh_of_piece in whole.meshes(arena) {
-            let material = mesh.material_id.unwrap_or(materials.len().saturating_sub(1));
-            let material = u16::try_from(material)
-                .map_err(|_| error(ObjFault::TooManyMaterials { given: materials.len(), most: MAX_COUNT }))?;
-            objects.push(Object::new(Shape::Mesh(mesh_of_piece), material));
-            names.push(name.clone());
-        }
+/// Converts a mesh of `tobj`, with notes about normals and texture coordinates that are left out.
+fn meshes<'a>(arena: &'a Bump, mesh: &tobj::Mesh, name: &str, notes: &mut Vec<String>) -> Vec<Mesh<'a>> {
+    let vertices = vectors(&mesh.positions);
+    let normals = vectors(&mesh.normals);
+    let is_smooth = !normals.is_empty() && normals.len() == vertices.len();
+    if !normals.is_empty() && !is_smooth {
+        notes.push(format!("`{}`: not all of its corners have a normal, so it is flat", name.escape_debug()));
     }
-    let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
-    let (path, seen, lit) = (path.display(), view::SEEN, view::LIT);
-    notes.push(format!("{path}: no camera and no light in such a file; {seen}, {lit}"));
-    let scene = Scene {
-        camera: view::of(bounds),
-        background: view::BACKGROUND,
-        objects: arena.alloc_slice_copy(&objects),
-        materials: arena.alloc_slice_copy(&materials),
-        lights: &view::LIGHTS,
+    let (uvs, _) = mesh.texcoords.as_chunks::<2>();
+    let is_far = |uv: &[f32; 2]| uv.iter().any(|coordinate| coordinate.abs() > FARTHEST_UV);
+    let flaw = if uvs.len() != vertices.len() {
+        Some("not all of its corners have them")
+    } else if uvs.iter().any(is_far) {
+        Some("some are beyond ±59")
+    } else {
+        None
     };
-    Ok(Import { scene, resolution: view::SIZE, notes, names })
+    if let Some(flaw) = flaw
+        && !uvs.is_empty()
+    {
+        notes.push(format!("`{}`: texture coordinates are left out: {flaw}", name.escape_debug()));
+    }
+    let (triangles, _) = mesh.indices.as_chunks::<3>();
+    let whole = Whole {
+        vertices: &vertices,
+        triangles,
+        normals: is_smooth.then_some(&normals),
+        uvs: flaw.is_none().then_some(uvs),
+    };
+    whole.meshes(arena)
 }
 
 /// The text of a file.

@@ -1,7 +1,7 @@
-//! The lines of an OBJ file, checked one by one, and written anew for `tobj`.
+//! The statements of an OBJ file: each line is checked, and written again for `tobj`.
 //!
-//! `tobj` tells no lines and takes polylines for faces. So what it gets to read is only what it is to make meshes of: numbers that
-//! are numbers, and indices that count from the first line.
+//! The errors of `tobj` have no line numbers, and it takes polylines for faces. So it receives only the
+//! statements for meshes, with valid numbers and absolute indices.
 
 use core::fmt::Write;
 use std::collections::BTreeMap;
@@ -11,20 +11,20 @@ use rayline::limits::MAX_COORDINATE;
 
 use super::error::{LineError, ObjFault};
 
-/// What an OBJ file says.
+/// The checked statements of an OBJ file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Statements {
-    /// Faces, and what they are made of, for `tobj`.
+    /// The statements for meshes, as text for `tobj`.
     pub(super) text: String,
-    /// The MTL files that it names, and in which line.
+    /// The names of MTL files, with their lines.
     pub(super) libraries: Vec<(usize, String)>,
-    /// The materials that it names, and in which line.
+    /// The names of materials, with their lines.
     pub(super) materials: Vec<(usize, String)>,
-    /// The statements that mean something and were left out, and the first line of each.
+    /// The statements that were left out although they have a meaning, with the first line of each.
     pub(super) left_out: BTreeMap<&'static str, usize>,
 }
 
-/// How many there are so far of what faces name.
+/// The numbers of vertices, texture coordinates and normals so far.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     vertices: usize,
@@ -32,13 +32,13 @@ struct Counts {
     normals: usize,
 }
 
-/// Shapes that are none of faces.
+/// The statements for shapes that have no faces.
 const LEFT_OUT: [&str; 6] = ["p", "l", "curv", "curv2", "surf", "call"];
 
 impl Statements {
-    /// Checks all lines.
+    /// Reads and checks all lines.
     pub(super) fn new(text: &str) -> Result<Self, LineError> {
-        // One library of all materials, that has any name.
+        // All materials are in one library, whose name does not matter.
         let mut statements = Self { text: "mtllib materials\n".to_owned(), ..Self::default() };
         let mut counts = Counts::default();
         for (line, statement) in lines(text) {
@@ -54,7 +54,7 @@ impl Statements {
         match keyword {
             "v" => {
                 let [x, y, z] = numbers(&mut words, "a coordinate of the vertex")?;
-                // A fourth number alone is a weight; three more are a color.
+                // One more number is a weight; three more are a color, which is ignored.
                 let after: Vec<_> = words.collect();
                 let weight = match *after {
                     [weight] => number(Some(weight), "the weight of the vertex")?,
@@ -70,7 +70,7 @@ impl Statements {
             "vt" => {
                 let expected = "a texture coordinate";
                 let u = number(words.next(), expected)?;
-                // A third is for solid textures.
+                // A third number is for solid textures, and is ignored.
                 let v = words.next().map_or(Ok(0.0), |word| number(Some(word), expected))?;
                 counts.uvs += 1;
                 self.text += &format!("vt {u} {v}\n");
@@ -106,7 +106,7 @@ impl Statements {
         let mut face = "f".to_owned();
         let mut given = 0;
         for corner in corners {
-            // Vertex, texture and normal; all but the first may be missing.
+            // A corner is vertex/texture/normal; all but the first may be missing.
             let mut parts = corner.split('/');
             let vertex = parts.next().unwrap_or_default();
             let mut next = || parts.next().filter(|part| !part.is_empty());
@@ -130,8 +130,8 @@ impl Statements {
     }
 }
 
-/// The lines of a file, counted from 1, without comments; one that ends in a backslash goes on in the next. A comment does not: it may
-/// end in the name of a folder.
+/// The lines of a file without comments, with their numbers from 1. A line that ends in a backslash continues
+/// on the next. A backslash at the end of a comment does not count: it may be part of the name of a folder.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, String)> {
     let mut rest = text.lines().enumerate();
     core::iter::from_fn(move || {
@@ -148,7 +148,7 @@ fn without_comment(line: &str) -> &str {
     line.split('#').next().unwrap_or_default()
 }
 
-/// A number that is finite.
+/// Parses a finite number within the limits of a scene.
 pub(super) fn number(word: Option<&str>, expected: &'static str) -> Result<f32, ObjFault> {
     let found = word.unwrap_or_default().to_owned();
     match f32::from_str(&found) {
@@ -158,7 +158,7 @@ pub(super) fn number(word: Option<&str>, expected: &'static str) -> Result<f32, 
     }
 }
 
-/// Three of them.
+/// Parses three numbers.
 fn numbers<'w>(
     words: &mut impl Iterator<Item = &'w str>,
     expected: &'static str,
@@ -173,12 +173,12 @@ fn named(name: &str, expected: &'static str) -> Result<String, ObjFault> {
     Ok(name.to_owned())
 }
 
-/// An index that counts from the first, whichever way it is written.
+/// Parses an index, and makes a relative one absolute, counted from 1.
 fn index(word: &str, what: &'static str, count: usize) -> Result<usize, ObjFault> {
     let found = || word.to_owned();
     let expected = "the number of a vertex, a texture coordinate or a normal";
     let number = i64::from_str(word).map_err(|_| ObjFault::Expected { expected, found: found() })?;
-    // The last one is -1.
+    // -1 is the last element so far.
     let index = if number < 0 { number.saturating_add(count as i64).saturating_add(1) } else { number };
     usize::try_from(index).ok().filter(|index| (1..=count).contains(index)).ok_or_else(|| ObjFault::Unknown {
         what,

@@ -1,16 +1,15 @@
-//! Small files of every kind, good and bad.
+//! Tests with small files, valid and broken.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
 use core::mem::MaybeUninit;
 
 use proptest::prelude::*;
-use rayline::shape::Mesh;
 use rayline::{LinearRgb, Material, PreparedScene};
 
 use super::*;
 
-/// A pyramid on a square, of two materials; the square's corners have texture coordinates.
+/// A pyramid on a square, of two materials. The corners of the square have texture coordinates.
 const PYRAMID: &str = "\
 # a comment
 mtllib colors.mtl
@@ -48,7 +47,7 @@ d 0.25
 Ni 1.5
 ";
 
-/// Reads the files of this content: an OBJ file and its MTL file.
+/// Reads an OBJ file and an MTL file with these contents.
 fn with_files<T>(obj: &str, mtl: &str, look: impl FnOnce(Result<Import<'_>, String>) -> T) -> T {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.obj");
@@ -78,7 +77,7 @@ fn groups_are_meshes_that_share_their_vertices() {
         let import = import.unwrap();
         assert_eq!(import.scene.objects.len(), 2);
         let (base, roof) = (mesh(&import, 0), mesh(&import, 1));
-        // Relative numbers do not make more of the five.
+        // Relative indices refer to the same five vertices.
         assert_eq!((base.vertices.len(), base.triangles), (4, &[[0, 1, 2], [0, 2, 3]][..]));
         assert_eq!((roof.vertices.len(), roof.triangles.len()), (5, 4));
         assert_eq!(roof.vertices[0], Vec3::new(0.0, 2.0, 0.0));
@@ -100,7 +99,7 @@ fn a_comment_that_ends_in_a_backslash_ends_there() {
     });
 }
 
-/// The first material of an MTL file that says nothing but a color.
+/// The expected material for an MTL file with nothing but a color.
 fn plain(color: LinearRgb) -> Material<'static> {
     Material { ambient: 0.1, ..Material::matte(color) }
 }
@@ -144,7 +143,7 @@ fn normals_are_kept_where_all_corners_have_one() {
     with_files(&format!("{corners}f 1//1 2//1 3//1\nf 3//-1 2//1 4//1"), "", |import| {
         let import = import.unwrap();
         let smooth = mesh(&import, 0);
-        // The third vertex has two normals, so it is there twice.
+        // The third vertex has two normals, so it is stored twice.
         assert_eq!(smooth.vertices.len(), 5);
         assert_eq!(smooth.triangles, [[0, 1, 2], [3, 1, 4]]);
         let (up, down) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0));
@@ -163,7 +162,7 @@ fn texture_coordinates_are_kept_where_all_corners_have_some() {
     with_files(&format!("{corners}f 1/1/1 2/2/1 3/1/1\nf 3/-3/1 2/-1/1 4/1/1"), "", |import| {
         let import = import.unwrap();
         let mesh = mesh(&import, 0);
-        // At the seam, the second vertex is there twice.
+        // At the seam, the second vertex is stored twice.
         assert_eq!(mesh.triangles, [[0, 1, 2], [2, 3, 4]]);
         assert_eq!(mesh.vertices[1], mesh.vertices[3]);
         let (first, second) = ([0.0, 0.5], [1.0, -2.5]);
@@ -186,7 +185,7 @@ fn texture_coordinates_are_kept_where_all_corners_have_some() {
 }
 
 #[test]
-fn what_is_left_out_is_said() {
+fn notes_list_what_is_left_out() {
     let obj = PYRAMID.replace("colors.mtl", "missing.mtl").replace("g roof", "l 1 2 3\nl 2 3\np 1");
     with_files(&obj, "", |import| {
         let notes = import.unwrap().notes;
@@ -195,9 +194,9 @@ fn what_is_left_out_is_said() {
         assert_eq!(notes[2], "model.obj:16: there is no material `glass`; it is gray");
         assert_eq!(notes[3], "model.obj:13: `l` is left out, here and below");
         assert_eq!(notes[4], "model.obj:15: `p` is left out, here and below");
-        // Neither a group nor a material parts the roof from the base.
+        // The roof and the base have the same group and material here, so they are one mesh.
         assert_eq!(notes[5], "`base`: texture coordinates are left out: not all of its corners have them");
-        assert!(notes[6].starts_with("model.obj: no camera and no light in such a file; "), "{notes:?}");
+        assert!(notes[6].starts_with("model.obj: OBJ files have no camera and no lights; "), "{notes:?}");
         assert_eq!(notes.len(), 7);
     });
     with_files(PYRAMID, "newmtl red\nmap_Kd red.png\nmap_Ks red.png\nnewmtl glass", |import| {
@@ -222,27 +221,32 @@ fn bad_files_are_refused_with_the_line() {
         (
             "f 5 2 1",
             "f 6 2 1",
-            "model.obj:18: there is no vertex `6`: there are 5 so far, counted from 1; define it or name another",
+            "model.obj:18: there is no vertex `6`: there are 5 so far, counted from 1; define it or correct \
+             the number",
         ),
         (
             "f 5 2 1",
             "f 5//1 2 1",
-            "model.obj:18: there is no normal `1`: there are 0 so far, counted from 1; define it or name another",
+            "model.obj:18: there is no normal `1`: there are 0 so far, counted from 1; define it or correct \
+             the number",
         ),
         (
             "f 5 2 1",
             "f 5 2 -6",
-            "model.obj:18: there is no vertex `-6`: there are 5 so far, counted from 1; define it or name another",
+            "model.obj:18: there is no vertex `-6`: there are 5 so far, counted from 1; define it or correct \
+             the number",
         ),
         (
             "f 5 2 1",
             "f 5 2 0",
-            "model.obj:18: there is no vertex `0`: there are 5 so far, counted from 1; define it or name another",
+            "model.obj:18: there is no vertex `0`: there are 5 so far, counted from 1; define it or correct \
+             the number",
         ),
         (
             "f 5 2 1",
             "f 5/3 2 1",
-            "model.obj:18: there is no texture coordinate `3`: there are 2 so far, counted from 1; define it or name another",
+            "model.obj:18: there is no texture coordinate `3`: there are 2 so far, counted from 1; define it \
+             or correct the number",
         ),
         (
             "f 5 2 1",
@@ -251,22 +255,30 @@ fn bad_files_are_refused_with_the_line() {
         ),
         ("vt 1\n", "vt\n", "model.obj:9: the line ends where a texture coordinate must follow"),
         ("vt 1\n", "vt 1 b\n", "model.obj:9: expected a texture coordinate, found `b`"),
-        ("f 5 2 1", "f 5 2", "model.obj:18: a face of 2 corners; remove it or give it three or more"),
+        ("f 5 2 1", "f 5 2", "model.obj:18: a face has 2 corners; remove it or give it three or more"),
         ("usemtl red", "usemtl", "model.obj:11: the line ends where the name of a material must follow"),
     ] {
         assert!(PYRAMID.contains(from));
         refused(&PYRAMID.replace(from, to), COLORS, expected);
     }
-    refused("v 0 0 0\n", "", "model.obj: the file has no face that has an area; is it an OBJ file?");
-    refused("v 0 0 0\nf 1 1 1", "", "model.obj: the file has no face that has an area; is it an OBJ file?");
-    refused(PYRAMID, "Kd 1 1 1", "colors.mtl:1: there is no `newmtl` yet; name the material first");
+    refused("v 0 0 0\n", "", "model.obj: the file has no face with an area; check that it is an OBJ file");
+    refused(
+        "v 0 0 0\nf 1 1 1",
+        "",
+        "model.obj: the file has no face with an area; check that it is an OBJ file",
+    );
+    refused(
+        PYRAMID,
+        "Kd 1 1 1",
+        "colors.mtl:1: there is no `newmtl` before this line; name the material first",
+    );
     refused(PYRAMID, "newmtl red\nKd 1 x 1", "colors.mtl:2: expected a color, found `x`");
     refused(PYRAMID, "newmtl red\n\nNs", "colors.mtl:3: the line ends where a number must follow");
     refused(PYRAMID, "newmtl", "colors.mtl:1: the line ends where the name of a material must follow");
 }
 
 #[test]
-fn what_is_not_text_is_refused() {
+fn files_that_are_not_text_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.obj");
     fs::write(&path, b"# fine\nv \xff").unwrap();
@@ -295,7 +307,7 @@ fn more_vertices_than_a_mesh_may_have() {
 }
 
 #[test]
-fn all_of_it_is_in_the_picture() {
+fn the_whole_model_is_in_the_picture() {
     let long = PYRAMID.replace("v 1 0 1", "v 40 0 1");
     with_files(&long, COLORS, |import| {
         let scene = import.unwrap().scene;
@@ -319,7 +331,7 @@ fn all_of_it_is_in_the_picture() {
     });
 }
 
-/// Lines of a few words each that mean something in one of the formats, or nothing.
+/// Random lines of a few words each, some of them valid statements.
 fn lines_of(keywords: &'static [&'static str]) -> impl Strategy<Value = String> {
     let word = prop::sample::select(&[
         "1", "2", "3", "-1", "0", "0.5", "1//1", "2/1/1", "nan", "1e9", "a", "é", "\\", "#", "",
@@ -338,7 +350,8 @@ proptest! {
         mtl in lines_of(&["newmtl", "newmtl a", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"]),
     ) {
         let triangle = "mtllib colors.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
-        for (obj, mtl) in [(format!("{triangle}{obj}"), ""), (format!("{triangle}usemtl a\nf 1 2 3"), &*mtl)] {
+        for (obj, mtl) in [(format!("{triangle}{obj}"), ""), (format!("{triangle}usemtl a\nf 1 2 \
+                                                                       3"), &*mtl)] {
             with_files(&obj, mtl, |import| {
                 if let Ok(Import { scene, .. }) = import {
                     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];

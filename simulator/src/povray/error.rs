@@ -1,67 +1,67 @@
-//! What POV-Ray cannot be told.
+//! Errors of writing scenes for POV-Ray.
 
 use core::fmt;
 
-/// A part of a scene that POV-Ray cannot be told.
+/// The reason why a scene cannot be written for POV-Ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PovrayError {
-    /// The background. Replace it.
+    /// The background cannot be written. Replace it.
     Background(Lack),
-    /// The light at this position. Replace it.
+    /// A light cannot be written. Replace it.
     Light {
-        /// Its position.
+        /// The position of the light.
         index: usize,
-        /// Why.
+        /// The reason.
         lack: Lack,
     },
-    /// The material at this position. Leave out what is named.
+    /// A material cannot be written. Remove the property that the reason names.
     Material {
-        /// Its position.
+        /// The position of the material.
         index: usize,
-        /// Why.
+        /// The reason.
         lack: Lack,
     },
-    /// The object at this position names a material that the scene does not have.
+    /// The object at this position refers to a material that the scene does not have.
     UnknownMaterial(usize),
-    /// The object at this position has steps that do not leave one solid.
+    /// The steps of the object at this position do not combine into one solid.
     NotOneSolid(usize),
 }
 
-/// What POV-Ray has not, or has in another form.
+/// A feature that POV-Ray does not have, or has in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Lack {
-    /// Bumps of textures: POV-Ray tilts normals by another rule.
+    /// Bump maps: POV-Ray tilts normals by another rule.
     Bumps,
     /// A light that falls off with a linear term, or a constant below 1.
     Falloff,
-    /// Noise, and so marble and wood: POV-Ray's has other values.
+    /// Noise, marble and wood: POV-Ray's noise has other values.
     Noise,
-    /// Places on the surface of a solid out of solids, of instances, of a polyhedron, quadric or implicit surface, or of a mesh without
-    /// coordinates of its own; or of a mesh that has a texture in space as well.
+    /// Texture coordinates of a CSG, of instances, of a polyhedron, quadric or implicit surface, or of a mesh
+    /// without its own; or of a mesh that has a texture in space as well.
     Place,
-    /// Reflections that fade with distance.
+    /// Falloff of reflections with distance.
     ReflectionFalloff,
-    /// Schlick's shares for what lets light through.
+    /// Schlick's approximation for a transparent material.
     Schlick,
-    /// A color of what comes through, where the surface is matte as well: POV-Ray has one color for both.
+    /// A transmission color of a surface that is also matte: POV-Ray has one color for both.
     TransmissionColor,
-    /// Something that was added to the core since.
+    /// A feature of the core that is newer than this writer.
     New,
 }
 
 impl fmt::Display for Lack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Bumps => "it tilts bumpy surfaces by another rule",
-            Self::Falloff => "its lights fall off as 1 / (1 + (d / distance)²) alone",
+            Self::Bumps => "its bump maps tilt normals by another rule",
+            Self::Falloff => "its lights fall off only as 1 / (1 + (d / distance)²)",
             Self::Noise => "its noise has other values",
-            Self::Place => "places on this surface have no formula",
+            Self::Place => "texture coordinates on this surface have no formula",
             Self::ReflectionFalloff => "its reflections do not fade with distance",
-            Self::Schlick => "Schlick's shares are written for opaque surfaces alone",
+            Self::Schlick => "Schlick's approximation can be written for opaque surfaces only",
             Self::TransmissionColor => {
-                "it has one color for what a surface scatters and what it lets through"
+                "it has one color for both the diffuse and the transmitted light of a surface"
             }
             Self::New => "it is newer than this writer",
         })
@@ -77,10 +77,17 @@ impl fmt::Display for PovrayError {
                 write!(f, "material {index} cannot be written for POV-Ray: {lack}")
             }
             Self::UnknownMaterial(index) => {
-                write!(f, "object {index} names a material that the scene does not have")
+                write!(
+                    f,
+                    "object {index} refers to a material that the scene does not have; add the material"
+                )
             }
             Self::NotOneSolid(index) => {
-                write!(f, "object {index} has steps that do not leave one solid; give each pair an operator")
+                write!(
+                    f,
+                    "the steps of object {index} do not combine into one solid; put one operator after each \
+                     pair of solids"
+                )
             }
         }
     }

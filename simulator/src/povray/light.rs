@@ -1,11 +1,11 @@
-//! Lights.
+//! Lights in POV-Ray's language.
 
 use rayline::{Falloff, Lamp, Light, LinearRgb, Scene};
 
 use super::Lack;
-use super::words::{list, rgb, xyz};
+use super::literal::{list, rgb, xyz};
 
-/// A light; a directional one stands far outside of the scene.
+/// A light. A directional light is placed far outside of the scene, at 100 times its `extent`.
 pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
     Ok(match *light {
         Light::Point { position, color } => {
@@ -16,14 +16,14 @@ pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
             let away = direction * (-100.0 * extent * direction.length().recip());
             format!("light_source {{ {} rgb {} parallel point_at 0 }}\n", xyz(away), rgb(color))
         }
-        // It is a setting.
+        // Ambient light is a global setting, see `ambient`.
         Light::Ambient { .. } => String::new(),
         Light::Lamp(lamp) => lamp_source(&lamp)?,
         _ => return Err(Lack::New),
     })
 }
 
-/// The sum of the ambient lights; white where there are none.
+/// The sum of the ambient lights; white if there are none.
 pub(super) fn ambient(scene: &Scene<'_>) -> LinearRgb {
     let colors = scene.lights.iter().filter_map(|light| match light {
         Light::Ambient { color } => Some(*color),
@@ -32,7 +32,8 @@ pub(super) fn ambient(scene: &Scene<'_>) -> LinearRgb {
     colors.reduce(|a, b| a + b).unwrap_or(LinearRgb::WHITE)
 }
 
-/// A lamp. POV-Ray's falls off as 2 / (1 + (d / distance)²), and between two angles like ours.
+/// A lamp. POV-Ray's lights fall off as 2 / (1 + (d / distance)²), and fade between two angles as the core's
+/// do.
 fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
     let Falloff { constant, linear, quadratic } = lamp.falloff;
     if linear != 0.0 || constant < 1.0 {
@@ -47,7 +48,7 @@ fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
     let color = lamp.color.channels().map(|channel| f64::from(channel) * brightness);
     let cone = lamp.cone.map_or(String::new(), |cone| {
         let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();
-        // Where the bright part has no size, POV-Ray takes the edge for a sharp one.
+        // With a bright angle of 0, POV-Ray makes the edge sharp.
         let (bright, dark) =
             (f64::from(cone.bright).to_degrees().max(1e-3), f64::from(cone.dark).to_degrees());
         format!(" spotlight radius {bright} falloff {dark} tightness 0 point_at {}", xyz(target))

@@ -1,10 +1,10 @@
-//! Materials: textures, finishes and interiors.
+//! Materials in POV-Ray's language: textures, finishes and interiors.
 
 use rayline::{Falloff, Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
 
 use super::Lack;
+use super::literal::{list, rgb};
 use super::pattern::{self, Coordinates, Pattern};
-use super::words::{list, rgb};
 
 /// Whether a material has a texture that lies on surfaces.
 pub(super) fn is_on_surface(material: &Material<'_>) -> bool {
@@ -12,14 +12,14 @@ pub(super) fn is_on_surface(material: &Material<'_>) -> bool {
     maps.chain([&material.color]).any(pattern::is_on_surface)
 }
 
-/// A material's colors and finish: what stands in a texture.
+/// The contents of the `texture` block of a material: its colors and finish.
 pub(super) fn texture(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
     let mapped = if coordinates.is_mapped() { "uv_mapping " } else { "" };
     Ok(format!("{mapped}{}", with_maps(material, material.maps, coordinates)?))
 }
 
-/// The material, with some of its maps. POV-Ray blends whole textures, and so the light from them: it comes to the same, as light is
-/// proportional to each coefficient.
+/// The material with the given part of its maps. POV-Ray blends the light of whole textures. The result is
+/// the same as with blended coefficients, because light is proportional to each coefficient.
 fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinates) -> Result<String, Lack> {
     let Some((Map { onto, texture }, rest)) = maps.split_first() else {
         return plain(material, coordinates);
@@ -42,52 +42,21 @@ fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinate
     })
 }
 
-/// The material, without maps.
+/// The material without maps.
 fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
     let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
-    let optics = material.optics.unwrap_or(&Optics::PLAIN);
-    let Optics {
-        highlight,
-        fresnel,
-        reflection_color,
-        transmission_color,
-        absorption: _,
-        emission,
-        reflection_falloff,
-        outside: _,
-    } = *optics;
+    let Optics { fresnel, reflection_color, emission, reflection_falloff, .. } =
+        *material.optics.unwrap_or(&Optics::PLAIN);
     if reflection_falloff != Falloff::NONE {
         return Err(Lack::ReflectionFalloff);
     }
-    let is_matte = ambient != 0.0 || diffuse != 0.0;
-    // A surface that lets everything through has no color of its own in POV-Ray, but may have one here.
-    let transmit = f64::from(transmittance).min(0.999_999);
-    let opacity = 1.0 - transmit;
-    let pigment = if transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
-        if is_matte {
-            return Err(Lack::TransmissionColor);
-        }
-        let LinearRgb { r, g, b } = transmission_color;
-        format!("rgbf <{r}, {g}, {b}, {transmit}>")
-    } else if is_matte || transmittance > 0.0 {
-        let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
-        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)?
-    } else {
-        // Of the highlight.
-        format!("rgb {}", rgb(reflection_color))
-    };
-    let highlight = match highlight {
-        Highlight::Phong => format!("phong {} phong_size {}", material.specular, material.shininess),
-        Highlight::BlinnPhong => {
-            // The exponent is one over it. An exponent of 0 has none.
-            let roughness = f64::from(material.shininess).max(1e-3).recip();
-            format!("specular {} roughness {roughness}", material.specular)
-        }
-    };
-    let metallic = if is_matte || transmittance > 0.0 { "" } else { " metallic" };
+    let opacity = 1.0 - transmit(material);
+    let (pigment, highlight) = (pigment(material, coordinates)?, highlight(material));
+    let metallic = if is_matte(material) || transmittance > 0.0 { "" } else { " metallic" };
     let with_reflection = |reflection: &str| {
         format!(
-            "\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} {highlight}{metallic} {reflection} emission rgb {} }}",
+            "\n  pigment {{ {pigment} }}\n  finish {{ ambient {} diffuse {} {highlight}{metallic} \
+             {reflection} emission rgb {} }}",
             f64::from(ambient) / opacity,
             f64::from(diffuse) / opacity,
             rgb(emission),
@@ -103,7 +72,7 @@ fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, L
         )),
         Fresnel::Schlick if transmittance > 0.0 => return Err(Lack::Schlick),
         Fresnel::Schlick => {
-            // Half a turn, from rays along the normal to rays against it.
+            // The angle between ray and normal, from 0 to 180 degrees.
             let at_angle = |degrees: u32| {
                 let grazing = (1.0 - f64::from(degrees).to_radians().cos().abs()).powi(5);
                 let shares = mirrored(reflectance).map(|share| (share + (1.0 - share) * grazing) as f32);
@@ -115,7 +84,50 @@ fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, L
     })
 }
 
-/// What lies behind a surface that lets light through, or that mirrors by its index, where that is `ior`.
+/// Whether a material has a color of its own.
+fn is_matte(material: &Material<'_>) -> bool {
+    material.ambient != 0.0 || material.diffuse != 0.0
+}
+
+/// The share of light that the pigment transmits. In POV-Ray a fully transparent surface has no diffuse
+/// color, but in the core it may have one, so the share is slightly below 1.
+fn transmit(material: &Material<'_>) -> f64 {
+    f64::from(material.transmittance).min(0.999_999)
+}
+
+/// The contents of the `pigment` block.
+fn pigment(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+    let Optics { reflection_color, transmission_color, .. } = *material.optics.unwrap_or(&Optics::PLAIN);
+    let transmit = transmit(material);
+    if material.transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
+        if is_matte(material) {
+            return Err(Lack::TransmissionColor);
+        }
+        let LinearRgb { r, g, b } = transmission_color;
+        Ok(format!("rgbf <{r}, {g}, {b}, {transmit}>"))
+    } else if is_matte(material) || material.transmittance > 0.0 {
+        let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
+        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)
+    } else {
+        // The color of the highlight.
+        Ok(format!("rgb {}", rgb(reflection_color)))
+    }
+}
+
+/// The highlight, as a part of the `finish` block.
+fn highlight(material: &Material<'_>) -> String {
+    match material.optics.unwrap_or(&Optics::PLAIN).highlight {
+        Highlight::Phong => format!("phong {} phong_size {}", material.specular, material.shininess),
+        Highlight::BlinnPhong => {
+            // The roughness is the inverse of the exponent. An exponent of 0 has no inverse.
+            let roughness = f64::from(material.shininess).max(1e-3).recip();
+            format!("specular {} roughness {roughness}", material.specular)
+        }
+    }
+}
+
+/// The `interior` block with this index of refraction; empty for a material whose appearance does not depend
+/// on it.
 pub(super) fn interior(material: &Material, ior: f64) -> String {
     let optics = material.optics.unwrap_or(&Optics::PLAIN);
     if material.transmittance == 0.0 && optics.fresnel != Fresnel::Exact {
@@ -124,7 +136,7 @@ pub(super) fn interior(material: &Material, ior: f64) -> String {
     let ior = if ior == 1.0 { 1.000_001 } else { ior };
     let absorption = optics.absorption.channels().map(f64::from);
     let most = absorption.into_iter().fold(0.0, f64::max);
-    // With a power of 1000 or more, exp(-(1 - color) d / distance) is left.
+    // With a power of 1000 or more, POV-Ray computes exp(-(1 - color) d / distance).
     let fade = if most > 0.0 {
         let color = absorption.map(|coefficient| 1.0 - coefficient / most);
         format!(" fade_power 1001 fade_distance {} fade_color rgb {}", most.recip(), list(&color))
@@ -169,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn metals_are_told_for_each_angle() {
+    fn metals_are_written_for_each_angle() {
         let text = written(materials::GOLD).unwrap();
         for entry in ["aoi texture_map { [0\n  pigment", "[0.5\n  pigment", "[1\n  pigment"] {
             assert!(text.contains(entry), "{text}");
@@ -193,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn what_povray_has_not_is_refused() {
+    fn features_that_povray_lacks_are_refused() {
         let fading = Optics { reflection_falloff: Falloff::inverse_square(2.0), ..Optics::PLAIN };
         assert_eq!(with_optics(PLAIN, fading), Err(Lack::ReflectionFalloff));
         let schlick = Optics { fresnel: Fresnel::Schlick, ..Optics::PLAIN };

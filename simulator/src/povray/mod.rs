@@ -1,14 +1,16 @@
-//! POV-Ray 3.7, a renderer that others wrote: scenes in its language, and pictures by it where it is installed.
+//! POV-Ray 3.7, an independent renderer: writing of scenes in its language, and rendering with it where it is
+//! installed.
 
 mod error;
+mod formula;
 mod light;
+mod literal;
 mod material;
 mod pattern;
 mod run;
 mod scene;
 mod shape;
 mod surface;
-mod words;
 
 pub use error::{Lack, PovrayError};
 pub use run::{PovrayPicture, RunError, render};

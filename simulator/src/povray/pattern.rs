@@ -1,7 +1,7 @@
-//! Textures as functions of a point.
+//! Textures as functions of a point, in POV-Ray's language.
 //!
-//! All figures are written as functions of x, y and z, so that one way of writing does for what lies in space and what lies on
-//! surfaces, and edges lie where the core has them: at the floors of the same numbers.
+//! All figures are written as functions of x, y and z. The same code then serves patterns in space and on
+//! surfaces, and edges lie where the core has them, at the floors of the same numbers.
 
 use glam::{DMat3, DVec3};
 use rayline::{
@@ -10,36 +10,33 @@ use rayline::{
 };
 
 use super::Lack;
-use super::surface::globe;
+use super::formula::{XYZ, fraction, globe, linear, parity, vector};
 
-/// What varies over a surface, or in space.
+/// A color that varies over a surface or in space.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Pattern {
     Color(LinearRgb),
-    /// By a function from 0 to 1: what there is at some of its values, and between these a blend.
+    /// A function from 0 to 1, with patterns at some of its values; values between them blend two patterns.
     Along {
         function: String,
         stops: Vec<(f64, Pattern)>,
     },
 }
 
-/// What textures are functions of.
+/// The coordinates that textures are functions of, as formulas.
 #[derive(Clone, Debug)]
 pub(super) struct Coordinates {
-    /// The point in space.
+    /// The point in space; `None` for a mesh with UV mapping.
     pub(super) space: Option<[&'static str; 3]>,
-    /// The place on the surface.
+    /// The texture coordinates u and v; `None` where they have no formula.
     pub(super) surface: Option<[String; 2]>,
 }
 
-/// The variables of POV-Ray's functions.
-pub(super) const XYZ: [&str; 3] = ["x", "y", "z"];
-
 impl Coordinates {
-    /// Of what has no place on a surface.
+    /// The coordinates of a surface whose u and v have no formula.
     pub(super) const SPACE: Self = Self { space: Some(XYZ), surface: None };
 
-    /// Those of a mesh: POV-Ray puts places on its surface in the place of points.
+    /// The coordinates of a mesh with UV mapping: POV-Ray passes u and v as x and y.
     pub(super) fn mapped() -> Self {
         Self { space: None, surface: Some(["x", "y"].map(str::to_owned)) }
     }
@@ -49,7 +46,7 @@ impl Coordinates {
     }
 }
 
-/// The most entries of a map; POV-Ray takes 256.
+/// The most entries of a map; POV-Ray's limit is 256.
 const MOST_STOPS: usize = 200;
 
 impl Pattern {
@@ -71,7 +68,7 @@ impl Pattern {
         }
     }
 
-    /// A picture all around, as a function of directions.
+    /// The pattern of a panorama, as a function of the direction.
     pub(super) fn panorama(Panorama { image, rotation }: &Panorama<'_>) -> Self {
         let turn = turned(*rotation);
         let [x, y, z] = turn.to_cols_array_2d().map(|axis| linear(axis.into(), 0.0, &XYZ));
@@ -90,7 +87,7 @@ impl Pattern {
                 Self::Along { function: folded(&x, ends), stops }
             }
             Figure::Brick(Brick { brick, mortar, gap: [gap_x, gap_y] }) => {
-                // Every second row begins in the middle of a brick.
+                // Every second row is shifted by half a brick.
                 let x = fraction(&format!("({x} + {}/2)", parity(&format!("floor({y})"))));
                 let in_gap = |at: &str, gap: f32| format!("select({at} - {gap}, 0, 1)");
                 let is_brick = format!("{} * {}", in_gap(&x, gap_x), in_gap(&fraction(&y), gap_y));
@@ -103,18 +100,19 @@ impl Pattern {
     }
 
     fn squares(cells: impl IntoIterator<Item = String>, even: LinearRgb, odd: LinearRgb) -> Self {
-        // A surface along an edge, such as a floor at 0, is wholly on one side, whichever way its points are rounded.
+        // The offset keeps a surface along an edge, such as a floor at 0, on one side, however its points are
+        // rounded.
         let floors: Vec<_> = cells.into_iter().map(|at| format!("floor({at} + 1e-6)")).collect();
         let sum = if floors.is_empty() { "0".to_owned() } else { floors.join(" + ") };
         Self::either(parity(&sum), even, odd)
     }
 
-    /// The first where a function is 0, and the second where it is 1.
+    /// The color `first` where a function is 0, and `second` where it is 1.
     fn either(function: String, first: LinearRgb, second: LinearRgb) -> Self {
         Self::Along { function, stops: vec![(0.0, Self::Color(first)), (1.0, Self::Color(second))] }
     }
 
-    /// A picture, where the width and the height of it are 1.
+    /// The pattern of an image whose width and height are 1.
     fn image(image: &Image<'_>, [x, y]: [String; 2], [across, up]: [Ends; 2]) -> Self {
         let (x, y) =
             (pixel(&x, image.width, image.filter, across), pixel(&y, image.height, image.filter, up));
@@ -129,12 +127,12 @@ impl Pattern {
         Self::along(&y, row(image.height, is_blended(up), line))
     }
 
-    /// As many stops as there are, although a map takes a few only.
+    /// A pattern with any number of stops, written as a map of maps if there are more than `MOST_STOPS`.
     fn along(function: &str, stops: Vec<(f64, Self)>) -> Self {
         if stops.len() <= MOST_STOPS {
             return Self::Along { function: function.to_owned(), stops };
         }
-        // Each begins where the one before ends.
+        // Each part begins at the last stop of the part before it.
         let starts = (0..stops.len() - 1).step_by(MOST_STOPS - 1);
         let parts = starts.flat_map(|start| {
             let part: Vec<_> = stops.iter().skip(start).take(MOST_STOPS).cloned().collect();
@@ -145,7 +143,7 @@ impl Pattern {
         Self::along(function, parts.collect())
     }
 
-    /// The pattern as a body, with its blends in maps of this name and the bodies of its colors.
+    /// Writes the pattern with maps of this name; `body` writes a color.
     pub(super) fn write(
         &self,
         map: &str,
@@ -164,12 +162,12 @@ impl Pattern {
     }
 }
 
-/// Whether a texture asks for places on surfaces.
+/// Whether a texture lies on surfaces, by u and v.
 pub(super) fn is_on_surface(texture: &Texture<'_>) -> bool {
     matches!(texture, Texture::Placed(placed) if placed.placement.space == Space::Surface)
 }
 
-/// The coordinates of a pattern.
+/// The formulas for the coordinates of a placed pattern.
 fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3], Lack> {
     let Placement { space, size, rotation, origin } = *placement;
     let place: Vec<&str> = match (space, coordinates) {
@@ -182,46 +180,13 @@ fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3
     Ok([x / size.x, y / size.y, z / size.z].map(|axis| linear(axis, -axis.dot(origin), &place)))
 }
 
-/// About x, then about y, then about z.
+/// The rotation about x, then about y, then about z.
 fn turned(rotation: Vec3) -> DMat3 {
     let DVec3 { x, y, z } = vector(rotation);
     DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x)
 }
 
-pub(super) fn vector(vector: Vec3) -> DVec3 {
-    DVec3::new(vector.x.into(), vector.y.into(), vector.z.into())
-}
-
-/// A sum of multiples, and a constant.
-pub(super) fn linear(factors: DVec3, constant: f64, place: &[&str]) -> String {
-    let terms = place.iter().zip(factors.to_array()).filter(|(_, factor)| *factor != 0.0);
-    let mut sum: Vec<String> = terms.map(|(at, factor)| multiple(at, factor)).collect();
-    if constant != 0.0 || sum.is_empty() {
-        // -0 + 0 is 0, which reads better.
-        sum.push(number(constant + 0.0));
-    }
-    if let [only] = sum.as_slice() { only.clone() } else { format!("({})", sum.join(" + ")) }
-}
-
-fn multiple(at: &str, factor: f64) -> String {
-    if factor == 1.0 { at.to_owned() } else { format!("{at}*{}", number(factor)) }
-}
-
-fn number(number: f64) -> String {
-    if number < 0.0 { format!("({number})") } else { number.to_string() }
-}
-
-/// What is left above the next whole number below.
-fn fraction(at: &str) -> String {
-    format!("({at} - floor({at}))")
-}
-
-/// 0 for even whole numbers, and 1 for odd ones.
-fn parity(whole: &str) -> String {
-    format!("mod(abs({whole}), 2)")
-}
-
-/// From 0 to 1, also beyond.
+/// The formula that maps a coordinate to 0 to 1, by these ends.
 fn folded(at: &str, ends: Ends) -> String {
     match ends {
         Ends::Repeat => fraction(at),
@@ -230,19 +195,19 @@ fn folded(at: &str, ends: Ends) -> String {
     }
 }
 
-/// The number of a pixel, as a share of all.
+/// The formula of a pixel's number, divided by the number of pixels.
 fn pixel(at: &str, count: u16, filter: Filter, ends: Ends) -> String {
     let (at, count) = (folded(at, ends), f64::from(count));
     let last = (count - 1.0) / count;
     match (filter, ends) {
         (Filter::Nearest, _) => format!("min(floor({at}*{count})/{count}, {last})"),
-        // From middle to middle.
+        // From center to center.
         (Filter::Bilinear, Ends::Repeat) => fraction(&format!("({at} - {})", 0.5 / count)),
         (Filter::Bilinear, _) => format!("min(max({at} - {}, 0), {last})", 0.5 / count),
     }
 }
 
-/// What there is at each of so many pixels; where ends are blended, the first once more.
+/// The stops of a row of `count` pixels. If the ends are blended, the first pixel is repeated at the end.
 fn row(count: u16, is_blended: bool, what: impl Fn(u16) -> Pattern) -> Vec<(f64, Pattern)> {
     let stops = (0..count).map(|index| (f64::from(index) / f64::from(count), what(index)));
     stops.chain(is_blended.then(|| (1.0, what(0)))).collect()

@@ -1,4 +1,4 @@
-//! Pictures by POV-Ray, on one thread.
+//! Rendering with POV-Ray, on one thread.
 
 use core::fmt;
 use std::io::{self, ErrorKind};
@@ -10,7 +10,7 @@ use rayline::{Scene, Settings};
 
 use super::{PovrayError, to_povray};
 
-/// A picture by POV-Ray, and what POV-Ray says of its work.
+/// A picture by POV-Ray, with its report.
 #[derive(Clone, Debug)]
 pub struct PovrayPicture {
     /// Red, green and blue of each pixel in 8-bit linear light, from the upper left, line by line.
@@ -18,25 +18,25 @@ pub struct PovrayPicture {
     report: String,
 }
 
-/// Why there is no picture.
+/// The reason why POV-Ray rendered no picture.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum RunError {
-    /// The scene cannot be written for POV-Ray. Replace what it names.
+    /// The scene cannot be written for POV-Ray. Replace the part that the error names.
     Scene(PovrayError),
-    /// The system refused to write the scene or to start the program. Mend what it says.
+    /// The system refused to write the scene or to start the program. Its text says why.
     Io(io::Error),
-    /// POV-Ray failed. Mend what it says.
+    /// POV-Ray failed. Its report says why.
     Failed {
-        /// All that it said.
+        /// The whole report.
         report: String,
     },
     /// POV-Ray's picture cannot be read, or has another size. Look at the file.
     Picture(ImageError),
 }
 
-/// Renders a scene with POV-Ray on one thread, without display and anti-aliasing, into files of this name in `directory`;
-/// `None` where `povray` is not installed.
+/// Renders a scene with POV-Ray on one thread, without a display and anti-aliasing. Files are written to
+/// `directory` under `name`. Returns `None` if `povray` is not installed.
 ///
 /// # Errors
 /// See [`RunError`].
@@ -56,7 +56,8 @@ pub fn render(
         format!("+W{}", settings.width),
         format!("+H{}", settings.height),
     ]);
-    // Eight bits of linear light, uncompressed; no display, no anti-aliasing, one thread; the report on the console.
+    // Eight bits of linear light, uncompressed; no display, no anti-aliasing, one thread; the report on the
+    // console.
     command.args(["+FP8", "File_Gamma=1", "Dither=off", "-D", "-A", "+WT1", "+GA"]);
     let finished = match command.output() {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
@@ -77,9 +78,9 @@ impl PovrayPicture {
         self.line(label)?.trim_start_matches([':', ' ']).split(' ').next()?.parse().ok()
     }
 
-    /// The processor's seconds that the report tells for a step: `Parse Time`, `Bounding Time` or `Trace Time`.
+    /// The CPU time in seconds that the report has for a step: `Parse Time`, `Bounding Time` or `Trace Time`.
     pub fn cpu_seconds(&self, label: &str) -> Option<f64> {
-        // On the line behind: `using 1 thread(s) with 0.625 CPU-seconds total`.
+        // It is on the next line: `using 1 thread(s) with 0.625 CPU-seconds total`.
         let mut lines = self.report.lines().skip_while(|line| !line.trim_start().starts_with(label));
         lines.nth(1)?.split(" with ").nth(1)?.split(' ').next()?.parse().ok()
     }

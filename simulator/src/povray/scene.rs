@@ -1,47 +1,51 @@
 //! Scenes in the language of POV-Ray.
 //!
-//! POV-Ray computes what the core computes, where it is told so:
+//! POV-Ray renders the same picture as the core if the scene is written as follows:
 //!
-//! - Coordinates are taken as they are. POV-Ray's are left-handed only where it derives one direction of the camera
-//!   from the others, so all three are written out; their lengths give the field of view.
-//! - The share of light that a pigment does not transmit is POV-Ray's factor of ambient and diffuse light, so both
-//!   are divided by it.
-//! - Textures are functions of x, y and z there, see `pattern`; what lies on surfaces is written at each object, with the places on its
-//!   shape.
-//! - Schlick's shares of metals are written for each degree, by POV-Ray's pattern of the angle of incidence, which blends both next to an angle.
-//!   Highlights of metals have a color of their own in POV-Ray, which is near.
-//! - POV-Ray tells inside from outside by a list of the interiors that a ray is in. The faces of one material
-//!   therefore share one interior, which makes a closed solid of them. In a list, indices are absolute: so are those
-//!   of materials that say what is outside of them; another sphere within a transparent one gets the product of both. Where bodies are put
-//!   together from open surfaces with one medium on each side, POV-Ray's list does not know what the core knows.
-//! - A transmitted ray does not count as a bounce where the index is exactly 1, so that is written a little larger.
-//! - Under total internal reflection POV-Ray mirrors all light, the core reflectance plus transmittance. The two
-//!   agree where these add up to 1, and where it never happens: in a glass ball that is seen from outside.
-//! - A ray that a smooth triangle's normal mirrors into the surface is followed there by both. (Turned out again, it would leave 95.8 % of
-//!   the pixels of `teapot_s2` alike, in place of 99.5 %.)
+//! - Coordinates are written unchanged. POV-Ray is left-handed only where it derives one direction of the
+//!   camera from the others, so all three are written; their lengths give the field of view.
+//! - POV-Ray multiplies ambient and diffuse light by the share of light that the pigment does not transmit,
+//!   so both are divided by that share.
+//! - Textures are functions of x, y and z, see `pattern`. A texture on surfaces is written for each object,
+//!   with the formulas of its shape's u and v.
+//! - Schlick's approximation for metals is written for each degree, with POV-Ray's pattern of the angle of
+//!   incidence, which interpolates between degrees. POV-Ray's `metallic` highlights have nearly the core's
+//!   color.
+//! - POV-Ray keeps a list of the interiors that a ray is inside of. So the faces of one material are written
+//!   as a union with one interior, which makes a closed solid of them. POV-Ray's indices of refraction are
+//!   absolute. So are those of materials with an `outside`; a sphere inside of a transparent sphere gets the
+//!   product of both indices. Bodies that are made of open surfaces with a medium on each side cannot be
+//!   expressed by POV-Ray's list.
+//! - In POV-Ray a transmitted ray does not count as a bounce if the index is exactly 1, so a slightly larger
+//!   index is written.
+//! - Under total internal reflection POV-Ray mirrors all light, but the core mirrors reflectance plus
+//!   transmittance. Both agree if these add up to 1, and in bodies without total internal reflection, such as
+//!   a glass ball that is seen from outside.
+//! - Where the normal of a smooth triangle mirrors a ray into the surface, both renderers follow it there.
 //!
-//! Render with `File_Gamma=1` and without anti-aliasing to get the bytes that
-//! [`Transfer::Linear`](rayline::Transfer::Linear) gives, but for rounding.
+//! Render with `File_Gamma=1` and without anti-aliasing. The picture then equals that of
+//! [`Transfer::Linear`](rayline::Transfer::Linear) but for rounding.
 
 use rayline::shape::{Cone, CsgStep, Cylinder, Shape, Sphere};
 use rayline::{Background, Camera, Object, Scene, Settings, Sky, Vec3};
 
 use super::light::{ambient, light};
+use super::literal::{rgb, unit, xyz};
 use super::material::{interior, is_on_surface, texture};
 use super::pattern::{Coordinates, Pattern};
 use super::shape::{corners, shape};
 use super::surface::coordinates;
-use super::words::{rgb, unit, xyz};
 use super::{Lack, PovrayError};
 
-/// Writes a scene for POV-Ray, with the bounces, the cutoff and the shape of the picture of these settings. Give
-/// POV-Ray the same width and height.
+/// Writes a scene for POV-Ray, with the bounces, the cut-off and the aspect ratio of these settings. Run
+/// POV-Ray with the same width and height.
 ///
 /// # Errors
 /// The part of the scene that cannot be written.
 pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
     let mut text = format!(
-        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light rgb {} }}\n",
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light \
+         rgb {} }}\n",
         u32::from(settings.bounces) + 1,
         settings.cutoff,
         rgb(ambient(scene))
@@ -61,16 +65,16 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
     Ok(text)
 }
 
-/// What rays see that meet nothing.
+/// The background.
 fn background(background: &Background<'_>) -> Result<String, Lack> {
     Ok(match *background {
         Background::Solid(color) => format!("background {{ rgb {} }}\n", rgb(color)),
         Background::Gradient(&Sky { up, zenith, horizon, nadir }) => {
             let Vec3 { x, y, z } = unit(up.to::<f64>());
-            // Heights from -1 to 1 come to lie from 1/4 to 3/4: a pattern begins anew at 1.
+            // Map heights from -1 to 1 to 1/4 to 3/4, because a pattern wraps around at 1.
             format!(
-                "sky_sphere {{ pigment {{ function {{ (x*({x}) + y*({y}) + z*({z}) + 2) / 4 }} color_map {{ [0.25 rgb {}] \
-                 [0.5 rgb {}] [0.75 rgb {}] }} }} }}\n",
+                "sky_sphere {{ pigment {{ function {{ (x*({x}) + y*({y}) + z*({z}) + 2) / 4 }} color_map {{ \
+                 [0.25 rgb {}] [0.5 rgb {}] [0.75 rgb {}] }} }} }}\n",
                 rgb(nadir),
                 rgb(horizon),
                 rgb(zenith)
@@ -85,7 +89,7 @@ fn background(background: &Background<'_>) -> Result<String, Lack> {
     })
 }
 
-/// The directions of the picture plane at distance 1, in full.
+/// The camera, by the vectors of the picture plane at distance 1.
 fn camera(camera: &Camera, settings: &Settings) -> String {
     let forward = unit((camera.target - camera.eye).to::<f64>());
     let right = unit(forward.cross(camera.up.to::<f64>()));
@@ -100,13 +104,13 @@ fn camera(camera: &Camera, settings: &Settings) -> String {
     )
 }
 
-/// The largest coordinate that the scene's parts name: how far away from the origin anything lies.
+/// The largest coordinate in the scene, at least 1.
 fn extent(scene: &Scene<'_>) -> f64 {
     let shapes = scene.objects.iter().flat_map(|object| places(&object.shape));
     shapes.chain([scene.camera.eye]).map(|point| f64::from(point.magnitude())).fold(1.0, f64::max)
 }
 
-/// Places that a shape names.
+/// Points whose coordinates show how far a shape extends.
 fn places(shape: &Shape<'_>) -> Vec<Vec3> {
     match *shape {
         Shape::Sphere(sphere) => vec![sphere.center, Vec3::new(sphere.radius, 0.0, 0.0)],
@@ -126,7 +130,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
             let [a, b, c] = cuboid.axes;
             vec![cuboid.center + a + b + c, cuboid.center - a - b - c]
         }
-        // What its planes enclose may be farther away than these points, or nearer.
+        // The corners of the polyhedron may be nearer or farther away than these points.
         Shape::ConvexPolyhedron(polyhedron) => polyhedron.planes.iter().map(|plane| plane.point).collect(),
         Shape::Mesh(mesh) => mesh.vertices.to_vec(),
         Shape::Csg(csg) => {
@@ -146,7 +150,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
     }
 }
 
-/// All objects with their materials; transparent faces of one material are one object.
+/// All objects with their materials. The transparent faces of one material are written as one object.
 fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
     let mut text = String::new();
     let mut faces = vec![String::new(); scene.materials.len()];
@@ -186,13 +190,13 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
     Ok(text)
 }
 
-/// Whether the shape is flat and bounded, so that several can enclose a space.
+/// Whether the shape is flat and bounded, so that several of them can enclose a space.
 fn is_face(shape: &Shape<'_>) -> bool {
     matches!(shape, Shape::Disc(_) | Shape::Rectangle(_) | Shape::Triangle(_) | Shape::Polygon(_))
 }
 
-/// The index of what an object is made of. Where its material does not say what is outside, its index is that over the index of
-/// the smallest transparent sphere around it.
+/// The absolute index of refraction of an object. For a sphere whose material does not state the medium
+/// outside, it is the product of its index with that of the smallest transparent sphere around it.
 fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
     let material = |object: &Object<Shape<'_>>| scene.materials.get(usize::from(object.material.0));
     let Some(own) = material(object) else { return 1.0 };
@@ -206,7 +210,7 @@ fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
     });
     let transparent = around.filter(|(_, object)| material(object).is_some_and(|m| m.transmittance > 0.0));
     let next = transparent.min_by(|(a, _), (b, _)| a.total_cmp(b));
-    // Larger each time: it ends.
+    // Each sphere is larger than the one before, so the recursion ends.
     ior * next.map_or(1.0, |(_, outer)| absolute_ior(scene, outer))
 }
 
@@ -315,7 +319,7 @@ union {
     }
 
     #[test]
-    fn steps_have_to_leave_one_solid() {
+    fn steps_must_combine_into_one_solid() {
         let ball = CsgStep::Solid(Solid::Sphere(Sphere::new(Vec3::ZERO, 1.0)));
         let steps = [ball, ball];
         let objects = [Object::new(Shape::Csg(Csg::new(&steps)), 0)];

@@ -1,11 +1,13 @@
-//! Shapes.
+//! Shapes in POV-Ray's language.
 
-use rayline::shape::{Blob, Csg, CsgStep, Instances, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape};
+use rayline::shape::{
+    Blob, Csg, CsgStep, Instances, Mesh, Metaballs, Plane, Quadric, Rectangle, Shape, Torus,
+};
 use rayline::{Real, Vec3};
 
-use super::words::{degrees, list, matrix, point, points, unit, xyz};
+use super::literal::{degrees, list, matrix, point, points, unit, xyz};
 
-/// A shape's keyword and numbers.
+/// The keyword and the numbers of a shape; `None` for a CSG whose steps do not combine into one solid.
 pub(super) fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
     let open = |capped: bool| if capped { "" } else { " open" };
     Some(match shape {
@@ -44,7 +46,7 @@ pub(super) fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
         ),
         Shape::Mesh(mesh) => ("mesh2", self::mesh(mesh)),
         Shape::Ellipsoid(shape) => {
-            // The images of the axes, and of the origin.
+            // A unit sphere, mapped by the images of its axes and its origin.
             let [a, b, c] = shape.axes;
             ("sphere", format!("0, 1 {}", matrix([a, b, c, shape.center].map(Vec3::to))))
         }
@@ -57,21 +59,14 @@ pub(super) fn shape(shape: &Shape<'_>) -> Option<(&'static str, String)> {
             let planes = polyhedron.planes.iter().map(|plane| format!("plane {{ {} }}", self::plane(plane)));
             ("intersection", planes.collect::<Vec<_>>().join(" "))
         }
-        Shape::Torus(torus) => {
-            // POV-Ray's lies across the y axis.
-            let up = unit(torus.axis.to::<f64>());
-            let aside = if up.x.abs() < 0.5 { Vec3::new(1.0, 0.0, 0.0) } else { Vec3::new(0.0, 1.0, 0.0) };
-            let right = unit(up.cross(aside));
-            let turned = matrix([right, up, right.cross(up), torus.center.to()]);
-            ("torus", format!("{}, {} {turned}", torus.major_radius, torus.minor_radius))
-        }
+        Shape::Torus(torus) => ("torus", self::torus(torus)),
         Shape::Csg(csg) => return self::csg(csg),
         Shape::Metaballs(metaballs) => ("isosurface", self::metaballs(metaballs)),
         Shape::Instances(instances) => return self::instances(instances),
     })
 }
 
-/// The model, over and over again.
+/// The union of all instances of a model.
 fn instances(instances: &Instances<'_>) -> Option<(&'static str, String)> {
     let (kind, model) = shape(&Shape::from(*instances.model))?;
     let mut all = instances.poses.iter().map(|pose| {
@@ -84,7 +79,7 @@ fn instances(instances: &Instances<'_>) -> Option<(&'static str, String)> {
     Some(("union", all.map(|one| format!("{kind} {{ {one} }}")).collect::<Vec<_>>().join("\n  ")))
 }
 
-/// The steps carried out on pieces of text.
+/// A CSG: its steps, carried out on a stack of texts.
 fn csg(csg: &Csg<'_>) -> Option<(&'static str, String)> {
     let mut stack: Vec<(&'static str, String)> = vec![];
     for step in csg.steps {
@@ -107,7 +102,7 @@ fn csg(csg: &Csg<'_>) -> Option<(&'static str, String)> {
     stack.is_empty().then_some(whole)
 }
 
-/// Cut out of a box by it, or clipped by it.
+/// A quadric: intersected with its box if it is capped, else clipped by the box.
 fn quadric(shape: &Quadric) -> (&'static str, String) {
     let [squares @ .., constant] = &shape.coefficients;
     let equation = squares.chunks(3).map(list).collect::<Vec<_>>().join(", ");
@@ -120,7 +115,8 @@ fn quadric(shape: &Quadric) -> (&'static str, String) {
     }
 }
 
-/// The sum as a function, in the box around all that the blobs reach. POV-Ray's own blobs have another kernel.
+/// Metaballs: the sum of the blobs as a function, in the bounding box of all blobs. POV-Ray's own blobs have
+/// another kernel.
 fn metaballs(metaballs: &Metaballs<'_>) -> String {
     let term = |blob: &Blob| {
         let Vec3 { x, y, z } = blob.center;
@@ -139,19 +135,31 @@ fn metaballs(metaballs: &Metaballs<'_>) -> String {
             .reduce(|a, b| Vec3::new(farther(a.x, b.x), farther(a.y, b.y), farther(a.z, b.z)));
         point(farthest.unwrap_or(Vec3::ZERO))
     };
-    // The kernel's steepest slope, of all that can be around one point: these overlap with each of them.
+    // A bound on the gradient at a point: the sum of the steepest slopes of all blobs that overlap a blob
+    // there.
     let steepest = |at: &Blob| -> f32 {
         let overlaps = |blob: &&Blob| (blob.center - at.center).length() < blob.radius + at.radius;
         metaballs.blobs.iter().filter(overlaps).map(|blob| 1.6 * blob.strength.abs() / blob.radius).sum()
     };
     let gradient = metaballs.blobs.iter().map(steepest).fold(0.0, f32::max);
-    // POV-Ray's own accuracy, a thousandth of a unit, turns normals by several levels of a display.
+    // POV-Ray's default accuracy, a thousandth of a unit, turns normals so much that colors change by several
+    // levels.
     let accuracy = metaballs.blobs.iter().map(|blob| blob.radius).fold(1.0, f32::min) * 1e-4;
     format!(
-        "function {{ 0.5{terms} }} contained_by {{ box {{ {}, {} }} }} accuracy {accuracy} max_gradient {gradient}",
+        "function {{ 0.5{terms} }} contained_by {{ box {{ {}, {} }} }} accuracy {accuracy} max_gradient \
+         {gradient}",
         corner(-1.0),
         corner(1.0)
     )
+}
+
+fn torus(torus: &Torus) -> String {
+    // The axis of POV-Ray's torus is the y axis.
+    let up = unit(torus.axis.to::<f64>());
+    let aside = if up.x.abs() < 0.5 { Vec3::new(1.0, 0.0, 0.0) } else { Vec3::new(0.0, 1.0, 0.0) };
+    let right = unit(up.cross(aside));
+    let turned = matrix([right, up, right.cross(up), torus.center.to()]);
+    format!("{}, {} {turned}", torus.major_radius, torus.minor_radius)
 }
 
 fn plane(plane: &Plane) -> String {
@@ -160,12 +168,13 @@ fn plane(plane: &Plane) -> String {
 }
 
 fn polygon(vertices: &[Vec3<f64>]) -> (&'static str, String) {
-    // POV-Ray wants the first point again at the end.
+    // POV-Ray requires the first point again at the end.
     let closed: Vec<_> = vertices.iter().chain(vertices.first()).map(|vertex| xyz(*vertex)).collect();
     ("polygon", format!("{}, {}", closed.len(), closed.join(", ")))
 }
 
-/// The corners. In `f64` they are exact: POV-Ray draws nothing where they are not quite in one plane.
+/// The corners of a rectangle. They are exact in `f64`: POV-Ray draws no polygon whose corners do not lie
+/// exactly in one plane.
 pub(super) fn corners<R: Real>(rectangle: &Rectangle) -> [Vec3<R>; 4] {
     let [corner, right, up] = [rectangle.corner, rectangle.right, rectangle.up].map(Vec3::to);
     [corner, corner + right, corner + right + up, corner + up]
@@ -190,7 +199,7 @@ fn mesh(mesh: &Mesh<'_>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::shape::{Ellipsoid, Model, Pose, Solid, Sphere, Torus};
+    use rayline::shape::{Ellipsoid, Model, Pose, Solid, Sphere};
 
     const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 

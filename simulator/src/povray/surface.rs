@@ -1,11 +1,13 @@
-//! Places on surfaces, u and v, as functions of x, y and z: what [`Intersect::uv`](rayline::shape::Intersect::uv) tells.
+//! Texture coordinates u and v as functions of x, y and z: the formulas of
+//! [`Intersect::uv`](rayline::shape::Intersect::uv).
 
 use glam::DVec3;
 use rayline::shape::{Cone, Cuboid, Cylinder, Polygon, Shape, Torus};
 
-use super::pattern::{Coordinates, XYZ, linear, vector};
+use super::formula::{XYZ, globe, linear, turn, vector};
+use super::pattern::Coordinates;
 
-/// What textures on a shape are functions of; without places on its surface where these have no formula.
+/// The coordinates for textures on a shape; without u and v where they have no formula.
 pub(super) fn coordinates(shape: &Shape<'_>) -> Coordinates {
     let surface = match shape {
         Shape::Sphere(sphere) => {
@@ -43,47 +45,38 @@ pub(super) fn coordinates(shape: &Shape<'_>) -> Coordinates {
     Coordinates { surface: Some(surface), ..Coordinates::SPACE }
 }
 
-/// The way from `origin` along an axis.
+/// The formula of the distance from `origin` along an axis.
 fn along(axis: DVec3, origin: DVec3) -> String {
     linear(axis, -axis.dot(origin), &XYZ)
 }
 
-/// A share of a turn, from 0 to 1.
-fn turn(y: &str, x: &str) -> String {
-    format!("mod(atan2({y}, {x})/(2*pi) + 1, 1)")
-}
-
-/// Longitude about the y axis, from x toward -z, and latitude.
-pub(super) fn globe([x, y, z]: [String; 3]) -> [String; 2] {
-    [turn(&format!("(-{z})"), &x), format!("(atan2(sqrt({x}*{x} + {z}*{z}), -{y})/pi)")]
-}
-
-/// Two unit vectors across a third; the first leans toward the x axis.
+/// Two unit vectors orthogonal to a third; the first is that closest to the x axis.
 fn around(axis: DVec3) -> [DVec3; 2] {
     let toward = if axis.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
     let first = toward.reject_from_normalized(axis).normalize();
     [first, axis.cross(first)]
 }
 
-/// Lengths along a plane, from the scene's origin.
+/// The texture coordinates of a plane: distances along two axes in it, from the scene's origin.
 fn flat(normal: DVec3) -> [String; 2] {
     around(normal.normalize()).map(|axis| along(axis, DVec3::ZERO))
 }
 
-/// The place in the square around a circle.
+/// The texture coordinates of a disc: those in the square around it.
 fn square(normal: DVec3, center: DVec3, radius: f32) -> [String; 2] {
     let half = 0.5 / f64::from(radius);
     around(normal).map(|axis| linear(axis * half, 0.5 - axis.dot(center) * half, &XYZ))
 }
 
-/// How much of two edges leads to a point in their plane.
+/// The texture coordinates of a triangle or rectangle: the shares of two edges that lead to a point.
 fn weights(corner: DVec3, right: DVec3, up: DVec3) -> [String; 2] {
     let normal = right.cross(up);
     let volume = normal.length_squared();
     [up.cross(normal) / volume, normal.cross(right) / volume].map(|axis| along(axis, corner))
 }
 
-/// Around the side of a cone, and up; lids by themselves.
+/// The texture coordinates of a cylinder or cone: around its side and along its axis. Caps have those of
+/// discs.
 fn barrel([base, top]: [DVec3; 2], radii: [f32; 2], capped: bool) -> [String; 2] {
     let length = base.distance(top);
     let axis = (top - base) / length;
@@ -94,7 +87,7 @@ fn barrel([base, top]: [DVec3; 2], radii: [f32; 2], capped: bool) -> [String; 2]
         return [around, height];
     }
     let [base_radius, top_radius] = radii;
-    // No point is exactly where it should be; a lid is what is nearest to the ends.
+    // Points are rounded: count those within a millionth of the ends to the caps.
     let (low, high) = (1e-6, 1.0 - 1e-6);
     let by_height = |below: String, side: &str, above: String| {
         format!("select({height} - {low}, {below}, select({height} - {high}, {side}, {above}))")
@@ -104,14 +97,14 @@ fn barrel([base, top]: [DVec3; 2], radii: [f32; 2], capped: bool) -> [String; 2]
     [by_height(u_below, &around, u_above), by_height(v_below, &height, v_above)]
 }
 
-/// Across and up each of the faces of a box.
+/// The texture coordinates of a box: across and up each face.
 fn faces(cuboid: &Cuboid) -> [String; 2] {
     let center = vector(cuboid.center);
-    // From -1 to 1 within the box.
+    // The coordinates along the axes run from -1 to 1 within the box.
     let [x, y, z] = cuboid.axes.map(vector).map(|axis| along(axis / axis.length_squared(), center));
     let share = |at: &str| format!("({at} + 1)/2");
     let rest = |at: &str| format!("(1 - {at})/2");
-    // The face is the one along the largest of the three.
+    // The largest of the three coordinates selects the face.
     let by_face = |[left, right, below, above, back, front]: [String; 6]| {
         let along_x = format!("select({x}, {left}, {right})");
         let along_y = format!("select({y}, {below}, {above})");
@@ -125,7 +118,7 @@ fn faces(cuboid: &Cuboid) -> [String; 2] {
     ]
 }
 
-/// About the axis, and about the ring.
+/// The texture coordinates of a torus: the angle about its axis, and the angle about its tube.
 fn ring(torus: &Torus) -> [String; 2] {
     let (axis, center) = (vector(torus.axis).normalize(), vector(torus.center));
     let [first, second] = around(axis).map(|axis| along(axis, center));

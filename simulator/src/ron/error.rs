@@ -1,4 +1,4 @@
-//! What can be wrong with a file, and where.
+//! Errors of RON files, with their positions.
 
 use core::fmt;
 use std::io;
@@ -11,12 +11,12 @@ use ron::error::SpannedError;
 
 use crate::nearest::{DidYouMean, nearest};
 
-/// A place in a file, counted from 1.
+/// A position in a file, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position {
     /// The line.
     pub line: usize,
-    /// The character in it.
+    /// The character in the line.
     pub column: usize,
 }
 
@@ -26,61 +26,61 @@ impl From<ron::error::Position> for Position {
     }
 }
 
-/// Why a file is no scene.
+/// The error of a RON file.
 #[derive(Debug)]
 pub struct RonError {
     /// The file.
     pub path: PathBuf,
-    /// Where in it.
+    /// The position in the file, if it is known.
     pub position: Option<Position>,
-    /// What is wrong there.
+    /// The fault there.
     pub fault: Box<RonFault>,
 }
 
-/// What is wrong with a file.
+/// The fault of a RON file.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum RonFault {
-    /// The system cannot read it. Mend what it says.
+    /// The system cannot read the file. Its text says why.
     Read(io::Error),
-    /// It is no text, or one in another encoding. Convert it to UTF-8.
+    /// The file is not text in UTF-8. Convert it.
     NotUtf8,
-    /// The text is not what was expected there. Mend it.
+    /// The text breaks the grammar there. Correct it.
     Syntax(ron::Error),
-    /// There is no such thing. Name one that there is.
+    /// A name is unknown. Use a known one.
     UnknownName {
-        /// What kind of thing.
+        /// The kind of the named item.
         what: String,
-        /// What it was called.
+        /// The unknown name.
         name: String,
-        /// What there is: the one with a name that is alike, or all.
+        /// The known name that is most similar, or all known names.
         known: Vec<String>,
     },
-    /// A field is not there that has no usual value. Add it.
+    /// A field without a default is missing. Add it.
     MissingField {
-        /// What it is to be in, if that is known.
+        /// The type that the field belongs to, if it is known.
         what: Option<String>,
         /// The field.
         field: &'static str,
     },
-    /// A field is there twice. Leave one out.
+    /// A field is given twice. Remove one.
     SameField {
         /// The field.
         field: &'static str,
     },
-    /// An object names a preset, which the file's own list of materials does not have. Name it there first.
+    /// An object refers to a preset that is not in the file's list of materials. Add it to that list.
     PresetInObject {
-        /// The preset.
+        /// The name of the preset.
         name: String,
     },
-    /// What a name stands for cannot be read. Mend what it says.
+    /// The item that a name stands for cannot be read. The reason says why.
     Named {
-        /// What it was called.
+        /// The name.
         name: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
-    /// Two have the same name. Rename one.
+    /// Two materials have the same name. Rename one.
     SameName {
         /// The name.
         name: String,
@@ -88,7 +88,7 @@ pub enum RonFault {
 }
 
 impl RonFault {
-    /// There is no such thing, but there are these.
+    /// The fault of an unknown name, with the most similar known name, or all of them.
     pub(super) fn unknown(what: &str, name: &str, names: &[&str]) -> Self {
         let nearest = nearest(name, names.iter().copied());
         let known = nearest.as_ref().map_or(names, core::slice::from_ref);
@@ -99,7 +99,7 @@ impl RonFault {
         }
     }
 
-    /// What a format's error says, unless the reason is known better.
+    /// Converts an error of the format, unless a more exact fault is `known`.
     pub(super) fn from_ron(error: SpannedError, known: Option<Self>) -> (Position, Self) {
         let of = |kind: &str, outer: Option<String>| match outer {
             Some(outer) => format!("{kind} of {outer}"),
@@ -114,7 +114,7 @@ impl RonFault {
                 Self::unknown(&of("field", outer), &found, expected)
             }
             ron::Error::MissingStructField { field, outer } => Self::MissingField { what: outer, field },
-            // It may name what the struct is in, as above; here its place in the file tells enough.
+            // The format may report the outer type instead, as above; the position is enough here.
             ron::Error::DuplicateStructField { field, .. } => Self::SameField { field },
             error => Self::Syntax(error),
         });
@@ -122,8 +122,8 @@ impl RonFault {
     }
 }
 
-/// The struct with these fields, if it is one that a name may stand in place of: as it is read as whatever comes, its format does
-/// not know what it is, and takes its fields for those of what it is in.
+/// The struct with these fields, if it may be replaced by a name. Such a struct is read by `deserialize_any`,
+/// so that the format reports the outer struct in place of it.
 fn named_in_place_of(fields: &[&str]) -> Option<&'static str> {
     fn name_and_fields<T: Fields<'static>>() -> (&'static str, &'static [&'static str]) {
         (T::NAME, T::FIELDS)
@@ -155,20 +155,23 @@ impl fmt::Display for RonFault {
                 match &**known {
                     [] => Ok(()),
                     [nearest] => DidYouMean(Some(nearest)).fmt(f),
-                    known => write!(f, "; there are `{}`", known.join("`, `")),
+                    known => write!(f, "; the known ones are `{}`", known.join("`, `")),
                 }
             }
             Self::MissingField { what: Some(what), field } => {
                 write!(f, "the field `{field}` of {what} is missing; add it")
             }
             Self::MissingField { what: None, field } => write!(f, "the field `{field}` is missing; add it"),
-            Self::SameField { field } => write!(f, "the field `{field}` is there twice; leave one out"),
+            Self::SameField { field } => write!(f, "the field `{field}` is given twice; remove one"),
             Self::PresetInObject { name } => write!(
                 f,
-                "there is no material in this file `{name}`; it is a preset: name it in `materials` first, as in `\"{name}\": \"{name}\"`"
+                "there is no material in this file `{name}`; it is a preset: add it to `materials`, as in \
+                 `\"{name}\": \"{name}\"`"
             ),
             Self::Named { name, reason } => write!(f, "`{}`: {reason}", name.escape_debug()),
-            Self::SameName { name } => write!(f, "two are called `{}`; rename one", name.escape_debug()),
+            Self::SameName { name } => {
+                write!(f, "two materials have the name `{}`; rename one", name.escape_debug())
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes in Rusty Object Notation: the description as it is in Rust, for people to write.
+//! Scenes in Rusty Object Notation (RON): the description in the notation of Rust, for people to write.
 //!
 //! ```text
 //! Scene(
@@ -16,14 +16,15 @@
 //! )
 //! ```
 //!
-//! All types and fields are those of the crate `rayline`; it tells what they mean. What may be left out:
+//! All types and fields are those of the crate `rayline`, whose documentation describes them. These fields
+//! may be left out:
 //!
-//! | in | field | is then |
+//! | in | field | default |
 //! |---|---|---|
 //! | scene | `background`, `lights` | black, none |
 //! | material | `color`, `diffuse`, `ior` | white, 1, 1 |
 //! | | all others | 0, none |
-//! | `optics` | all | as in [`Optics::PLAIN`](rayline::Optics::PLAIN) |
+//! | `optics` | all | [`Optics::PLAIN`](rayline::Optics::PLAIN) |
 //! | `Placed` | `placement` and all in it | [`Placement::SURFACE`](rayline::Placement::SURFACE) |
 //! | image | `encoding`, `filter`, `ends` | `Srgb`, `Nearest`, `Repeat` |
 //! | gradient | `ends` | `Repeat` |
@@ -33,17 +34,19 @@
 //! | falloff | `constant`, `linear`, `quadratic` | 1, 0, 0 |
 //! | instances | `size`, `rotation` | 1, not turned |
 //!
-//! Beyond that:
+//! The format also allows:
 //!
-//! - Lists may be maps: their keys are names. That of a material stands for its number.
-//! - In place of a material, the name of one in [`rayline::materials`] may stand: [`PRESETS`].
-//! - In place of a mesh, the name of an `.obj` file; in place of an image, that of a `.png` or `.ppm` file, whose pixels
-//!   are sRGB, blended and repeated; both as seen from the file of the scene.
-//! - `Some` and the inner parentheses of `Sphere((center: …))` are left out.
+//! - Lists may be written as maps, whose keys are names. The name of a material may be used in place of its
+//!   number.
+//! - In place of a material, the name of one in [`rayline::materials`] may be written, see [`PRESETS`].
+//! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
+//!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`. Both names are relative to the folder
+//!   of the scene's file.
+//! - `Some` and the inner parentheses of `Sphere((center: …))` are omitted.
 
 mod error;
 mod names;
-mod outline;
+mod scan;
 #[cfg(test)]
 mod tests;
 
@@ -73,18 +76,19 @@ pub struct Import<'a> {
 }
 
 impl Import<'_> {
-    /// Where the file describes this part of the scene: where to look when the scene is refused. `None` for what is not in the
-    /// file.
+    /// The position of this part of the scene in the file, for errors of the scene. `None` for a part that is
+    /// not in the file.
     pub fn position_of(&self, part: Part) -> Option<Position> {
-        outline::position_of(self.text, part)
+        scan::position_of(self.text, part)
     }
 }
 
 /// Reads a scene from a file. Its lists are kept in `arena`.
 ///
 /// # Errors
-/// What cannot be read, or where the file says what is not understood. Numbers that make no scene, such as a negative radius, are
-/// found by [`PreparedScene::new`](rayline::PreparedScene::new); for those [`Import::position_of`] tells the place.
+/// The file cannot be read, or breaks the grammar at a position. Numbers that are refused for their value,
+/// such as a negative radius, are found by [`PreparedScene::new`](rayline::PreparedScene::new);
+/// [`Import::position_of`] gives the position of such an error.
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
     let error = |position, fault| RonError { path: path.to_owned(), position, fault: Box::new(fault) };
     let bytes = fs::read(path).map_err(|io| error(None, RonFault::Read(io)))?;
@@ -95,24 +99,24 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
     parse(arena, text, Path::new(directory)).map_err(|(position, fault)| error(Some(position), fault))
 }
 
-/// How files are to be understood.
+/// The options of the format.
 fn options() -> Options {
     Options::default().with_default_extension(
         Extensions::IMPLICIT_SOME | Extensions::UNWRAP_NEWTYPES | Extensions::UNWRAP_VARIANT_NEWTYPES,
     )
 }
 
-/// Reads a scene from a text, whose names of files are as seen from `directory`.
+/// Reads a scene from a text. Names of files are relative to `directory`.
 fn parse<'a>(
     arena: &'a Bump,
     text: &'a str,
     directory: &'a Path,
 ) -> Result<Import<'a>, (Position, RonFault)> {
-    let materials = outline::material_names(text).map_err(|error| RonFault::from_ron(error, None))?;
+    let materials = scan::material_names(text).map_err(|error| RonFault::from_ron(error, None))?;
     let mut seen = HashSet::new();
     for (index, name) in materials.iter().enumerate() {
         if !seen.insert(name) {
-            let position = outline::position_of(text, Part::Material(index));
+            let position = scan::position_of(text, Part::Material(index));
             return Err((
                 position.unwrap_or(Position { line: 1, column: 1 }),
                 RonFault::SameName { name: name.clone() },
@@ -121,7 +125,7 @@ fn parse<'a>(
     }
     let known = &*arena.alloc(Known::new(arena, directory, &materials));
     let names = arena.alloc(move |what: &'static str, name: &str| known.find(what, name));
-    // So much is enough for lists of numbers of two digits.
+    // Eight bytes for each character are enough for lists of numbers with two digits.
     let mut bytes = text.len().saturating_mul(8).max(1 << 10);
     loop {
         let memory = arena.alloc_slice_fill_copy(bytes, MaybeUninit::uninit());
@@ -129,14 +133,17 @@ fn parse<'a>(
         let scene = options().from_str_seed(text, Seed::<Scene<'a>>::new(&mut reader));
         match (scene, reader.failure()) {
             (Ok(scene), _) => return Ok(Import { scene, text }),
-            // What names stand for may be much longer than the text.
+            // The items that names stand for may be much longer than the text.
             (Err(_), Some(Fault::Memory { .. })) => bytes = bytes.saturating_mul(4),
             (Err(error), _) => return Err(RonFault::from_ron(error, known.unknown())),
         }
     }
 }
 
-/// The text of a scene.
+/// Writes a scene as text.
+///
+/// # Errors
+/// The format cannot express the scene.
 pub fn write(scene: &Scene<'_>) -> Result<String, ron::Error> {
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
     let style = style.depth_limit(5).separate_tuple_members(false);

@@ -1,4 +1,4 @@
-//! What names in a file stand for.
+//! The items that names in a file stand for.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::RonFault;
 use crate::obj;
 
-/// The materials that may be named in place of a description.
+/// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [
     ("gold", GOLD),
     ("silver", SILVER),
@@ -28,16 +28,17 @@ pub const PRESETS: [(&str, Material<'static>); 11] = [
     ("water", WATER),
 ];
 
-/// All that can be named in one file.
+/// The items that one file can refer to by name.
 pub(super) struct Known<'a> {
     arena: &'a Bump,
-    /// What names of files are seen from.
+    /// The directory that names of files are relative to.
     directory: &'a Path,
-    /// Those of the file's own materials.
+    /// The names of the file's own materials.
     materials: &'a [&'a str],
-    /// What was found before: a name is often used, and read again where the memory was too small.
+    /// A cache of the items that were found, by kind and name. Names are often used several times, and the
+    /// file is read again if the memory was too small.
     found: RefCell<HashMap<(String, String), &'a [u8]>>,
-    /// What was named last without success.
+    /// The fault of the last name that was not found.
     unknown: RefCell<Option<RonFault>>,
 }
 
@@ -47,12 +48,12 @@ impl<'a> Known<'a> {
         Self { arena, directory, materials, found: RefCell::default(), unknown: RefCell::default() }
     }
 
-    /// Why a name was not found, if one was not.
+    /// The fault of the last name that was not found, if there was one.
     pub(super) fn unknown(&self) -> Option<RonFault> {
         self.unknown.take()
     }
 
-    /// The bytes of what is called so: see [`rayline::read::Names`].
+    /// The bytes of the item of this kind and name, see [`rayline::read::Names`].
     pub(super) fn find(&self, what: &str, name: &str) -> Option<&'a [u8]> {
         let key = (what.to_owned(), name.to_owned());
         if let Some(bytes) = self.found.borrow().get(&key) {
@@ -98,12 +99,12 @@ impl<'a> Known<'a> {
         match import.scene.objects {
             [object] => match &object.shape {
                 Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),
-                _ => Err(failed(name, "it is no mesh")),
+                _ => Err(failed(name, "its object is not a mesh")),
             },
             objects => Err(failed(
                 name,
                 format!(
-                    "it has {} meshes, and one is wanted: give all faces one material and one group",
+                    "it has {} meshes, but must have one: give all faces one material and one group",
                     objects.len()
                 ),
             )),

@@ -1,4 +1,4 @@
-//! Texts that are scenes, and texts that are none.
+//! Tests with texts that are scenes and texts that are not.
 
 use rayline::shape::{
     Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh,
@@ -34,7 +34,7 @@ const MESH: Mesh<'static> = Mesh {
     uvs: Some(&[[0.0, 0.0], [0.0, 1.0], [1.0, -59.0]]),
 };
 
-/// One of everything.
+/// Every kind of shape.
 const SHAPES: [Shape<'static>; 18] = [
     Shape::Instances(Instances::new(&Model::Quadric(QUADRIC), &[Pose::at(UP)]).sized(2.0)),
     Shape::Metaballs(Metaballs::new(&[Blob { center: UP, radius: 1.0, strength: -0.5 }])),
@@ -87,7 +87,7 @@ const fn image(pixels: Pixels<'static>) -> Figure<'static> {
     })
 }
 
-/// A scene with one of everything.
+/// A scene with every kind of shape, figure, material property and light.
 fn everything(arena: &Bump) -> Scene<'_> {
     let placement =
         Placement { space: Space::Scene, size: UP, rotation: Vec3::ZERO, origin: Vec3::new(1.0, 2.0, 3.0) };
@@ -156,7 +156,7 @@ fn parsed<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, (Position, RonF
 }
 
 #[test]
-fn what_is_written_is_read() {
+fn written_scenes_are_read_back() {
     let arena = Bump::new();
     let builtins = builtin::ALL.map(|builtin| *builtin.scene);
     let Figure::Image(image) = FIGURES[9] else { panic!() };
@@ -179,7 +179,7 @@ fn bytes_are_read_as_they_were_written() {
     let bytes = scene.to_bytes(&mut room).unwrap();
     let mut memory = vec![MaybeUninit::uninit(); 16_384];
     assert_eq!(Scene::from_bytes(bytes, &mut memory), Ok(scene));
-    // Whatever is cut off is missed, and no bytes are too strange to be refused.
+    // Shortened bytes are refused, and changed bytes never cause a panic.
     for end in 0..bytes.len() {
         assert!(Scene::<Shape<'_>>::from_bytes(&bytes[..end], &mut memory).is_err(), "{end}");
     }
@@ -211,7 +211,7 @@ Scene(
 "#;
 
 #[test]
-fn people_may_leave_out_and_name() {
+fn fields_may_be_left_out_and_items_named() {
     let arena = Bump::new();
     let import = parsed(&arena, SMALL).unwrap();
     let scene = import.scene;
@@ -236,7 +236,8 @@ fn people_may_leave_out_and_name() {
     assert_eq!(line(Part::Background), None);
     assert_eq!(line(Part::Object(3)), None);
 
-    let list = "Scene(camera: (eye: (0, 0, 9), target: (0, 0, 0), up: (0, 1, 0), vertical_fov: 1), materials: [(ior: 1)], objects: [
+    let list = "Scene(camera: (eye: (0, 0, 9), target: (0, 0, 0), up: (0, 1, 0), vertical_fov: 1), \
+                materials: [(ior: 1)], objects: [
         (shape: Sphere(center: (0, 0, 0), radius: 1), material: 0),
         (shape: Sphere(center: (0, 0, 0), radius: 1), material: 0),
     ])";
@@ -246,16 +247,16 @@ fn people_may_leave_out_and_name() {
     assert_eq!([place(0), place(1)], [Some((2, 9)), Some((3, 9))]);
 }
 
-/// Replaces something in [`SMALL`]: where is it refused, and why?
+/// Replaces a part of [`SMALL`], and returns the line, column and text of the error.
 fn refusal(from: &str, to: &str) -> (usize, usize, String) {
     assert!(SMALL.contains(from), "{from}");
     let (position, fault) = parsed(&Bump::new(), &SMALL.replace(from, to)).unwrap_err();
     (position.line, position.column, fault.to_string())
 }
 
-/// The line of a file said of the whole object what was wrong with one of its solids.
+/// An earlier version reported the fault of a solid as one of the whole object.
 #[test]
-fn a_refused_solid_is_told_by_its_number() {
+fn a_refused_solid_is_reported_by_its_number() {
     let told = |shape: &str| {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cut.ron");
@@ -277,7 +278,7 @@ fn a_refused_solid_is_told_by_its_number() {
 }
 
 #[test]
-fn mistakes_are_told_where_they_are() {
+fn errors_are_reported_at_their_positions() {
     let found = [
         refusal("Sphere(center: (2", "Sphre(center: (2"),
         refusal("radius: 0.5", "raduis: 0.5"),
@@ -292,8 +293,8 @@ fn mistakes_are_told_where_they_are() {
         (8, 55, "there is no field of Sphere `raduis`; did you mean `radius`?"),
         (7, 76, "there is no material in this file `bal`; did you mean `ball`?"),
         (12, 18, "there is no preset for a material `glod`; did you mean `gold`?"),
-        (7, 76, "there is no material in this file `xyz`; there are `floor`, `ball`, `glass`"),
-        (13, 18, "two are called `floor`; rename one"),
+        (7, 76, "there is no material in this file `xyz`; the known ones are `floor`, `ball`, `glass`"),
+        (13, 18, "two materials have the name `floor`; rename one"),
         (8, 53, "the field `radius` of Sphere is missing; add it"),
     ];
     assert_eq!(found, expected.map(|(line, column, reason)| (line, column, reason.to_owned())));
@@ -308,9 +309,9 @@ fn mistakes_are_told_where_they_are() {
     assert!(reason.contains("camera"), "{reason}");
 }
 
-/// A material's fields were taken for those of the scene, as a name may stand in its place.
+/// An earlier version reported unknown fields of a material as fields of the scene.
 #[test]
-fn fields_of_what_may_be_named_are_told_as_its_own() {
+fn unknown_fields_are_reported_with_their_own_struct() {
     let glass = "(reflectance: 0.1, transmittance: 0.9, optics: (fresnel: Exact))";
     let found = |text: &str| refusal(glass, text).2;
     assert_eq!(
@@ -321,7 +322,7 @@ fn fields_of_what_may_be_named_are_told_as_its_own() {
         found("(optics: (fresnal: Exact))"),
         "there is no field of Optics `fresnal`; did you mean `fresnel`?"
     );
-    assert_eq!(found("(ior: 1, ior: 2)"), "the field `ior` is there twice; leave one out");
+    assert_eq!(found("(ior: 1, ior: 2)"), "the field `ior` is given twice; remove one");
     let image = "(color: Placed(figure: Image(width: 1, hight: 1, pixels: Rgb888([0, 0, 0]))))";
     assert_eq!(found(image), "there is no field of Image `hight`; did you mean `height`?");
     let around = "    lights: [";
@@ -333,13 +334,14 @@ fn fields_of_what_may_be_named_are_told_as_its_own() {
     assert_eq!((line, &*reason), (15, "there is no field of Scene `light`; did you mean `lights`?"));
 }
 
-/// Presets stand in place of descriptions, and objects name descriptions.
+/// Presets may replace descriptions of materials, but objects refer to materials of the file.
 #[test]
-fn a_preset_in_an_object_is_to_be_named_first() {
+fn a_preset_must_be_in_the_list_of_materials_before_objects_use_it() {
     let told = refusal("material: \"ball\"", "material: \"silver\"");
-    let hint = "there is no material in this file `silver`; it is a preset: name it in `materials` first, as in `\"silver\": \"silver\"`";
+    let hint = "there is no material in this file `silver`; it is a preset: add it to `materials`, as in \
+                `\"silver\": \"silver\"`";
     assert_eq!(told, (7, 76, hint.to_owned()));
-    // As it says.
+    // The change that the message suggests makes the scene valid.
     let text = SMALL.replace("material: \"ball\"", "material: \"silver\"");
     let text = text.replace("    materials: {", "    materials: {\n\"silver\": \"silver\",");
     assert!(parsed(&Bump::new(), &text).is_ok());
@@ -350,7 +352,7 @@ fn a_preset_in_an_object_is_to_be_named_first() {
 }
 
 #[test]
-fn anything_else_is_refused() {
+fn other_texts_are_refused() {
     for text in [
         "",
         "()",

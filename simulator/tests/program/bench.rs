@@ -1,9 +1,9 @@
-//! Runs the program in a directory of its own.
+//! Runs the program in a temporary directory.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// A directory that is removed in the end, and `rayline` in it.
+/// A temporary directory in which `rayline` runs.
 pub(crate) struct Bench {
     directory: tempfile::TempDir,
 }
@@ -38,7 +38,7 @@ impl Bench {
             .unwrap()
     }
 
-    /// The standard output of a run that must succeed and say nothing on the error output.
+    /// The standard output of a run that must succeed without standard error.
     pub(crate) fn output(&self, arguments: &[&str]) -> String {
         let Output { status, stdout, stderr } = self.run(arguments);
         let stderr = String::from_utf8(stderr).unwrap();
@@ -47,7 +47,7 @@ impl Bench {
         String::from_utf8(stdout).unwrap()
     }
 
-    /// The one line of a run that must fail with status 1, without the name of the program.
+    /// The message of a run that must fail with status 1 and one line, without the name of the program.
     pub(crate) fn error(&self, arguments: &[&str]) -> String {
         let Output { status, stdout, stderr } = self.run(arguments);
         let stderr = String::from_utf8(stderr).unwrap();
@@ -59,7 +59,7 @@ impl Bench {
         line.to_owned()
     }
 
-    /// Width, height and bytes of the picture that `render` makes with these arguments.
+    /// The width, height and bytes of the picture that `render` writes with these arguments.
     pub(crate) fn picture(&self, arguments: &[&str]) -> (u32, u32, Vec<u8>) {
         let name = "picture-of-a-test.png";
         self.output(&[&["render", "-o", name, "--quiet"], arguments].concat());
@@ -74,7 +74,7 @@ pub(crate) fn pixels(path: &Path) -> (u32, u32, Vec<u8>) {
     (image.width(), image.height(), image.into_raw())
 }
 
-/// A red square that fills the middle of the picture, as a model without a camera.
+/// A model of a red square, which fills the middle of the picture.
 pub(crate) const SQUARE: &str = "mtllib square.mtl
 v -1 -1 0
 v 1 -1 0

@@ -1,4 +1,4 @@
-//! How `rayline` fails: in one line, with status 1, and without leaving anything behind.
+//! Tests of errors: one line, status 1, and no files left behind.
 
 use crate::bench::{BALL, Bench, SQUARE};
 
@@ -6,12 +6,9 @@ use crate::bench::{BALL, Bench, SQUARE};
 fn unknown_scenes_are_answered_with_the_known_ones() {
     let bench = Bench::new();
     let error = bench.error(&["render", "clasic"]);
-    assert!(
-        error.starts_with("there is no scene `clasic`; did you mean `classic`? There are classic"),
-        "{error}"
-    );
+    assert!(error.starts_with("there is no scene `clasic`; did you mean `classic`? Use classic"), "{error}");
     let error = bench.error(&["pixel", "zzz", "0,0"]);
-    assert!(error.starts_with("there is no scene `zzz`. There are classic"), "{error}");
+    assert!(error.starts_with("there is no scene `zzz`. Use classic"), "{error}");
     assert_eq!(bench.files(), [""; 0]);
 }
 
@@ -22,7 +19,7 @@ fn bad_files_are_answered_with_the_line() {
         (format!("{BALL}s 1 2 3 x").into_bytes(), "bad.nff:6: expected the radius of the sphere, found `x`"),
         (
             format!("{BALL}s 1 2 3 -1").into_bytes(),
-            "bad.nff:6: the radius is not positive; give one above 0 (a cone needs one of its two)",
+            "bad.nff:6: the radius is not positive; use one above 0 (one radius of a cone may be 0)",
         ),
         (
             format!("{BALL}s 1 2 3").into_bytes(),
@@ -30,11 +27,11 @@ fn bad_files_are_answered_with_the_line() {
         ),
         (
             BALL.replace("angle 40", "angle 190").into_bytes(),
-            "bad.nff:1: the vertical field of view is not between 0.0002 and 179.98 degrees; give `vertical_fov` in radians: 45 \
-             degrees are 0.785",
+            "bad.nff:1: the vertical field of view is not between 0.0002 and 179.98 degrees; give \
+             `vertical_fov` in radians: 45 degrees are 0.785",
         ),
         (b"# \xff".to_vec(), "bad.nff:1: not a text file; convert it to UTF-8"),
-        (Vec::new(), "bad.nff:1: the file has no `v`; say where the camera is"),
+        (Vec::new(), "bad.nff:1: the file has no `v`; add it to describe the camera"),
     ] {
         bench.write("bad.nff", content);
         assert_eq!(bench.error(&["render", "bad.nff"]), expected);
@@ -53,8 +50,8 @@ fn bad_models_are_answered_with_the_file_and_the_line() {
     bench.write("square.mtl", "newmtl red\nKd 1 0\nNs many\n");
     bench.write("bad.obj", SQUARE);
     assert_eq!(bench.error(&["render", "bad.obj"]), "square.mtl:3: expected a number, found `many`");
-    let unknown =
-        "bad.obj:7: there is no vertex `5`: there are 4 so far, counted from 1; define it or name another";
+    let unknown = "bad.obj:7: there is no vertex `5`: there are 4 so far, counted from 1; define it or \
+                   correct the number";
     bench.write("bad.obj", SQUARE.replace("3 4", "3 5"));
     assert_eq!(bench.error(&["pixel", "bad.obj", "0,0"]), unknown);
     bench.write("bad.obj", BALL);
@@ -66,7 +63,7 @@ fn bad_models_are_answered_with_the_file_and_the_line() {
 }
 
 #[test]
-fn what_cannot_be_written_is_refused_before_rendering() {
+fn files_that_cannot_be_written_are_refused_before_rendering() {
     let bench = Bench::new();
     // A picture of this size would take minutes.
     let huge = ["render", "classic", "--size", "65535x20000"];
@@ -75,17 +72,20 @@ fn what_cannot_be_written_is_refused_before_rendering() {
     assert_eq!(error(&["-o", "picture"]), "cannot write picture: pictures are .png or .ppm files");
     assert_eq!(
         error(&["-o", "nowhere/picture.png"]),
-        "cannot write nowhere/picture.png: there is no directory nowhere; make it first"
+        "cannot write nowhere/picture.png: there is no directory nowhere; create it first"
     );
     assert!(
         error(&["-o", "picture.png", "--stats", "nowhere/stats.json"]).starts_with("cannot write nowhere/")
     );
     std::fs::create_dir(bench.path("directory.png")).unwrap();
-    assert_eq!(error(&["-o", "directory.png"]), "cannot write directory.png: it is a directory; name a file");
+    assert_eq!(
+        error(&["-o", "directory.png"]),
+        "cannot write directory.png: it is a directory; name a file in it"
+    );
     assert_eq!(bench.files(), ["directory.png"]);
 }
 
-/// It lost its names and comments, without a word.
+/// An earlier version overwrote the scene, and lost its names and comments.
 #[test]
 fn a_scene_is_not_overwritten_with_itself() {
     let bench = Bench::new();
@@ -95,16 +95,16 @@ fn a_scene_is_not_overwritten_with_itself() {
     for output in ["a.ron", "./a.ron", "x/../a.ron"] {
         let error = bench.error(&["convert", "a.ron", output]);
         let expected =
-            format!("cannot write {output}: the scene itself is read from there; name another file");
+            format!("cannot write {output}: it is the file that the scene is read from; name another file");
         assert_eq!(error, expected);
     }
     assert_eq!(std::fs::read(bench.path("a.ron")).unwrap(), before);
     bench.output(&["convert", "a.ron", "b.ron"]);
-    // Another that is there already was named on purpose.
+    // Another existing file may be overwritten.
     bench.output(&["convert", "a.ron", "b.ron"]);
     assert_eq!(
         bench.error(&["convert", "a.ron", "y/../b.ron"]),
-        "cannot write y/../b.ron: there is no directory y; make it first"
+        "cannot write y/../b.ron: there is no directory y; create it first"
     );
 }
 
@@ -120,7 +120,7 @@ fn places_outside_the_picture() {
         "there is no pixel 640,0: the picture is 640x480, counted from 0,0"
     );
     assert!(bench.error(&["pixel", "classic", "70000,0"]).starts_with("there is no pixel 70000,0"));
-    // Which was taken for an option.
+    // An earlier version took this pixel for an option.
     assert_eq!(
         bench.error(&["pixel", "classic", "-1,2"]),
         "there is no pixel -1,2: the picture is 640x480, counted from 0,0"
@@ -132,7 +132,7 @@ fn places_outside_the_picture() {
     }
 }
 
-/// Which was taken for a pixel.
+/// An earlier version took the option for a pixel.
 #[test]
 fn misspelled_options_are_named_wherever_the_pixel_is() {
     let bench = Bench::new();
@@ -176,7 +176,7 @@ fn arguments_that_make_no_sense_are_usage_errors() {
 
 #[cfg(not(feature = "window"))]
 #[test]
-fn without_the_feature_the_window_says_how_to_get_it() {
+fn without_the_feature_window_the_error_says_how_to_build_with_it() {
     let error = Bench::new().error(&["window", "classic"]);
     assert!(error.contains("cargo run --release --features window -- window classic"), "{error}");
 }

@@ -1,6 +1,6 @@
-//! The program from outside: what it writes, what it says, and how it fails.
+//! Tests of the program: its files, its output and its errors.
 
-// All of it is test code; clippy counts only what is inside of `#[test]`.
+// All of this is test code, but clippy counts only functions with `#[test]` as such.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 mod bench;

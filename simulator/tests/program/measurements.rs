@@ -1,4 +1,4 @@
-//! What `rayline bench` prints.
+//! Tests of `rayline bench`.
 
 use crate::bench::Bench;
 
@@ -20,11 +20,11 @@ fn tables_of_all_scenes_qualities_and_numbers() {
         for row in &rows {
             let number = |cell: &str| cell.replace(',', "").parse::<f64>().unwrap();
             assert!(row[4..8].iter().all(|cell| number(cell) > 0.0), "{row:?}");
-            // The pictures are tiny here; how close larger ones are is tested where they are made.
+            // The pictures are tiny here. The accuracy of larger ones is tested elsewhere.
             assert!(row[8] == "same bytes" || number(&row[8]) > 25.0, "{row:?}");
         }
     }
-    // The rest is there where POV-Ray is.
+    // The second table needs POV-Ray.
     if said.contains("POV-Ray is not installed") {
         return;
     }

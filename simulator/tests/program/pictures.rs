@@ -1,4 +1,4 @@
-//! What `rayline` and `rayline render` write.
+//! Tests of the pictures of `rayline` and `rayline render`.
 
 use crate::bench::{BALL, Bench, SQUARE, pixels};
 
@@ -24,7 +24,7 @@ fn without_arguments_the_showcase() {
 }
 
 #[test]
-fn files_say_their_size_and_give_their_name() {
+fn files_have_their_own_size_and_name_the_picture() {
     let bench = Bench::new();
     bench.write("ball.nff", BALL);
     assert!(bench.output(&["render", "ball.nff"]).starts_with("ball.png: 40x30, "));
@@ -37,7 +37,7 @@ fn files_say_their_size_and_give_their_name() {
 }
 
 #[test]
-fn models_get_a_camera_and_a_light_and_say_so() {
+fn models_get_a_camera_and_a_light_with_a_note() {
     let bench = Bench::new();
     bench.write("square.obj", SQUARE);
     bench.write("square.mtl", "newmtl red\nKd 1 0 0\n");
@@ -45,7 +45,7 @@ fn models_get_a_camera_and_a_light_and_say_so() {
     assert!(run.status.success());
     let said = String::from_utf8(run.stderr).unwrap();
     assert!(
-        said.starts_with("note: square.obj: no camera and no light in such a file; all of it is seen"),
+        said.starts_with("note: square.obj: OBJ files have no camera and no lights; the whole model is seen"),
         "{said}"
     );
     assert_eq!(said.lines().count(), 1);
@@ -60,12 +60,15 @@ fn models_get_a_camera_and_a_light_and_say_so() {
 fn a_byte_order_mark_changes_nothing() {
     let bench = Bench::new();
     let red = "newmtl red\nKd 1 0 0\n";
-    // Without its first line, the square would have other corners.
+    // If the mark spoiled the first line, the square would have other corners.
     let square = SQUARE.replace("mtllib square.mtl\n", "") + "mtllib square.mtl\n";
     let triangle = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "accessors": [{"bufferView": 0, "componentType": 5126,
-        "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
-        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#;
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], 
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3,
+        "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, 
+        "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#;
     bench.write("ball.nff", BALL);
     bench.output(&["convert", "ball.nff", "scene.ron"]);
     let scene = std::fs::read_to_string(bench.path("scene.ron")).unwrap();
@@ -117,7 +120,7 @@ fn lines_are_those_of_the_whole_picture() {
 }
 
 #[test]
-fn displays_have_the_colors_that_they_have() {
+fn pictures_have_only_the_colors_of_their_display() {
     let bench = Bench::new();
     let levels = |arguments: &[&str]| {
         let bytes = small(&bench, arguments);
@@ -168,7 +171,7 @@ fn the_seed_moves_samples() {
 #[test]
 fn double_precision_is_another_computation_of_the_same_picture() {
     let bench = Bench::new();
-    // Enough pixels that rounding shows in one of them.
+    // There are enough pixels that one of them shows the rounding.
     let arguments = ["classic", "--size", "320x240"];
     let (_, _, single) = bench.picture(&arguments);
     let (_, _, double) = bench.picture(&[&arguments[..], &["--number", "f64"]].concat());

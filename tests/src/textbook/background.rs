@@ -1,4 +1,4 @@
-//! What rays see that hit nothing.
+//! Backgrounds.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -7,7 +7,7 @@ use rayline::{Background, Encoding, Filter, Image, Panorama, Pixels, Sky};
 
 use super::{color, vector};
 
-/// The background in a direction.
+/// The light of the background in a direction.
 pub(super) fn background(background: &Background<'_>, direction: DVec3) -> DVec3 {
     match *background {
         Background::Solid(solid) => color(solid),
@@ -21,15 +21,15 @@ pub(super) fn background(background: &Background<'_>, direction: DVec3) -> DVec3
                 * DQuat::from_rotation_y(f64::from(rotation.y))
                 * DQuat::from_rotation_x(f64::from(rotation.x));
             let at = turned.inverse() * direction;
-            // The angle to the right of -z, and that above the horizon.
+            // The angle to the right of -z, and the angle above the horizon.
             let (right, above) = (at.x.atan2(-at.z), at.y.clamp(-1.0, 1.0).asin());
             look_up(image, right / TAU + 0.5, (FRAC_PI_2 - above) / PI)
         }
-        _ => panic!("the textbook knows no such background"),
+        _ => panic!("the textbook renderer does not support this background"),
     }
 }
 
-/// The light of an image at a place from 0 to 1, to the right and down.
+/// The light of an image at a position from 0 to 1, to the right and down.
 fn look_up(image: &Image<'_>, right: f64, down: f64) -> DVec3 {
     let (columns, lines) = (f64::from(image.width), f64::from(image.height));
     let (x, y) = (right * columns, down * lines);
@@ -44,9 +44,11 @@ fn look_up(image: &Image<'_>, right: f64, down: f64) -> DVec3 {
     }
 }
 
-/// A pixel; it goes on around, and ends above and below.
+/// A pixel of an image that repeats horizontally and is clamped vertically.
 fn pixel(image: &Image<'_>, column: f64, line: f64) -> DVec3 {
-    let Pixels::Rgb888(bytes) = image.pixels else { panic!("the textbook knows no such pixels") };
+    let Pixels::Rgb888(bytes) = image.pixels else {
+        panic!("the textbook renderer does not support these pixels")
+    };
     let column = column.rem_euclid(f64::from(image.width)) as usize;
     let line = line.clamp(0.0, f64::from(image.height) - 1.0) as usize;
     let place = (line * usize::from(image.width) + column) * 3;

@@ -1,8 +1,9 @@
-//! An independent renderer, written from the formulas of textbooks: recursive, on the heap, in `f64`, with no
-//! acceleration. It shares the description of scenes with the core, and nothing else.
+//! An independent renderer, written from the formulas of textbooks: recursive, on the heap, in `f64`, without
+//! acceleration. It shares only the description of scenes with the core.
 //!
-//! Recursive ray tracing as Whitted describes it ("An Improved Illumination Model for Shaded Display", CACM 1980);
-//! the formulas are those of Glassner (ed.), "An Introduction to Ray Tracing", 1989, where not said otherwise.
+//! Ray tracing is recursive, after Whitted ("An Improved Illumination Model for Shaded Display", CACM 1980).
+//! Formulas are those of Glassner (ed.), "An Introduction to Ray Tracing", 1989, unless another source is
+//! named.
 
 mod background;
 mod optics;
@@ -16,8 +17,9 @@ use rayline::{Background, LinearRgb, Object, Optics, Scene, Settings, Vec3};
 
 use crate::Picture;
 
-/// What is nearer than this to where a ray starts is the surface that the ray leaves. In `f64` a point lies
-/// within about 1e-12 of its surface in scenes of this size, and nothing in them is as small as this.
+/// The smallest distance of a hit from the origin of a ray; nearer hits are on the surface that the ray
+/// leaves. In `f64` and scenes of this size a point lies within about 1e-12 of its surface, and all parts are
+/// larger than this distance.
 const NEAR: f64 = 1e-7;
 
 /// A renderer for one scene.
@@ -34,7 +36,7 @@ struct Ray {
     direction: DVec3,
 }
 
-/// A place where a ray goes through a surface.
+/// An intersection of a ray with a surface.
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
     t: f64,
@@ -45,7 +47,7 @@ struct Crossing {
 }
 
 impl<'s> Textbook<'s> {
-    /// A renderer of this scene with the size, bounces and cutoff of these settings.
+    /// A renderer for this scene, with the size, bounces and cut-off of these settings.
     pub fn new(scene: &'s Scene<'s>, settings: Settings) -> Self {
         Self { scene, settings }
     }
@@ -69,7 +71,8 @@ impl<'s> Textbook<'s> {
         let camera = &self.scene.camera;
         let eye = vector(camera.eye);
         let to_world = DMat4::look_at_rh(eye, vector(camera.target), vector(camera.up)).inverse();
-        // The picture hangs at distance 1 before the eye; from its middle to its top is the tangent.
+        // The picture plane is at distance 1 from the eye; half its height is the tangent of half the angle
+        // of view.
         let top = (f64::from(camera.vertical_fov) / 2.0).tan();
         let right = ((f64::from(x) + 0.5) / width * 2.0 - 1.0) * top * width / height;
         let up = (1.0 - (f64::from(y) + 0.5) / height * 2.0) * top;
@@ -77,15 +80,15 @@ impl<'s> Textbook<'s> {
         self.trace(Ray { origin: eye, direction }, 0, DVec3::ONE)
     }
 
-    /// Where a ray goes through an object, in no particular order.
+    /// All intersections of a ray with an object, in no particular order.
     fn crossings(&self, ray: Ray, object: &'s Object<Shape<'s>>) -> Vec<Crossing> {
         let mut crossings = shapes::crossings(&object.shape, ray);
         crossings.retain(|crossing| crossing.t > NEAR);
         crossings
     }
 
-    /// The first surface that a ray meets. Of several at the same distance, but for rounding, it is that of the
-    /// first object.
+    /// The first surface that a ray hits. If several are at the same distance, but for rounding, it is that
+    /// of the first object.
     fn nearest(&self, ray: Ray) -> Option<(&'s Object<Shape<'s>>, Crossing)> {
         let objects = self.scene.objects.iter();
         let all: Vec<_> = objects
@@ -97,8 +100,8 @@ impl<'s> Textbook<'s> {
         all.into_iter().find(|(_, crossing)| crossing.t <= least + NEAR)
     }
 
-    /// The share of light that comes through along the first `distance` of a ray: each surface takes its part, and so
-    /// does what lies between it and the one before.
+    /// The share of light that passes along the first `distance` of a ray, after transmission at each surface
+    /// and absorption between surfaces.
     fn transmission(&self, ray: Ray, distance: f64) -> DVec3 {
         let objects = self.scene.objects.iter();
         let mut all: Vec<_> = objects
@@ -121,7 +124,7 @@ impl<'s> Textbook<'s> {
     }
 }
 
-/// What a ray of this direction sees of a background.
+/// The light of a background in this direction.
 pub fn background_in(background: &Background<'_>, direction: Vec3) -> LinearRgb {
     let DVec3 { x, y, z } = background::background(background, vector(direction).normalize());
     LinearRgb::new(x as f32, y as f32, z as f32)

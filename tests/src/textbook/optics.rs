@@ -1,24 +1,24 @@
-//! What goes beyond Whitted and Phong: Fresnel's equations, Beer's law, lamps.
+//! Extensions of the models of Whitted and Phong: Fresnel's equations, Beer's law, lamps.
 
 use glam::DVec3;
 use rayline::{Falloff, Fresnel, Highlight, Lamp, Material, Optics};
 
 use super::{color, vector};
 
-/// What is left of light on a way behind a surface, or in front of it (Beer).
+/// The share of light that is left after a distance behind a surface, or in front of it (Beer's law).
 pub(super) fn absorbed(optics: &Optics, is_behind: bool, length: f64) -> DVec3 {
     let coefficients = color(if is_behind { optics.absorption } else { optics.outside.absorption });
-    // Where nothing is absorbed, nothing is for ever.
+    // A coefficient of 0 absorbs nothing, even over an infinite distance.
     coefficients.map(|coefficient| if coefficient > 0.0 { (-coefficient * length).exp() } else { 1.0 })
 }
 
-/// What is left of light at a distance.
+/// The share of light that is left at a distance.
 pub(super) fn faded(falloff: &Falloff, distance: f64) -> f64 {
     let [c, l, q] = [falloff.constant, falloff.linear, falloff.quadratic].map(f64::from);
     (1.0 / (c + l * distance + q * distance * distance)).min(1.0)
 }
 
-/// What a lamp sends to where it is seen in this direction and at this distance.
+/// The light that a lamp sends to a point. `toward` is the direction from the point to the lamp.
 pub(super) fn emitted(lamp: &Lamp, toward: DVec3, distance: f64) -> DVec3 {
     let mut light = color(lamp.color) * faded(&lamp.falloff, distance);
     if let Some(cone) = lamp.cone {
@@ -30,17 +30,17 @@ pub(super) fn emitted(lamp: &Lamp, toward: DVec3, distance: f64) -> DVec3 {
     light
 }
 
-/// The cosine that the highlight is a power of.
+/// The cosine whose power is the highlight.
 pub(super) fn highlight(optics: &Optics, normal: DVec3, view: DVec3, toward: DVec3) -> f64 {
     match optics.highlight {
-        // The view ray, mirrored: 2 (N·V) N - V.
+        // The mirrored view direction is 2 (N·V) N - V.
         Highlight::Phong => (2.0 * normal.dot(view) * normal - view).dot(toward),
         Highlight::BlinnPhong => (view + toward).normalize().dot(normal),
     }
 }
 
-/// The mirrored and the refracted share at an angle of incidence whose cosine is given; `refracted` is the cosine of the angle
-/// behind, if there is one.
+/// The mirrored and the refracted share at an angle of incidence with this cosine. `refracted` is the cosine
+/// of the refracted angle, if there is one.
 pub(super) fn shares(
     material: &Material,
     optics: &Optics,
@@ -63,7 +63,8 @@ pub(super) fn shares(
             schlick(DVec3::splat(straight), cosine).x
         }
         Fresnel::Exact => {
-            // By the angles: sin²(a - b) / sin²(a + b) and tan²(a - b) / tan²(a + b).
+            // Fresnel's equations in terms of the angles: sin²(a - b) / sin²(a + b) and tan²(a - b) / tan²(a
+            // + b).
             let (a, b) = (cosine.acos(), refracted.map_or(std::f64::consts::FRAC_PI_2, f64::acos));
             if a < 1e-6 {
                 straight

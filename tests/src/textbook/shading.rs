@@ -1,4 +1,4 @@
-//! Light at a surface, and the recursion: Whitted's model with Phong's highlight.
+//! Shading of a surface and the recursion: Whitted's model with Phong's highlight.
 
 use glam::{DQuat, DVec3};
 use rayline::{Ends, Figure, Light, Material, Optics, Placed, Placement, Space, Texture};
@@ -7,7 +7,8 @@ use super::background::background;
 use super::{Ray, Textbook, color, optics, vector};
 
 impl Textbook<'_> {
-    /// The light that comes along a ray, after so many bounces, of which the pixel gets the share `throughput`.
+    /// The light that comes along a ray after `bounces` bounces. The pixel receives the share `throughput` of
+    /// it.
     pub(super) fn trace(&self, ray: Ray, bounces: u8, throughput: DVec3) -> DVec3 {
         let Some((object, crossing)) = self.nearest(ray) else {
             return background(&self.scene.background, ray.direction);
@@ -51,7 +52,7 @@ impl Textbook<'_> {
         local + follow(mirror, ray.direction.reflect(normal), true) + refracted
     }
 
-    /// Ambient light, and what the lights that are seen from a point bring.
+    /// The light from a surface by ambient light and by the lights that are visible from the point.
     fn local_light(
         &self,
         material: &Material,
@@ -60,7 +61,7 @@ impl Textbook<'_> {
         normal: DVec3,
         view: DVec3,
     ) -> DVec3 {
-        assert!(material.maps.is_empty(), "the textbook knows no maps");
+        assert!(material.maps.is_empty(), "the textbook renderer does not support maps");
         let pigment = pigment(&material.color, point);
         let ambient: Vec<DVec3> = (self.scene.lights.iter())
             .filter_map(
@@ -84,7 +85,7 @@ impl Textbook<'_> {
                     (toward, distance, optics::emitted(&lamp, toward, distance))
                 }
                 Light::Ambient { .. } => continue,
-                _ => panic!("the textbook knows no such light"),
+                _ => panic!("the textbook renderer does not support this light"),
             };
             let lambert = normal.dot(toward);
             if lambert <= 0.0 {
@@ -110,14 +111,14 @@ fn pigment(texture: &Texture, point: DVec3) -> DVec3 {
             color(if even { checker.even } else { checker.odd })
         }
         Texture::Placed(placed) => figure(placed, point),
-        _ => panic!("the textbook knows no such texture"),
+        _ => panic!("the textbook renderer does not support this texture"),
     }
 }
 
-/// The color of a plain figure that lies in space.
+/// The color of a figure that is placed in the scene.
 fn figure(placed: &Placed<'_>, point: DVec3) -> DVec3 {
     let Placement { space, size, rotation, origin } = placed.placement;
-    assert_eq!(space, Space::Scene, "the textbook knows no places on surfaces");
+    assert_eq!(space, Space::Scene, "the textbook renderer does not support textures on surfaces");
     let turned = DQuat::from_rotation_z(f64::from(rotation.z))
         * DQuat::from_rotation_y(f64::from(rotation.y))
         * DQuat::from_rotation_x(f64::from(rotation.x));
@@ -145,12 +146,12 @@ fn figure(placed: &Placed<'_>, point: DVec3) -> DVec3 {
             let is_mortar = x < f64::from(wall.gap[0]) || y < f64::from(wall.gap[1]);
             color(if is_mortar { wall.mortar } else { wall.brick })
         }
-        _ => panic!("the textbook knows no such figure"),
+        _ => panic!("the textbook renderer does not support this figure"),
     }
 }
 
-/// The refracted direction by Snell's law, `n₁ sin θ₁ = n₂ sin θ₂`, put together from its parts along the surface
-/// and across it; `None` where there is no such angle. The normal faces the incoming ray.
+/// The refracted direction by Snell's law, `n₁ sin θ₁ = n₂ sin θ₂`, as the sum of its parts along the surface
+/// and across it; `None` under total internal reflection. The normal faces the incoming ray.
 fn snell(incoming: DVec3, normal: DVec3, (n1, n2): (f64, f64)) -> Option<DVec3> {
     let across = normal * incoming.dot(normal);
     let along = (incoming - across) * (n1 / n2);

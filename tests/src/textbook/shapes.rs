@@ -1,4 +1,4 @@
-//! Where rays go through shapes.
+//! Intersections of rays with shapes.
 
 use glam::{DMat3, DQuat, DVec3};
 use rayline::Vec3;
@@ -6,7 +6,7 @@ use rayline::shape::{Blob, Disc, Instances, Mesh, Quadric, Rectangle, Shape, Tor
 
 use super::{Crossing, Ray, vector};
 
-/// All crossings of the whole line that a ray lies on with a shape.
+/// All intersections of a shape with the line of a ray, in both directions.
 pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
     match *shape {
         Shape::Sphere(sphere) => self::sphere(vector(sphere.center), f64::from(sphere.radius), ray),
@@ -47,7 +47,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
     }
 }
 
-/// The crossings of the model with the ray where it is, brought to each place.
+/// The intersections with the model at each pose.
 fn instances(instances: &Instances<'_>, ray: Ray) -> Vec<Crossing> {
     let (model, size) = (Shape::from(*instances.model), f64::from(instances.size));
     let places = instances.poses.iter().flat_map(|pose| {
@@ -65,7 +65,7 @@ fn instances(instances: &Instances<'_>, ray: Ray) -> Vec<Crossing> {
     places.collect()
 }
 
-/// What the blobs add up to at a point, and its gradient: Wyvill's polynomial in the squared distance.
+/// The sum of the blobs at a point, and its gradient: Wyvill's polynomial in the squared distance.
 fn blobs_at(blobs: &[Blob], point: DVec3) -> (f64, DVec3) {
     let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
     for blob in blobs {
@@ -80,7 +80,7 @@ fn blobs_at(blobs: &[Blob], point: DVec3) -> (f64, DVec3) {
     (sum, gradient)
 }
 
-/// Where the sum becomes larger or smaller than 1/2: looked for in small steps through each blob, then by halves.
+/// The points where the sum crosses 1/2: searched in small steps through each blob, then by bisection.
 fn metaballs(blobs: &[Blob], ray: Ray) -> Vec<Crossing> {
     const STEPS: u32 = 600;
     let at = |t: f64| ray.origin + ray.direction * t;
@@ -162,7 +162,8 @@ pub(super) fn polynomial(quadric: &Quadric, p: DVec3) -> (f64, DVec3) {
     (value, gradient)
 }
 
-/// The polynomial along the ray by its values in three places; then what of it is in the box, and what of the box is in it.
+/// The polynomial along the ray, by its values at three points; then the part of its surface inside of the
+/// box, and for a capped one the part of the box inside of it.
 fn quadric(quadric: &Quadric, ray: Ray) -> Vec<Crossing> {
     let center = vector(quadric.center);
     let (min, max) = (center + vector(quadric.min), center + vector(quadric.max));
@@ -186,14 +187,14 @@ fn quadric(quadric: &Quadric, ray: Ray) -> Vec<Crossing> {
     side.chain(caps).collect()
 }
 
-/// The way from the nearest point of the circle in the tube's middle.
+/// The vector from the nearest point of the circle in the middle of the tube.
 pub(super) fn from_circle(torus: &Torus, point: DVec3) -> DVec3 {
     let (axis, from_center) = (vector(torus.axis).normalize(), point - vector(torus.center));
     from_center - from_center.reject_from(axis).normalize() * f64::from(torus.major_radius)
 }
 
-/// Where the distance from the circle becomes larger or smaller than the tube's radius: looked for in small steps, then by
-/// halves.
+/// The points where the distance from the circle crosses the tube's radius: searched in small steps, then by
+/// bisection.
 fn torus(torus: &Torus, ray: Ray) -> Vec<Crossing> {
     const STEPS: u32 = 300;
     let (major, minor) = (f64::from(torus.major_radius), f64::from(torus.minor_radius));
@@ -224,7 +225,7 @@ fn plane(point: DVec3, normal: DVec3, ray: Ray) -> Option<Crossing> {
     (slope != 0.0).then(|| flat((point - ray.origin).dot(normal) / slope, normal))
 }
 
-/// A point of the plane, by its distance from the center.
+/// The point in the plane, tested by its distance from the center.
 fn disc(disc: &Disc, ray: Ray) -> Option<Crossing> {
     let center = vector(disc.center);
     let crossing = plane(center, vector(disc.normal), ray)?;
@@ -232,7 +233,7 @@ fn disc(disc: &Disc, ray: Ray) -> Option<Crossing> {
     (distance >= f64::from(disc.hole) && distance <= f64::from(disc.radius)).then_some(crossing)
 }
 
-/// A point of the plane, between two opposite sides and between the other two.
+/// The point in the plane, tested against both pairs of opposite sides.
 fn rectangle(rectangle: &Rectangle, ray: Ray) -> Option<Crossing> {
     let (corner, right, up) = (vector(rectangle.corner), vector(rectangle.right), vector(rectangle.up));
     let crossing = plane(corner, right.cross(up), ray)?;
@@ -245,8 +246,8 @@ fn rectangle(rectangle: &Rectangle, ray: Ray) -> Option<Crossing> {
     (between(right) && between(up)).then_some(crossing)
 }
 
-/// o + t d = (1 - u - v) a + u b + v c, by Cramer's rule (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
-/// Intersection", Journal of Graphics Tools, 1997).
+/// o + t d = (1 - u - v) a + u b + v c, by Cramer's rule (Möller and Trumbore, "Fast, Minimum Storage
+/// Ray/Triangle Intersection", Journal of Graphics Tools, 1997).
 fn triangle(triangle: &Triangle, ray: Ray) -> Option<Crossing> {
     let [a, b, c] = triangle.vertices.map(vector);
     let (ab, ac) = (b - a, c - a);
@@ -270,7 +271,7 @@ fn triangle(triangle: &Triangle, ray: Ray) -> Option<Crossing> {
     Some(Crossing { t: ac.dot(q) / determinant, geometric, normal })
 }
 
-/// The triangles of a mesh, each for itself.
+/// The triangles of a mesh.
 fn triangles(mesh: Mesh<'_>) -> impl Iterator<Item = Triangle> {
     mesh.triangles.iter().map(move |corners| {
         let of = |vectors: &[Vec3]| corners.map(|corner| vectors[usize::from(corner)]);
@@ -278,8 +279,8 @@ fn triangles(mesh: Mesh<'_>) -> impl Iterator<Item = Triangle> {
     })
 }
 
-/// The plane of the outline (Newell's normal: Sutherland, Sproull and Schumacker 1974), then the angle that the
-/// outline sweeps around the point: an odd number of full turns means inside.
+/// The point in the plane of the outline (Newell's normal: Sutherland, Sproull and Schumacker 1974), tested
+/// by the angle that the outline sweeps around it: an odd number of full turns means inside.
 fn polygon(vertices: &[DVec3], ray: Ray) -> Option<Crossing> {
     let edges = || vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
     let normal: DVec3 = edges().map(|(a, b)| (a - vertices[0]).cross(b - vertices[0])).sum();
@@ -293,7 +294,7 @@ fn polygon(vertices: &[DVec3], ray: Ray) -> Option<Crossing> {
     (turns % 2 != 0).then_some(crossing)
 }
 
-/// Each plane, by a point and its normal, where no other is in front of it.
+/// The points on each plane that are behind all others. A face is a point and a normal.
 fn polyhedron(faces: &[(DVec3, DVec3)], ray: Ray) -> Vec<Crossing> {
     let crossing = |(index, (point, normal)): (usize, &(DVec3, DVec3))| {
         let crossing = plane(*point, *normal, ray)?;

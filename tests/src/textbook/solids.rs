@@ -1,4 +1,4 @@
-//! Solids that are put together: what is inside of which, by the definition of each.
+//! Constructive solid geometry: whether a point is inside of a solid, by the definition of each solid.
 
 use glam::{DMat3, DVec3};
 use rayline::shape::{CsgStep, Shape, Solid};
@@ -6,10 +6,11 @@ use rayline::shape::{CsgStep, Shape, Solid};
 use super::shapes::{from_circle, polynomial};
 use super::{Crossing, Ray, vector};
 
-/// How far before and behind a surface it is looked whether it is one of the whole.
+/// The distance in front of a surface and behind it at which points are tested to decide whether the surface
+/// is one of the result.
 const ASIDE: f64 = 1e-6;
 
-/// The crossings of all solids where the whole begins or ends.
+/// The intersections with all solids at which the result begins or ends.
 pub(super) fn crossings(steps: &[CsgStep<Solid<'_>>], ray: Ray) -> Vec<Crossing> {
     let is_in = |t: f64| is_inside(steps, ray.origin + ray.direction * t);
     let solids = steps.iter().filter_map(|step| match step {
@@ -22,7 +23,7 @@ pub(super) fn crossings(steps: &[CsgStep<Solid<'_>>], ray: Ray) -> Vec<Crossing>
         if before == behind {
             continue;
         }
-        // Outward, whatever the solid was used for.
+        // The normal points out of the result, also where a solid was subtracted.
         let is_outward = (crossing.geometric.dot(ray.direction) < 0.0) == behind;
         let turn = if is_outward { 1.0 } else { -1.0 };
         crossings.push(Crossing {

@@ -1,4 +1,5 @@
-//! Acceleration never changes a byte: pictures with and without it, of scenes that are given and of random ones.
+//! Tests that acceleration never changes a byte: pictures with and without it, of built-in, stored and random
+//! scenes.
 
 use std::mem::MaybeUninit;
 
@@ -28,7 +29,7 @@ fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settin
     pixels
 }
 
-/// The number of pixels that differ.
+/// The number of pixels that differ between pictures with and without acceleration.
 fn differences<R: Real>(scene: &Scene, settings: Settings) -> usize {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R, _>::new(scene, &mut memory).unwrap();
@@ -49,7 +50,7 @@ fn check(name: &str) {
             assert_eq!(differences::<f32>(scene, settings), 0);
             assert_eq!(differences::<f64>(scene, settings), 0);
         }
-        // From close by: objects around and behind the camera.
+        // From a near position, with objects around and behind the camera.
         let Camera { eye, target, .. } = scene.camera;
         for share in [0.3, 0.8, 0.95] {
             let camera = Camera { eye: eye + (target - eye) * share, ..scene.camera };
@@ -61,7 +62,7 @@ fn check(name: &str) {
 
 each_scene!(check);
 
-/// Everything that happens, in order.
+/// A probe that records all events in order.
 #[derive(Default)]
 struct Record(Vec<Event<f32>>);
 
@@ -71,14 +72,15 @@ impl Probe<f32> for Record {
     }
 }
 
-/// Pixels that are traced side by side are traced by the same rays as alone; and a probe that minds is told of one after the other.
+/// Pixels that are traced side by side take the same rays as alone, and a probe that needs the order receives
+/// the events of one pixel after the other.
 #[test]
 fn pixels_side_by_side_take_the_same_rays() {
     for name in ["flake", "balls_s2", "teapot_s2", "rings_s1", "mount_s1"] {
         with_scene(name, |scene, bounces| {
             let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
             let prepared = PreparedScene::<f32, _>::new(scene, &mut memory).unwrap();
-            // Few rays, so that some pixels spend all.
+            // A small limit of rays, which some pixels reach.
             let settings = Settings { bounces, rays_per_pixel: 9, ..Settings::new(53, 40) };
             let renderer = Renderer::new(&prepared, settings).unwrap();
             let mut line = [Rgb888::BLACK; 53];
@@ -112,7 +114,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         1 => (vector(), vector()).prop_map(|(point, normal)| Shape::Plane(Plane::new(point, normal))),
         2 => [vector(), vector(), vector()].prop_map(|[a, b, c]| Shape::Triangle(Triangle::flat(a, b, c))),
         2 => [vector(), vector(), vector()].prop_map(|[a, b, c]| {
-            // A parallelogram.
+            // The polygon is a parallelogram.
             Shape::Polygon(Polygon::new(Box::leak(Box::new([a, b, c, a + c - b]))))
         }),
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..1.0).prop_map(|(center, normal, radius, share)| {
@@ -122,7 +124,9 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
             .prop_map(|(corner, right, up)| Shape::Rectangle(Rectangle::new(corner, right, up))),
         1 => (vector(), vector()).prop_map(|(one, other)| Shape::Cuboid(Cuboid::aligned(one, other))),
         1 => (vector(), vector(), vector(), 0.01f32..2.0)
-            .prop_map(|(center, along, aside, length)| Shape::Cuboid(turned_box(center, along, aside, length))),
+            .prop_map(|(center, along, aside, length)| {
+                Shape::Cuboid(turned_box(center, along, aside, length))
+            }),
         1 => (vector(), vector(), proptest::collection::vec(vector(), 0..6))
             .prop_map(|(center, half, cuts)| Shape::ConvexPolyhedron(cut_box(center, half, &cuts))),
         1 => (vector(), vector(), 0.0f32..2.0, 0.0f32..2.0, any::<bool>()).prop_map(
@@ -150,7 +154,7 @@ fn shape() -> BoxedStrategy<Shape<'static>> {
         1 => instances(vector(), (0.1f32..1.5).boxed()).prop_map(Shape::Instances),
         1 => (vector(), vector(), 0.1f32..3.0, 0.1f32..3.0, vector(), 0..3usize).prop_map(
             |(center, aside, radius, other_radius, normal, operator)| {
-                // Near enough to each other that something is left.
+                // The solids are so close together that the result is not empty.
                 let ball = |center, radius| CsgStep::Solid(Solid::Sphere(Sphere::new(center, radius)));
                 let operator = [CsgStep::Union, CsgStep::Intersection, CsgStep::Difference][operator];
                 Shape::Csg(Csg::new(Box::leak(Box::new([
@@ -195,16 +199,18 @@ fn light() -> BoxedStrategy<Light> {
     .boxed()
 }
 
-/// Shapes as [`shape`] gives them, but smaller, so that many have room beside each other.
+/// Shapes like those of [`shape`], but smaller, so that many fit beside each other.
 fn small_shape() -> BoxedStrategy<Shape<'static>> {
     let small = prop_oneof![Just(0.05f32), Just(0.25), 0.01f32..0.4];
     prop_oneof![
-        6 => (vector(), small.clone()).prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
+        6 => (vector(), small.clone())
+            .prop_map(|(center, radius)| Shape::Sphere(Sphere::new(center, radius))),
         6 => (vector(), vector(), vector(), small.clone()).prop_map(|(at, b, c, size)| {
             Shape::Triangle(Triangle::flat(at, at + b * size, at + c * size))
         }),
         2 => (vector(), vector(), small.clone(), 0.0f32..0.5).prop_map(|(base, along, size, top_radius)| {
-            Shape::Cone(Cone { base, base_radius: size, top: base + along * size, top_radius, capped: size > 0.2 })
+            let top = base + along * size;
+            Shape::Cone(Cone { base, base_radius: size, top, top_radius, capped: size > 0.2 })
         }),
         1 => shape(),
     ]
@@ -216,7 +222,7 @@ fn accepted<R: Real>(scene: &Scene) -> bool {
     PreparedScene::<R, _>::new(scene, &mut memory).is_ok()
 }
 
-/// A scene of what is accepted, the rest left out.
+/// A scene with those objects and lights that are accepted.
 fn with_accepted<R: Real>(
     eye: Vec3,
     objects: impl Iterator<Item = Object<Shape<'static>>>,
@@ -241,7 +247,8 @@ fn eye() -> BoxedStrategy<Vec3> {
     vector().prop_map(|eye| eye * 2.0 + Vec3::new(0.1, 0.2, 0.3)).boxed()
 }
 
-/// A shadow ray begins a little beside a hit, and far out on a floor by as much as a small ball may be away from its lamp.
+/// A shadow ray begins at an offset from its hit. Far out on a floor, the offset is as large as the distance
+/// of a small ball from its lamp.
 #[test]
 fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
     let white = Material::matte(LinearRgb::gray(0.8));
@@ -283,7 +290,7 @@ fn a_bow_tie_is_two_triangles() {
     let corners = [place(-1.0, -0.7), place(-1.0, 0.7), place(1.0, -0.7), place(1.0, 0.7)];
     let [a, b, c, d] = corners;
     let middle = place(0.0, 0.0);
-    // With the same front as the bow tie.
+    // The triangles have the same front as the bow tie.
     let triangles = [Triangle::flat(a, b, middle), Triangle::flat(c, middle, d)];
     let floor = Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, -1.5, 0.0), Vec3::new(0.0, 1.0, 0.0))), 1);
     let balls = |count: u16| {
@@ -317,7 +324,7 @@ fn a_bow_tie_is_two_triangles() {
         with(&[bow_tie], &|bow_tie| {
             assert_same_in_all_numbers(bow_tie, settings, count);
             with(&triangles.map(Shape::Triangle), &|triangles| {
-                // But for pixels on the outline and on the edge of its shadow.
+                // Pixels on the outline and on the edge of the shadow may differ.
                 let off = |a: Vec<Rgb888>, b: Vec<Rgb888>| a.iter().zip(&b).filter(|(a, b)| a != b).count();
                 let counts = [
                     off(picture::<f32>(bow_tie, settings), picture::<f32>(triangles, settings)),
@@ -331,7 +338,11 @@ fn a_bow_tie_is_two_triangles() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 1500,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn random_scenes(
@@ -350,7 +361,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 250, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Too many objects for sets: they have a hierarchy.
+    /// Scenes with too many objects for sets, which have a hierarchy.
     #[test]
     fn random_scenes_of_many_objects(
         eye in eye(),
@@ -359,7 +370,7 @@ proptest! {
         materials in proptest::collection::vec(material(), 4),
         lights in proptest::collection::vec(light(), 1..4),
     ) {
-        // Some stand there twice, of another material: which of them is met shows.
+        // Some objects occur twice with different materials, so that the picture shows which one is hit.
         let twice: Vec<_> = again.iter().map(|(which, material)| (which.get(&shapes).0, *material)).collect();
         let objects = shapes.into_iter().chain(twice).map(|(shape, material)| Object::new(shape, material));
         with_accepted::<f32>(eye, objects, &materials, lights, |scene| {
@@ -373,7 +384,7 @@ proptest! {
     }
 }
 
-/// Balls in a grid that the axes' rays run along, each twice, on a floor that is there twice as well.
+/// Rays along the axes through a grid of balls, each of which occurs twice, on a floor that occurs twice.
 #[test]
 fn rays_along_the_axes_through_a_grid() {
     let grid = (0..125u16).map(|i| {
@@ -394,7 +405,7 @@ fn rays_along_the_axes_through_a_grid() {
         Light::Point { position: Vec3::new(0.0, 9.0, 0.0), color },
     ];
     for eye in [Vec3::new(0.0, 0.0, 9.0), Vec3::new(9.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 1.0)] {
-        // An odd number of pixels: one ray runs along the axis.
+        // With an odd number of pixels, one ray runs along the axis.
         let camera = Camera {
             eye,
             target: Vec3::new(0.0, eye.y, 0.0),
@@ -414,8 +425,8 @@ fn rays_along_the_axes_through_a_grid() {
     }
 }
 
-/// A large ball of glass, a small one and a slab seen through each other, with small balls inside and around: more objects than sets are
-/// for, or few.
+/// A large glass ball, a small one and a slab seen through each other, with small balls inside and around.
+/// With `many`, there are more objects than a set holds.
 fn glass(ior: f32, many: bool, check: impl Fn(&Scene)) {
     let ball = |x: f32, y: f32, z: f32, radius: f32| Shape::Sphere(Sphere::new(Vec3::new(x, y, z), radius));
     let slab = Cuboid::aligned(Vec3::new(-1.5, -0.9, 1.6), Vec3::new(0.2, 0.4, 1.7));
@@ -458,7 +469,7 @@ fn assert_same_in_all_numbers(scene: &Scene, settings: Settings, which: impl std
     }
 }
 
-/// Rays that leave something of a high index were not of unit length.
+/// An earlier version had rays of the wrong length that leave glass of a high index.
 #[test]
 fn glass_of_any_index() {
     for ior in [1e-3, 1.0 / 60.0, 0.05, 0.14, 0.5, 1.5, 2.4, 4.0, 7.6, 17.9, 20.0, 60.0, 1e3] {
@@ -469,13 +480,13 @@ fn glass_of_any_index() {
     }
 }
 
-/// Rays that leave one surface after the other were of unit length less and less.
+/// An earlier version had rays whose length drifted away from 1 with each surface.
 #[test]
 fn surfaces_that_are_left_in_turn() {
     for (ior, vertical_fov) in [(1.5, 0.1), (2.0, 0.015), (3.0, 1e-3)] {
         for many in [false, true] {
             glass(ior, many, |scene| {
-                // Seven panes, all seen from behind, between the eye and the rest.
+                // Seven panes between the eye and the other objects, all seen from behind.
                 let panes = (0..7u16).map(|i| {
                     let corner = Vec3::new(-1.0, -1.0, 4.5 - f32::from(i) * 0.2);
                     let (right, up) = (Vec3::new(2.0, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0));
@@ -502,7 +513,7 @@ fn surfaces_that_are_left_in_turn() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A mesh with boxes around its triangles, and the same in pieces so small that they have none.
+    /// A mesh with a hierarchy, and the same mesh in pieces so small that they have none.
     #[test]
     fn meshes_and_their_pieces(
         eye in eye(),

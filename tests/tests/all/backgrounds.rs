@@ -1,4 +1,5 @@
-//! Backgrounds that differ from one direction to another: each ray sees them in its own, in every number system and quality.
+//! Tests of backgrounds that depend on the direction, with rays of every kind, in every number system and
+//! quality.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -23,7 +24,8 @@ static EVENING: Sky = Sky {
     nadir: LinearRgb::new(0.1, 0.08, 0.05),
 };
 
-/// A meadow below, a sky above, a white sun on the right and red bars that stand to the left; 64 pixels by 32.
+/// An image of 64 by 32 pixels: a meadow below, a sky above, a white sun on the right and red upright bars on
+/// the left.
 static MEADOW: [u8; 64 * 32 * 3] = {
     let mut bytes = [0; 64 * 32 * 3];
     let mut i = 0;
@@ -60,7 +62,7 @@ static TURNED: Panorama = Panorama { image: SHARP, rotation: Vec3::new(0.2, 2.5,
 static DAY: Sky = Sky::new(LinearRgb::gray(0.9), LinearRgb::new(0.1, 0.3, 0.9));
 static AHEAD: Panorama = Panorama::new(SMOOTH);
 
-/// A background of each kind, and its name.
+/// A background of each kind, with its name.
 pub(super) const ALL: [(&str, Background<'static>); 4] = [
     ("gradient", Background::Gradient(&DAY)),
     ("evening", Background::Gradient(&EVENING)),
@@ -74,14 +76,14 @@ fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, look: impl FnOnc
     look(&Renderer::new(&prepared, settings).expect("legal settings"))
 }
 
-/// Compares what rays that hit nothing see with what lies in their direction.
+/// A probe that compares the color of each ray that hits nothing with the background in its direction.
 struct Seen<'a> {
     background: Background<'a>,
     kind: RayKind,
     direction: Vec3,
-    /// Rays of each kind.
+    /// The number of rays of each kind.
     counts: [u32; 3],
-    /// How many were off by more than 2 of 255.
+    /// The number of rays that were off by more than 2 of 255.
     off: u32,
 }
 
@@ -115,14 +117,14 @@ fn assert_seen<R: Real>() {
         });
         let Seen { counts, off, .. } = seen;
         assert!(counts.iter().all(|count| *count > 50), "{counts:?}");
-        // Directions that are rounded to another pixel of the picture.
+        // Some directions are rounded to another pixel of the image.
         let most = if name == "sharp" { counts.iter().sum::<u32>() / 500 } else { 0 };
         assert!(off <= most, "{name}: {off} of {counts:?} are off");
     }
 }
 
 #[test]
-fn rays_of_every_kind_see_it_in_their_direction() {
+fn rays_of_every_kind_see_the_background_in_their_direction() {
     assert_seen::<f32>();
     assert_seen::<f64>();
     assert_seen::<Fixed>();
@@ -144,7 +146,7 @@ fn pictures_are_those_of_the_textbook() {
     }
 }
 
-/// Peak signal to noise ratio in decibels.
+/// The peak signal-to-noise ratio in decibels.
 fn psnr(a: &Picture, b: &Picture) -> f64 {
     let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
     let sum: f64 = a.pixels.iter().flatten().zip(b.pixels.iter().flatten()).map(square).sum();
@@ -235,7 +237,7 @@ fn acceleration_changes_no_byte() {
 #[test]
 fn lines_of_sky_stay_while_the_camera_does() {
     let settings = Settings::new(48, 36);
-    // What is in the way has moved.
+    // The objects have moved.
     let objects: Vec<Object<_>> = WHITTED.objects.iter().rev().copied().collect();
     let moved = rayline::Camera { vertical_fov: WHITTED.camera.vertical_fov * 0.99, ..WHITTED.camera };
     let is_unchanged = |before: &Scene, now: &Scene| {
@@ -247,7 +249,7 @@ fn lines_of_sky_stay_while_the_camera_does() {
     for (name, background) in ALL.into_iter().chain([solid]) {
         let before = Scene { background, ..WHITTED };
         assert!(is_unchanged(&before, &Scene { objects: &objects, ..before }), "{name}");
-        // Where the camera looks elsewhere, it sees something else.
+        // With another line of sight the background changes.
         let camera_moved = is_unchanged(&before, &Scene { camera: moved, ..before });
         assert_eq!(camera_moved, name == "solid", "{name}");
         for (other, background) in ALL.into_iter().chain([solid]) {

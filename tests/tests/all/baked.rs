@@ -1,4 +1,4 @@
-//! Scenes as Rust source: it compiles, and it is the scene.
+//! Tests of scenes as Rust source: the source compiles and is the same scene.
 
 use std::fs;
 use std::mem::MaybeUninit;
@@ -12,7 +12,7 @@ use rayline::{
     Digest, Fault, Part, PreparedScene, Real, Renderer, Scene, SceneError, Settings, Vec3, builtin,
 };
 
-/// As a program for a board takes them in.
+/// Included as in a program for a board.
 #[allow(dead_code, unreachable_pub)]
 mod table {
     include!("../../baked/table.rs");
@@ -34,11 +34,11 @@ fn the_source_is_the_scene() {
     assert_eq!(is.objects.len(), was.objects.len());
     assert_eq!(table::DESCRIPTION, was);
     assert_eq!((mesh_f32::DESCRIPTION, mesh_fixed::DESCRIPTION), (builtin::MESH, builtin::MESH));
-    // In its own set it takes no more memory than in that of all shapes.
+    // In its own set the scene takes no more memory than in the set of all shapes.
     assert!(table::prepared_bytes::<f32>() <= was.bytes::<f32>());
 }
 
-/// The digest of a small picture, drawn with so many bytes of memory.
+/// The digest of a small picture, drawn with this many bytes of memory.
 fn digest<R: Real, S: Geometry>(scene: &Scene<'static, S>, bytes: usize) -> Result<u64, SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); bytes];
     let prepared = PreparedScene::<R, S>::new(scene, &mut memory)?;
@@ -60,16 +60,16 @@ fn baked_meshes_are_the_same_and_take_no_memory() {
     assert_eq!(baked, digest::<f32, _>(&mesh, mesh.bytes::<f32>()));
     let fixed = digest::<Fixed, _>(&mesh_fixed::SCENE, mesh_fixed::prepared_bytes::<Fixed>());
     assert_eq!(fixed, digest::<Fixed, _>(&mesh, mesh.bytes::<Fixed>()));
-    // 80 triangles.
+    // The mesh has 80 triangles.
     assert!(mesh_f32::prepared_bytes::<f32>() + 40 * 80 < mesh.bytes::<f32>());
 }
 
 #[test]
-fn what_was_baked_for_something_else_is_refused() {
+fn meshes_baked_for_another_scene_are_refused() {
     let refusal = Err(SceneError { part: Part::Object(1), fault: Fault::BakedOtherwise });
     assert_eq!(digest::<Fixed, _>(&mesh_f32::SCENE, 9999), refusal);
     assert_eq!(digest::<f32, _>(&mesh_fixed::SCENE, 9999), refusal);
-    // From afar all of a scene is smaller in fixed point.
+    // With a camera far away, the scene has a smaller scale in fixed point.
     let mut camera = mesh_fixed::SCENE.camera;
     camera.eye = Vec3::new(0.0, 900.0, 900.0);
     assert_eq!(digest::<Fixed, _>(&Scene { camera, ..mesh_fixed::SCENE }, 9999), refusal);
@@ -88,7 +88,7 @@ fn is_up_to_date<N: BakedNumber>(name: &str, scene: &Scene<'_>) {
 }
 
 #[test]
-fn the_sources_are_what_is_written_today() {
+fn the_baked_sources_are_up_to_date() {
     is_up_to_date::<f32>("table.rs", &builtin::TABLE);
     is_up_to_date::<f32>("mesh_f32.rs", &builtin::MESH);
     is_up_to_date::<Fixed>("mesh_fixed.rs", &builtin::MESH);

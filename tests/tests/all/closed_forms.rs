@@ -1,4 +1,4 @@
-//! Light transport against answers that can be worked out by hand, in f32 and in f64.
+//! Tests of light transport against results that can be computed by hand, in f32 and in f64.
 
 use std::mem::MaybeUninit;
 
@@ -8,7 +8,7 @@ use rayline::{
     RayKind, Real, Renderer, Scene, Settings, Vec3,
 };
 
-/// Looks down the negative z axis from (0, 0, 5).
+/// A camera at (0, 0, 5) that looks along the negative z axis.
 pub(super) const CAMERA: Camera = Camera {
     eye: Vec3::new(0.0, 0.0, 5.0),
     target: Vec3::ZERO,
@@ -16,7 +16,7 @@ pub(super) const CAMERA: Camera = Camera {
     vertical_fov: 0.5,
 };
 
-/// Shows no light of its own surface.
+/// A material without diffuse light.
 pub(super) const DARK: Material = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
 const GLASS: Material = Material { transmittance: 1.0, ior: 1.5, ..DARK };
 
@@ -28,7 +28,7 @@ fn scene<'a>(
     Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights }
 }
 
-/// What the camera sees straight ahead, and everything that happened.
+/// The light that the camera sees straight ahead, and the events on the way.
 fn look<R: Real, P: Probe<R> + Default>(scene: &Scene, settings: Settings) -> (LinearRgb, P) {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R, _>::new(scene, &mut memory).expect("a legal scene");
@@ -40,7 +40,7 @@ fn look<R: Real, P: Probe<R> + Default>(scene: &Scene, settings: Settings) -> (L
 
 const ONE_PIXEL: Settings = Settings { cutoff: 0.0, bounces: 16, ..Settings::new(1, 1) };
 
-/// The camera sees this gray straight ahead, in both number systems.
+/// Asserts the gray that the camera sees straight ahead, in both number systems.
 #[track_caller]
 fn assert_sees(scene: &Scene, expected: f64) {
     for (light, _) in [look::<f32, RayCounts>(scene, ONE_PIXEL), look::<f64, RayCounts>(scene, ONE_PIXEL)] {
@@ -49,7 +49,7 @@ fn assert_sees(scene: &Scene, expected: f64) {
     }
 }
 
-/// A ball of radius 1 in the origin.
+/// A ball of radius 1 at the origin.
 fn ball(material: u16) -> Object<Shape<'static>> {
     sphere(Vec3::ZERO, 1.0, material)
 }
@@ -58,7 +58,7 @@ fn sphere(center: Vec3, radius: f32, material: u16) -> Object<Shape<'static>> {
     Object::new(Shape::Sphere(Sphere::new(center, radius)), material)
 }
 
-/// A wall through (0, 0, z), across the line of sight turned by `degrees` around the y axis.
+/// A wall through (0, 0, z), orthogonal to the line of sight and then turned by `degrees` about the y axis.
 pub(super) fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, 0.0, z), Vec3::new(sin, 0.0, cos))), material)
@@ -68,7 +68,7 @@ fn point_light(x: f32, y: f32, z: f32) -> Light {
     Light::Point { position: Vec3::new(x, y, z), color: LinearRgb::WHITE }
 }
 
-/// All rays but shadow rays, with where they go.
+/// A probe that records all rays but shadow rays, with their directions.
 #[derive(Default)]
 struct Rays(Vec<(RayKind, [f64; 3], f64)>);
 
@@ -82,7 +82,7 @@ impl<R: Real> Probe<R> for Rays {
 }
 
 #[test]
-fn nothing_is_the_background() {
+fn without_objects_the_background_is_seen() {
     let empty = Scene { background: Background::gray(0.3), ..scene(&[], &[], &[]) };
     assert_sees(&empty, f64::from(0.3f32));
 }
@@ -93,7 +93,7 @@ fn without_lights_only_ambient_is_seen() {
     assert_sees(&scene(&[ball(0)], &[material], &[]), 0.125);
 }
 
-/// The sum of all that hits are said to add.
+/// A probe that sums the light of all hits.
 #[derive(Default)]
 struct Parts([f64; 3]);
 
@@ -106,9 +106,9 @@ impl<R: Real> Probe<R> for Parts {
     }
 }
 
-/// Probes were told what lights bring, but not what is ambient and what surfaces emit.
+/// Earlier events had the light of lights, but not ambient light and emission.
 #[test]
-fn what_a_hit_is_said_to_add_is_what_is_seen() {
+fn the_light_in_events_adds_up_to_the_pixel() {
     let glowing = Optics { emission: LinearRgb::new(0.3, 0.2, 0.1), ..Optics::PLAIN };
     let matte = Material { ambient: 0.25, ..Material::matte(LinearRgb::new(0.5, 0.25, 1.0)) };
     let shiny = Material { specular: 0.5, shininess: 3.0, optics: Some(&glowing), ..matte };
@@ -159,7 +159,7 @@ fn surfaces_have_two_sides() {
 
 #[test]
 fn phong_is_the_power_of_the_cosine_to_the_mirrored_ray() {
-    // The wall mirrors the line of sight back; the light stands 20° beside it.
+    // The wall mirrors the line of sight back; the light is 20° beside it.
     for (shininess, degrees) in [(1.0f32, 20.0f32), (10.0, 20.0), (50.0, 5.0), (3.0827, 40.0)] {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let material = Material { specular: 0.5, shininess, ..DARK };
@@ -170,10 +170,10 @@ fn phong_is_the_power_of_the_cosine_to_the_mirrored_ray() {
 }
 
 #[test]
-fn what_stands_between_blocks_and_what_stands_behind_the_light_does_not() {
+fn objects_in_front_of_a_light_block_it_and_those_behind_do_not() {
     let material = Material::matte(LinearRgb::WHITE);
     let floor = wall(-2.0, 0.0, 0);
-    // Off the line of sight, on the way to the light.
+    // The blocker is on the way to the light, but not on the line of sight.
     let blocker = |at: f32| sphere(Vec3::new(at, 0.0, at - 2.0), 0.5, 0);
     let light = [point_light(4.0, 0.0, 2.0)];
     let lit = 0.5f64.sqrt();
@@ -188,7 +188,7 @@ fn every_transparent_surface_scales_the_light() {
     let clear = Material { transmittance: 0.5, ior: 1.5, ..DARK };
     let floor = wall(-2.0, 0.0, 0);
     let glass = |at: f32| sphere(Vec3::new(at, 0.0, at - 2.0), 0.4, 1);
-    // A pane across the way to the light.
+    // A pane on the way to the light.
     let corners = [(2.7, -0.3), (3.3, -0.3), (3.3, 0.3), (2.7, 0.3)].map(|(x, y)| Vec3::new(x, y, 4.0 - x));
     let pane = Object::new(Shape::Polygon(Polygon::new(&corners)), 1);
     let materials = [Material::matte(LinearRgb::WHITE), clear];
@@ -230,7 +230,7 @@ fn a_light_on_or_inside_a_surface_is_legal() {
 
 #[test]
 fn a_mirror_shows_what_is_beside() {
-    // Turned by 45°, the mirror shows what is to the right: a white ball under ambient light.
+    // The mirror is turned by 45° and shows a white ball on the right, under ambient light.
     let mirror = Material { reflectance: 0.75, ..DARK };
     let glow = Material { ambient: 1.0, ..DARK };
     let square: [Vec3; 4] = [
@@ -258,7 +258,8 @@ fn snell_bends_light() {
         let (_, rays) = look::<f64, Rays>(&scene(&objects, &[GLASS], &[]), ONE_PIXEL);
         let refracted = rays.0.iter().find(|ray| ray.0 == RayKind::Refracted).expect("a refracted ray");
         let [x, _, z] = refracted.1;
-        // The surface turns its normal by so many degrees; the ray keeps between its own way and the normal's.
+        // The normal is turned by this angle, and the refracted ray lies between the line of sight and the
+        // normal.
         let theta = f64::from(degrees).to_radians();
         let bent = theta - (theta.sin() / 1.5).asin();
         assert!((x - -bent.sin()).abs() < 1e-6 && (z - -bent.cos()).abs() < 1e-6, "{degrees}: {refracted:?}");
@@ -267,7 +268,7 @@ fn snell_bends_light() {
 
 #[test]
 fn snell_bends_light_back_when_it_leaves() {
-    // From behind: the wall's front is away from the camera.
+    // The front of the wall faces away from the camera.
     let objects = [wall(0.0, 180.0 + 20.0, 0)];
     let (_, rays) = look::<f64, Rays>(&scene(&objects, &[GLASS], &[]), ONE_PIXEL);
     let refracted = rays.0.iter().find(|ray| ray.0 == RayKind::Refracted).expect("a refracted ray");
@@ -305,7 +306,8 @@ fn an_index_of_one_is_straight_through_with_the_same_bits() {
 
 #[test]
 fn in_a_white_furnace_a_lossless_ball_is_invisible() {
-    // 0.4 of the light is inside; each inner bounce keeps 0.6 of that, and what the last one keeps is left out.
+    // 0.4 of the light gets inside. Each inner bounce keeps 0.6 of it, and the light after the last bounce is
+    // left out.
     let material = Material { reflectance: 0.6, transmittance: 0.4, ..GLASS };
     let (objects, materials) = ([ball(0)], [material]);
     let furnace = Scene { background: Background::gray(1.0), ..scene(&objects, &materials, &[]) };
@@ -333,7 +335,7 @@ fn dim_rays_are_cut_off_and_counted() {
     let objects = [wall(0.0, 0.0, 0), wall(7.0, 0.0, 0)];
     let settings = Settings { cutoff: 0.1, ..ONE_PIXEL };
     let (_, counts) = look::<f32, RayCounts>(&scene(&objects, &[mirror], &[]), settings);
-    // 1/2, 1/4, 1/8, and no 1/16.
+    // The shares are 1/2, 1/4 and 1/8; 1/16 is cut off.
     assert_eq!((counts.reflected, counts.cut_throughput), (3, 1));
 }
 

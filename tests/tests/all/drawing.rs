@@ -1,4 +1,4 @@
-//! From the renderer to displays: any order, any step, any failure, the same bytes.
+//! Tests of drawing to displays: the bytes do not depend on the order of lines, on steps or on failures.
 
 use std::mem::MaybeUninit;
 use std::ops::Range;
@@ -18,7 +18,7 @@ use rayline::{
 };
 use rayline_tests::{Screen, Unplugged};
 
-/// Hands a renderer of the scene to `use_it`.
+/// Calls `use_it` with a renderer of the scene.
 fn with_renderer<T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<f32>) -> T) -> T {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
     let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
@@ -27,7 +27,7 @@ fn with_renderer<T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Rend
 
 const SMALL: Settings = Settings { bounces: 3, ..Settings::new(37, 23) };
 
-/// The whole picture, line after line.
+/// The whole picture, line by line.
 fn picture(renderer: &Renderer<f32>) -> Vec<Rgb888> {
     let mut pixels = vec![Rgb888::BLACK; (renderer.width() * renderer.height()) as usize];
     for (y, line) in (0..).zip(pixels.chunks_mut(renderer.width().max(1) as usize)) {
@@ -83,7 +83,7 @@ fn a_buffer_larger_than_the_picture_is_enough() {
     });
 }
 
-/// Draws with many budgets and buffers; a step may go so many rays beyond its budget.
+/// Draws with many budgets and buffers; a step may exceed its budget by `most_beyond` rays.
 fn assert_steps(scene: &Scene, most_beyond: u32, smallest_step: usize) {
     with_renderer(scene, SMALL, |renderer| {
         let expected = picture(renderer);
@@ -120,7 +120,7 @@ fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
     assert_steps(&CLASSIC, SMALL.rays_per_pixel, 1);
 }
 
-/// Of many objects, a square of pixels is traced side by side.
+/// In scenes of many objects, a square of pixels is traced side by side.
 #[test]
 fn stepping_through_groups_of_pixels_is_bounded_too() {
     let pixels = LINES_AT_ONCE * LINES_AT_ONCE;
@@ -231,11 +231,11 @@ fn a_frame_goes_on_with_other_lines() {
         let (mut screen, mut buffer) = (Screen::new(renderer), [Rgb888::BLACK; 37 * 2]);
         let mut frame = renderer.frame(0..0, &mut buffer).expect("a frame");
         for lines in [9..16, 16..23, 0..2, 2..9] {
-            // In the middle of a line it is told of others.
+            // The lines are changed in the middle of a line.
             frame.set_lines(4..23).expect("lines");
             frame.step(&mut screen, 20).expect("a step");
             frame.set_lines(lines.clone()).expect("lines");
-            // Of lines that there are not, nothing is taken.
+            // Lines that do not exist are refused and change nothing.
             let error = frame.set_lines(20..24).expect_err("refused");
             assert_eq!(error, LineError::NoSuchLine { line: 23, height: 23 });
             let mut progress = frame.step(&mut screen, 1).expect("a step");
@@ -248,7 +248,7 @@ fn a_frame_goes_on_with_other_lines() {
     });
 }
 
-/// `frame(30..30)` was refused for line 29, which it does not ask for.
+/// An earlier version refused `frame(30..30)` because of line 29.
 #[test]
 fn no_lines_are_drawn_wherever_they_would_begin() {
     with_renderer(&CLASSIC, SMALL, |renderer| {
@@ -278,7 +278,7 @@ fn no_lines_are_drawn_wherever_they_would_begin() {
 
 type Stage = SceneBuf<'static, Sphere, 3, 2, 1>;
 
-/// A ball on a larger one, at a moment from 0 to 1: where it is, its color and its light depend on that.
+/// A ball on a larger one. Its position, color and light depend on the moment, from 0 to 1.
 fn stage(moment: f32) -> Stage {
     let mut scene = Stage::new(CLASSIC.camera, CLASSIC.background);
     let [ground, red] =
@@ -317,13 +317,13 @@ fn a_scene_that_is_changed_has_the_bytes_of_one_that_is_filled_anew() {
 
         let fresh = stage(moment);
         assert_eq!(changed.as_scene(), fresh.as_scene());
-        // In memory that held the frame before, and in memory that did not.
+        // Drawn in the memory of the previous frame, and in fresh memory.
         let pixels = drawn(&changed, &mut memory);
         assert!(pixels == drawn(&fresh, &mut Workspace::new()), "frame {frame}");
         assert!(pixels != before, "frame {frame}");
         before = pixels;
     }
-    // What was changed for the worse is refused, and can be mended.
+    // An illegal change is refused, and can be reverted.
     changed.objects_mut()[1].shape.radius = -1.0;
     let refused = PreparedScene::<f32, _>::new(&changed.as_scene(), memory.lend()).expect_err("no radius");
     assert_eq!(refused.to_string().split(": ").next(), Some("object 1"));
@@ -342,7 +342,7 @@ fn pictures_of_every_size_are_defined() {
             if width == 0 || height == 0 {
                 let mut screen = Screen::new(renderer);
                 renderer.draw(&mut screen, &mut line).unwrap_or_else(|error| {
-                    // A picture without lines still wants a buffer that could hold one.
+                    // A picture without lines still needs a buffer for a line.
                     panic!("{width}x{height}: {error}")
                 });
                 assert!(screen.windows.is_empty());
@@ -380,7 +380,7 @@ fn several_samples_smooth_and_depend_on_the_seed_alone() {
     assert!(picture_with(1, 0) == picture_with(1, 9), "one sample is the center");
     assert!(picture_with(4, 0) == picture_with(4, 0));
     assert!(picture_with(4, 0) != picture_with(4, 9));
-    // The more samples, the closer two seeds come to each other.
+    // With more samples, the pictures of two seeds differ less.
     let apart = |samples| {
         let (a, b) = (picture_with(samples, 1), picture_with(samples, 2));
         a.iter().zip(&b).map(|(a, b)| u64::from(a.g().abs_diff(b.g())).pow(2)).sum::<u64>()

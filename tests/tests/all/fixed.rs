@@ -1,5 +1,5 @@
-//! Fixed point: how near its pictures are to those of `f64`, that they do not depend on the scene's units, that
-//! nothing overflows, and exact goldens for other processors to be compared with.
+//! Tests of fixed point: agreement with `f64`, independence of the scene's units, absence of overflow, and
+//! exact digests that boards must reproduce.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -18,10 +18,10 @@ use rayline::{
 use rayline_simulator::LoadedScene;
 use rayline_tests::{Picture, backgrounds, core_picture, lights, numbers, optics, shapes, vectors};
 
-/// What pictures in fixed point are held to.
+/// The smallest allowed PSNR of pictures in fixed point, in decibels.
 const BAR_DB: f64 = 40.0;
 
-/// The ratio of the largest signal to the noise: 10 log₁₀(255² / mean square error).
+/// The peak signal-to-noise ratio in decibels: 10 log₁₀(255² / mean square error).
 fn psnr(a: &Picture, b: &Picture) -> f64 {
     let squares =
         |a: &[u8; 3], b: &[u8; 3]| (0..3).map(|i| f64::from(a[i].abs_diff(b[i])).powi(2)).sum::<f64>();
@@ -33,7 +33,8 @@ fn linear(bounces: u8) -> Settings {
     Settings { bounces, transfer: Transfer::Linear, ..Settings::new(320, 240) }
 }
 
-/// The scene in fixed point is as near to `f64` as it must be; both pictures are kept to look at.
+/// Asserts that the picture in fixed point agrees with that in `f64`. Both are written to files for
+/// inspection.
 #[track_caller]
 fn assert_near_f64(name: &str, scene: &Scene<'_>, bounces: u8) {
     let exact = core_picture::<f64>(scene, linear(bounces));
@@ -82,7 +83,7 @@ fn lamps_fade_from_any_distance() {
     }
 }
 
-/// Where directions to lights were off by 2⁻¹⁷ in length, the picture had 42 dB.
+/// When directions to lights were wrong in length by 2⁻¹⁷, this picture had 42 dB.
 #[test]
 fn tips_do_not_shade_themselves() {
     let arena = Bump::new();
@@ -95,7 +96,7 @@ fn tips_do_not_shade_themselves() {
 
 #[test]
 fn digests_are_golden() {
-    // Blessed after a look at the pictures; boards must give the same.
+    // The pictures were inspected before these digests were stored. Boards must reproduce them.
     let mut actual = Vec::new();
     for scene in &builtin::ALL {
         let mut memory = vec![MaybeUninit::uninit(); scene.scene.bytes::<Fixed>()];
@@ -139,7 +140,7 @@ fn acceleration_changes_no_byte() {
     }
 }
 
-/// The classic scene, or what is made of it.
+/// The parts of the classic scene, to be modified.
 struct Parts {
     camera: Camera,
     objects: Vec<Object<Shape<'static>>>,
@@ -157,7 +158,7 @@ impl Parts {
         }
     }
 
-    /// The same in other units.
+    /// The classic scene in other units.
     fn scaled(by: f32) -> Self {
         let mut parts = Self::classic();
         parts.camera.eye = parts.camera.eye * by;
@@ -211,10 +212,10 @@ fn units_do_not_matter() {
 }
 
 #[test]
-fn the_scale_is_told() {
+fn the_scale_is_that_of_the_extent() {
     let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<Fixed>()];
     let prepared = PreparedScene::<Fixed>::new(&CLASSIC, &mut memory).unwrap();
-    // The largest sphere reaches 22 units far, and 30 is the floor's.
+    // The spheres extend to 22 units from the origin, and the floor to 30.
     assert_eq!(prepared.scale(), 1.0 / 64.0);
     let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
     assert_eq!(PreparedScene::<f32>::new(&CLASSIC, &mut memory).unwrap().scale(), 1.0);
@@ -246,12 +247,12 @@ fn floors_may_be_very_large() {
 }
 
 #[test]
-fn what_is_small_beside_the_scene_is_still_seen() {
-    // The page of `Fixed` tells these figures.
+fn small_objects_in_large_scenes_are_visible() {
+    // The documentation of `Fixed` states these figures.
     for (ratio, bar) in [(32.0, 44.0), (256.0, 36.0), (1024.0, 30.0)] {
         for (name, extent) in [("whitted", 3.1), ("flake", 1.0), ("table", 3.4)] {
             let scene = builtin::ALL.iter().find(|scene| scene.name == name).unwrap();
-            // A ball behind the camera.
+            // A ball behind the camera makes the scene larger.
             let Camera { eye, target, .. } = scene.scene.camera;
             let behind = (eye - target) * (0.9 / (eye - target).magnitude());
             let (center, radius) = (behind * (ratio * extent), 0.1 * ratio * extent);
@@ -270,7 +271,7 @@ fn what_is_small_beside_the_scene_is_still_seen() {
 #[test]
 fn the_camera_may_be_far_away() {
     let mut parts = Parts::classic();
-    // A hundred times as far, through a telescope.
+    // A hundred times as far away, with a correspondingly small field of view.
     parts.camera = Camera {
         eye: Vec3::new(0.0, 0.0, 1984.0),
         target: Vec3::new(0.0, 0.0, -16.0),
@@ -280,7 +281,7 @@ fn the_camera_may_be_far_away() {
     assert_near_f64("telescope", &parts.scene(), 3);
 }
 
-/// A floor that shines red, seen before black, and what stands on it.
+/// A scene with a red floor in front of a black background, and other objects.
 fn above<'a>(
     camera: Camera,
     objects: &'a [Object<Shape<'static>>],
@@ -295,7 +296,8 @@ const FLOOR_AND_OTHERS: [Material; 3] = [
     Material { reflectance: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::BLACK) },
 ];
 
-/// How many pixels show floor in one picture and none in the other, though the floor does not end at or beside them.
+/// The number of pixels that show the floor in one picture and not in the other, although they are not at the
+/// edge of the floor.
 fn lost_pixels(scene: &Scene<'_>) -> usize {
     let settings = Settings { transfer: Transfer::Linear, ..Settings::new(160, 120) };
     let (double, fixed) = (core_picture::<f64>(scene, settings), core_picture::<Fixed>(scene, settings));
@@ -359,7 +361,7 @@ fn a_moved_eye_sees_planes_to_the_horizon_or_is_refused() {
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.8,
     };
-    // Within 1/4: the scale is 1/32.
+    // The floor's scene must fit in 1/4, so the scale is 1/32.
     let scene = above(at(0.0, 2.0, 8.0), &floor, &FLOOR_AND_OTHERS);
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
     let mut prepared = PreparedScene::<Fixed>::new(&scene, &mut memory).unwrap();
@@ -376,7 +378,7 @@ fn a_moved_eye_sees_planes_to_the_horizon_or_is_refused() {
     ] {
         assert_eq!(prepared.set_camera(&camera), answer, "{:?}", camera.eye);
     }
-    // With whatever eye it was prepared, that one and others as near to the origin are accepted.
+    // The eye that the scene was prepared with is accepted, and so are others as near to the origin.
     for distance in [Some(0.0), Some(1.0), Some(3.1), Some(9.9), Some(1000.0), None] {
         let up = Vec3::new(0.36, -0.48, 0.8);
         let plane = distance.map(|distance| Object::new(Shape::Plane(Plane::new(up * -distance, up)), 0));
@@ -400,7 +402,7 @@ fn refused(parts: &Parts) -> SceneError {
 }
 
 #[test]
-fn what_does_not_fit_is_refused_with_a_remedy() {
+fn parts_out_of_range_are_refused_with_a_remedy() {
     let error = |part, fault: Fault| {
         assert!(fault.to_string().contains(';'), "no remedy: {fault}");
         SceneError { part, fault }
@@ -433,7 +435,7 @@ fn what_does_not_fit_is_refused_with_a_remedy() {
     assert_eq!(prepared.set_camera(&away(600.0)), Err(error(Part::Camera, Fault::BeyondReach)));
 }
 
-/// Whether a scene of one shape and one light is refused, and why.
+/// The fault for which a scene of one shape and one light is refused, if it is.
 fn refusal(shape: Shape<'static>, material: Material<'static>, light: f32) -> Option<Fault> {
     let (objects, materials) = ([Object::new(shape, 0)], [material]);
     let lights = [Light::Directional { direction: Vec3::new(0.0, -1.0, 0.0), color: LinearRgb::gray(light) }];
@@ -443,7 +445,7 @@ fn refusal(shape: Shape<'static>, material: Material<'static>, light: f32) -> Op
 }
 
 #[test]
-fn the_page_of_fixed_tells_its_limits() {
+fn the_documented_limits_of_fixed_hold() {
     let white = Material::matte(LinearRgb::WHITE);
     let ball = |radius| Shape::Sphere(Sphere::new(Vec3::ZERO, radius));
     assert_eq!(refusal(ball(1.0), white, 59.0), None);
@@ -468,7 +470,8 @@ fn the_page_of_fixed_tells_its_limits() {
     assert_eq!(refusal(blobs(58.0), white, 1.0), None);
     assert_eq!(refusal(blobs(58.1), white, 1.0), Some(Fault::OutOfRange));
 
-    // Radii beside how far the scene extends, just above what would be scaled to 1/2 or 1/4: the worst there are.
+    // The smallest radii for extents just above a power of two, which is the worst case of scaling to 1/2 or
+    // 1/4.
     let up = Vec3::new(0.0, 1.0, 0.0);
     let camera = Camera { eye: Vec3::ZERO, ..CLASSIC.camera };
     let far = |x: f32| Object::new(Shape::Sphere(Sphere::new(Vec3::new(x - 0.01, 0.0, 0.0), 0.01)), 0);
@@ -559,22 +562,26 @@ fn light() -> BoxedStrategy<Light> {
     lights(&numbers(), &color)
 }
 
-/// Light in each of some pixels of a scene, or the fault.
+/// The light of some pixels of a scene, or the error.
 fn pixels(scene: &Scene<'_>) -> Result<Vec<LinearRgb<Fixed>>, SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<Fixed>()];
     let prepared = PreparedScene::<Fixed>::new(scene, &mut memory)?;
     let settings = Settings { bounces: 8, rays_per_pixel: 300, ..Settings::new(5, 5) };
     let renderer = Renderer::new(&prepared, settings).expect("legal settings");
-    // Lines too: they go through the candidates.
+    // Draw lines as well, because they use the candidates.
     let mut line = [Rgb888::BLACK; 5];
     (0..5).for_each(|y| renderer.line(y, &mut line).expect("a line"));
     Ok((0..25).map(|i| renderer.pixel(i % 5, i / 5, &mut ()).0).collect())
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 10_000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
-    /// With the overflow checks of the profile that tests are built with.
+    /// Overflow checks are on in the profile of tests.
     #[test]
     fn any_scene_is_refused_or_renders_light(
         eye_and_target in (vectors(&numbers()), vectors(&numbers())),
@@ -589,9 +596,15 @@ proptest! {
         let mut objects: Vec<_> =
             shapes.into_iter().map(|(shape, material)| Object::new(shape, material)).collect();
         let (mut materials, mut background) = (materials, background);
-        // What is refused is left out, so that most cases render something.
+        // Leave out the refused parts, so that most cases render a picture.
         loop {
-            let scene = Scene { camera, background, objects: &objects, materials: &materials, lights: &lights };
+            let scene = Scene {
+                camera,
+                background,
+                objects: &objects,
+                materials: &materials,
+                lights: &lights,
+            };
             match pixels(&scene) {
                 Ok(pixels) => {
                     for light in pixels {

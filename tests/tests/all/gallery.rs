@@ -1,4 +1,5 @@
-//! The scenes of the gallery: each can be read, written and read again, and gives the same picture as ever.
+//! Tests of the gallery's scenes: each can be read, written and read again, and its picture has the stored
+//! digest.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -10,7 +11,7 @@ use rayline_simulator::{Gallery, LoadedScene, Number, Picture, RenderOptions, Sc
 
 const SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(64, 48) };
 
-/// The least that fixed point must keep of a picture in f64, in decibels.
+/// The smallest allowed PSNR of fixed point against f64, in decibels.
 const LEAST_DB: f64 = 38.0;
 
 fn root() -> PathBuf {
@@ -29,7 +30,7 @@ fn digest(picture: &Picture) -> u64 {
 }
 
 #[test]
-fn pictures_are_the_same_as_ever() {
+fn pictures_have_the_stored_digests() {
     let gallery = Gallery::new(&root().join("docs/gallery")).unwrap();
     let mut lines = String::new();
     for file in gallery.files() {
@@ -52,7 +53,7 @@ fn pictures_are_the_same_as_ever() {
 }
 
 #[test]
-fn whatever_is_written_is_read() {
+fn written_scenes_are_read_back() {
     let gallery = Gallery::new(&root().join("docs/gallery")).unwrap();
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     for file in gallery.files() {

@@ -1,7 +1,7 @@
-//! Exact goldens: every built-in scene in every color, and backgrounds, to the bit.
+//! Golden pictures that must be reproduced exactly: every built-in scene in every color, and backgrounds.
 //!
-//! On failure the picture and a difference are written, and the command that blesses is printed. Bless only what
-//! you have looked at.
+//! On failure a test writes the picture and its difference to the golden, and prints the command that blesses
+//! it. Look at a picture before you bless it.
 
 use std::mem::MaybeUninit;
 use std::path::{Path, PathBuf};
@@ -14,10 +14,10 @@ use rayline_tests::Picture;
 const WIDTH: u32 = 96;
 const HEIGHT: u32 = 72;
 
-/// Set to bless: `RAYLINE_BLESS=1 cargo test -p rayline-tests goldens`.
+/// The variable that blesses pictures: `RAYLINE_BLESS=1 cargo test -p rayline-tests goldens`.
 const BLESS: &str = "RAYLINE_BLESS";
 
-/// The scene as a display with colors `C` shows it.
+/// The scene as a display with the color type `C` shows it.
 fn picture<C: DisplayColor + Into<Rgb888> + From<BinaryColor>>(
     scene: &Builtin,
     dither: Dither,
@@ -52,7 +52,7 @@ fn check(name: &str, actual: &Picture) {
         }
         assert_eq!(expected.width, actual.width, "{name} has another size");
         let different = expected.pixels.iter().zip(&actual.pixels);
-        // Any difference is full bright: one level would not be seen.
+        // Any difference is shown at full brightness, because a single level would be invisible.
         let difference = Picture {
             width: actual.width,
             pixels: different
@@ -63,7 +63,7 @@ fn check(name: &str, actual: &Picture) {
     }
     actual.write(&written(&format!("{name}-actual.png")));
     panic!(
-        "{name} is not its golden; look at {} and, if it is right, bless it with\n    \
+        "{name} differs from its golden; look at {} and, if it is right, bless it with\n    \
          {BLESS}=1 cargo test -p rayline-tests goldens",
         written(&format!("{name}-actual.png")).display()
     );
@@ -88,12 +88,12 @@ fn rgb888() {
     check_all::<Rgb888>("rgb888", Dither::None, Transfer::Srgb);
 }
 
-/// A scene before each kind of background.
+/// A scene in front of each kind of background.
 #[test]
 fn backgrounds() {
     for (name, background) in super::backgrounds::ALL {
         let scene = Box::leak(Box::new(Scene { background, ..PRISM }));
-        let builtin = Builtin { name, description: "a prism before a background", scene, bounces: 5 };
+        let builtin = Builtin { name, description: "a prism in front of a background", scene, bounces: 5 };
         check(&format!("background-{name}"), &picture::<Rgb888>(&builtin, Dither::None, Transfer::Srgb));
     }
 }

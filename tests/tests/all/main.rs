@@ -1,14 +1,16 @@
-//! The core as its users see it: pictures, scenes and faults.
+//! Tests of the core's public interface: pictures, scenes and faults.
 //!
-//! One program, so that the kernel is compiled once for each number system and not once for each file.
+//! All tests are in one program, so that the kernel is compiled once for each number system, not once for
+//! each file.
 
-// This is test code: where something is wrong, it panics.
+// This is test code, which may panic.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
 mod acceleration;
 mod architecture;
 mod backgrounds;
 mod baked;
+mod causes;
 mod closed_forms;
 mod drawing;
 mod fixed;

@@ -1,4 +1,5 @@
-//! What is nested: water in glass, bubbles, spheres in spheres. Each surface knows what lies on its two sides.
+//! Tests of nested media: water in glass, bubbles, spheres in spheres. Each surface names the media on its
+//! two sides.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -18,7 +19,7 @@ const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const CAMERA: Camera =
     Camera { eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: UP, vertical_fov: 0.5 };
 
-/// Something clear with these media behind and in front.
+/// A clear material with these media behind and in front.
 fn between(behind: f32, outside: Medium) -> Material<'static> {
     let optics = Box::leak(Box::new(Optics { outside, ..Optics::PLAIN }));
     Material {
@@ -30,7 +31,7 @@ fn between(behind: f32, outside: Medium) -> Material<'static> {
     }
 }
 
-/// Directions of the ray from the eye and of all that follow it, and where they met something.
+/// A probe that records the directions of a camera ray and of the rays that follow it, and their hits.
 #[derive(Default)]
 struct Way {
     directions: Vec<Vec3>,
@@ -46,7 +47,7 @@ impl<R: Real> Probe<R> for Way {
     }
 }
 
-/// What the camera sees straight ahead, and the way there.
+/// The light that the camera sees straight ahead, and the path of the rays.
 fn look<R: Real>(
     objects: &[Object<Shape<'static>>],
     materials: &[Material],
@@ -63,7 +64,7 @@ fn look<R: Real>(
     ([light.r, light.g, light.b], path)
 }
 
-/// A wall through (0, 0, z), across the line of sight turned by `degrees`.
+/// A wall through (0, 0, z), orthogonal to the line of sight and then turned by `degrees`.
 fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, 0.0, z), Vec3::new(sine, 0.0, cosine))), material)
@@ -71,7 +72,8 @@ fn wall(z: f32, degrees: f32, material: u16) -> Object<Shape<'static>> {
 
 fn assert_slabs<R: Real>(bound: f32) {
     for degrees in [0.0f32, 20.0, 45.0, 70.0] {
-        // Air, glass, water, glass, air; and the same where two of the normals point away from the eye.
+        // Air, glass, water, glass, air; once with all normals toward the eye, and once with two of them away
+        // from it.
         let towards = [
             between(GLASS, Medium::AIR),
             between(WATER, Medium::clear(GLASS)),
@@ -94,7 +96,7 @@ fn assert_slabs<R: Real>(bound: f32) {
             assert!(kinds[1..].iter().all(|kind| *kind == RayKind::Refracted));
             let (sine, cosine) = degrees.to_radians().sin_cos();
             let along = Vec3::new(cosine, 0.0, -sine);
-            // n sin θ is the same in each layer, and the last direction is the first.
+            // n sin θ is the same in each layer, and the last direction equals the first.
             assert_eq!(directions.len(), 5);
             for (direction, ior) in directions.iter().zip([1.0, GLASS, WATER, GLASS, 1.0]) {
                 let kept = direction.dot(along) * ior;
@@ -113,7 +115,7 @@ fn snells_law_holds_through_every_layer() {
     assert_slabs::<Fixed>(2e-6);
 }
 
-/// Both in all number systems.
+/// Asserts the color and the path in all number systems.
 #[track_caller]
 fn assert_sees(
     objects: &[Object<Shape<'static>>],
@@ -137,7 +139,7 @@ fn ball(z: f32, radius: f32, material: u16) -> Object<Shape<'static>> {
 
 #[test]
 fn bubbles_under_water_mirror_all_beyond_the_critical_angle() {
-    // 48.6° in water.
+    // The critical angle of water is 48.6°.
     let materials = [between(1.0, Medium::clear(WATER))];
     for (degrees, kind) in [(48.0, RayKind::Refracted), (49.2, RayKind::Reflected)] {
         let objects = [wall(0.0, degrees, 0)];
@@ -158,13 +160,14 @@ fn fresnels_shares_are_those_of_both_sides() {
         Optics { outside: Medium::clear(WATER), transmission_color: LinearRgb::gray(0.0), ..Optics::CLEAR };
     let glass = Material { optics: Some(&optics), ..between(GLASS, Medium::AIR) };
     assert_sees(&[wall(0.0, 0.0, 0)], &[glass], &[], [0.5 * mirrored; 3]);
-    // From behind the same.
+    // The same from behind.
     assert_sees(&[wall(0.0, 180.0, 0)], &[glass], &[], [0.5 * mirrored; 3]);
 }
 
 #[test]
-fn what_is_outside_absorbs_too() {
-    // An amber ball of radius 1 with a bubble of radius 1/2 in it, neither of which bends light: one unit of amber.
+fn the_outside_medium_absorbs_too() {
+    // An amber ball of radius 1 with a bubble of radius 1/2 in it, without refraction: light passes one unit
+    // of amber.
     let amber = Medium { absorption: LinearRgb::new(0.1, 0.5, 2.0), ..Medium::AIR };
     let optics = Optics { absorption: amber.absorption, ..Optics::PLAIN };
     let materials = [
@@ -174,11 +177,11 @@ fn what_is_outside_absorbs_too() {
     ];
     let left = [0.1f32, 0.5, 2.0].map(|coefficient| (-coefficient).exp());
     assert_sees(&[ball(0.0, 1.0, 0), ball(0.0, 0.5, 1)], &materials, &[], left.map(|left| 0.5 * left));
-    // So is the light of a lamp that stands behind the eye.
+    // The light of a lamp behind the eye is absorbed in the same way.
     let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
     let objects = [wall(0.0, 0.0, 2), ball(7.0, 1.0, 0), ball(7.0, 0.5, 1)];
     assert_sees(&objects, &materials, &[light], left);
-    // A mirror in it: one unit there and one back.
+    // A mirror in amber: one unit there and one back.
     let optics = Optics { outside: amber, ..Optics::PLAIN };
     let mirror = Material { diffuse: 0.0, reflectance: 1.0, optics: Some(&optics), ..materials[2] };
     let objects = [ball(-1.0, 1.0, 0), wall(-1.0, 0.0, 1)];
@@ -188,7 +191,7 @@ fn what_is_outside_absorbs_too() {
 
 #[test]
 fn an_index_over_that_outside_is_the_same_bytes() {
-    // The rule of relative indices: what is stated on one side only is the ratio.
+    // An index that is stated on one side only is the ratio of both.
     let objects = [wall(0.0, 30.0, 0), ball(-3.0, 1.0, 0)];
     let of = |material| look::<f32>(&objects, &[material], &[]).1.directions;
     assert_eq!(of(between(1.5, Medium::clear(2.0))), of(between(0.75, Medium::AIR)));
@@ -205,7 +208,7 @@ const ABOVE: Camera =
     Camera { eye: Vec3::new(0.5, 2.3, 6.5), target: Vec3::new(0.1, 0.9, 0.0), up: UP, vertical_fov: 0.6 };
 const LOOKED_AT: Settings = Settings { bounces: 10, transfer: Transfer::Linear, ..Settings::new(256, 192) };
 
-/// A ball of glass around one of water around a bubble, and ice in a block of water.
+/// A glass ball around a water ball around a bubble, and ice in a block of water.
 fn with_nested(then: impl FnOnce(&Scene)) {
     let share = |material: Material<'static>| Material { specular: 0.3, shininess: 80.0, ..material };
     let materials = [
@@ -235,7 +238,7 @@ fn with_nested(then: impl FnOnce(&Scene)) {
     then(&Scene { camera: ABOVE, background, objects: &objects, materials: &materials, lights: &LIGHTS });
 }
 
-/// A glass of water: open surfaces, each of which knows both of its sides. A straw stands in it.
+/// A glass of water with a straw, made of open surfaces that name the media on both sides.
 fn with_glass(then: impl FnOnce(&Scene)) {
     let clear = |behind, outside, absorption| {
         let outside = Medium::clear(outside);
@@ -270,15 +273,15 @@ fn with_glass(then: impl FnOnce(&Scene)) {
     };
     let objects = [
         Object::new(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 0),
-        // Glass to the air: the foot, the outer wall, the rim, and the inner wall above the water.
+        // Between glass and air: the foot, the outer wall, the rim, and the inner wall above the water.
         disc(0.01, -UP, 0.0, 0.9, 1),
         tube(0.01, 2.0, 0.9, 1),
         disc(2.0, UP, 0.8, 0.9, 1),
         tube(1.5, 2.0, 0.8, 2),
-        // Glass to the water: the inner wall below, and the bottom.
+        // Between glass and water: the inner wall below the water level, and the bottom.
         tube(0.2, 1.5, 0.8, 3),
         disc(0.2, UP, 0.0, 0.8, 6),
-        // Water to the air.
+        // Between water and air.
         disc(1.5, UP, 0.0, 0.8, 4),
         Object::new(Shape::Cylinder(straw), 5),
     ];

@@ -1,5 +1,5 @@
-//! How much arithmetic a picture takes. It is the same on every processor; what a chip needs beyond it is loads, stores,
-//! branches and whatever its products and quotients take: the floor under the boards' figures.
+//! Counts of the arithmetic operations of a picture. They are the same on every processor, and a lower bound
+//! on the boards' figures, which add loads, stores, branches and slow operations.
 
 use std::mem::MaybeUninit;
 
@@ -7,7 +7,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::{PreparedScene, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings};
 use rayline_tests::{Counted, Operations, Screen, operations_of, with_scene};
 
-/// The picture in exact mode or realtime quality, and what drawing it took once the scene was prepared.
+/// The picture in exact or realtime quality, and the operations of drawing it, without those of preparing the
+/// scene.
 fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -> (Vec<Rgb888>, Operations) {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R>::new(scene, &mut memory).unwrap();
@@ -36,7 +37,8 @@ fn arithmetic_per_pixel_does_not_grow() {
         ("prism", 1575.0, 575.0),
     ];
     println!(
-        "| scene | mode | sums | products | quotients and roots | comparisons | in all |\n|---|---|---:|---:|---:|---:|---:|"
+        "| scene | mode | sums | products | quotients and roots | comparisons | in all |\n\
+         |---|---|---:|---:|---:|---:|---:|"
     );
     for (name, exact, realtime) in most {
         with_scene(name, |scene, bounces| {

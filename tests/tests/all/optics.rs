@@ -1,5 +1,5 @@
-//! Colored glass and metal, Fresnel's shares, absorption, lamps: against answers that can be worked out by hand, and against
-//! the textbook renderer.
+//! Tests of colored glass and metal, Fresnel terms, absorption and lamps, against results that can be
+//! computed by hand and against the textbook renderer.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -15,7 +15,7 @@ use rayline_tests::{assert_alike, core_picture};
 
 use super::closed_forms::{CAMERA, DARK, wall};
 
-/// Gives off light by itself.
+/// A material that emits light.
 const LAMP: Material = Material { optics: Some(&Optics { emission: WARM, ..Optics::PLAIN }), ..DARK };
 const WARM: LinearRgb = LinearRgb::new(0.8, 0.6, 0.4);
 
@@ -32,7 +32,7 @@ fn look<R: Real>(scene: &Scene) -> [f64; 3] {
     [light.r, light.g, light.b].map(f64::from)
 }
 
-/// The camera sees this straight ahead, in every number system.
+/// Asserts the light that the camera sees straight ahead, in every number system.
 #[track_caller]
 fn assert_sees(
     objects: &[Object<Shape<'static>>],
@@ -51,7 +51,7 @@ fn assert_sees(
 }
 
 #[test]
-fn what_gives_off_light_is_seen_without_lights() {
+fn emission_is_seen_without_lights() {
     assert_sees(&[ball(0.0, 1.0, 0)], &[LAMP], &[], [0.8, 0.6, 0.4]);
 }
 
@@ -70,7 +70,7 @@ fn colored_glass_colors_what_is_behind_and_the_light_that_comes_through() {
     let green = Optics { transmission_color: LinearRgb::new(0.5, 1.0, 0.25), ..Optics::PLAIN };
     let pane = Material { transmittance: 0.8, optics: Some(&green), ..DARK };
     assert_sees(&[wall(0.0, 0.0, 0)], &[pane], &[], [0.2, 0.4, 0.1]);
-    // The light is behind the pane, which is behind the eye; the wall is lit through it.
+    // The pane is behind the eye and the light behind the pane, so that the wall is lit through it.
     let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
     let wall_and_pane = [wall(0.0, 0.0, 1), wall(7.0, 0.0, 0)];
     let matte = Material::matte(LinearRgb::WHITE);
@@ -79,16 +79,16 @@ fn colored_glass_colors_what_is_behind_and_the_light_that_comes_through() {
 
 #[test]
 fn light_is_absorbed_on_its_way_through_glass() {
-    // A ball of radius 1 that does not bend light: 2 units of glass.
+    // A ball of radius 1 without refraction: light passes 2 units of glass.
     let amber = Optics { absorption: LinearRgb::new(0.1, 0.5, 2.0), ..Optics::PLAIN };
     let glass = Material { transmittance: 1.0, optics: Some(&amber), ..DARK };
     let left = [0.1f64, 0.5, 2.0].map(|coefficient| (-2.0 * coefficient).exp());
     assert_sees(&[ball(0.0, 1.0, 0)], &[glass], &[], left.map(|left| 0.5 * left));
-    // So is the light of a lamp.
+    // The light of a lamp is absorbed in the same way.
     let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
     let matte = Material::matte(LinearRgb::WHITE);
     assert_sees(&[wall(0.0, 0.0, 1), ball(7.0, 1.0, 0)], &[glass, matte], &[light], left);
-    // Behind an endless surface nothing is left.
+    // Behind an infinite surface no light is left.
     assert_sees(&[wall(0.0, 0.0, 0)], &[glass], &[], [0.0; 3]);
 }
 
@@ -107,7 +107,7 @@ fn glass_mirrors_more_at_flat_angles() {
                 Material { reflectance: 0.0, transmittance: 1.0, ior: 1.5, optics: Some(&optics), ..DARK };
             assert_sees(&[wall(0.0, degrees as f32, 0)], &[glass], &[], [0.5 * mirrored; 3]);
             if fresnel == Fresnel::Exact {
-                // Lacquer on something dark.
+                // Lacquer on a dark material.
                 let lacquer = Material { reflectance: 0.5, transmittance: 0.0, ..glass };
                 assert_sees(&[wall(0.0, degrees as f32, 0)], &[lacquer], &[], [0.25 * mirrored; 3]);
             }
@@ -120,11 +120,11 @@ fn glass_mirrors_more_at_flat_angles() {
 }
 
 #[test]
-fn what_is_mirrored_fades_with_distance_but_the_background_does_not() {
+fn reflections_fade_with_distance_but_the_background_does_not() {
     let falloff = Falloff { constant: 1.0, linear: 0.25, quadratic: 0.0 };
     let dim = Optics { reflection_falloff: falloff, ..Optics::PLAIN };
     let mirror = Material { reflectance: 1.0, optics: Some(&dim), ..DARK };
-    // The lamp is a ball behind the eye, 8 from the mirror.
+    // The lamp is a ball behind the eye, at a distance of 8 from the mirror.
     let objects = [wall(0.0, 0.0, 0), ball(9.0, 1.0, 1)];
     assert_sees(&objects, &[mirror, LAMP], &[], [0.8 / 3.0, 0.6 / 3.0, 0.4 / 3.0]);
     assert_sees(&objects[..1], &[mirror], &[], [0.5; 3]);
@@ -132,7 +132,7 @@ fn what_is_mirrored_fades_with_distance_but_the_background_does_not() {
 
 #[test]
 fn blinns_highlight_is_half_as_far_away() {
-    // The light stands 40° off the normal, the eye on it: Phong's angle is 40°, Blinn's 20°.
+    // The light is 40° off the normal, and the eye on it: Phong's angle is 40°, Blinn's 20°.
     let (sine, cosine) = 40f32.to_radians().sin_cos();
     let light = Light::Directional { direction: Vec3::new(-sine, 0.0, -cosine), color: LinearRgb::WHITE };
     for (highlight, angle) in [(Highlight::Phong, 40f64), (Highlight::BlinnPhong, 20.0)] {
@@ -158,7 +158,7 @@ fn lamps_fall_off_and_shine_into_cones() {
     let falloff = Falloff { constant: 1.0, linear: 0.5, quadratic: 0.25 };
     let lamp = Lamp { position: Vec3::new(0.0, 0.0, 4.0), color: LinearRgb::WHITE, falloff, cone: None };
     assert_sees(&[wall(0.0, 0.0, 0)], &[matte], &[Light::Lamp(lamp)], [1.0 / 7.0; 3]);
-    // Its middle passes the point in view at 0.3.
+    // The axis of the cone passes the visible point at an angle of 0.3.
     let direction = Vec3::new(0.3f32.sin(), 0.0, -0.3f32.cos());
     for (bright, dark, share) in [(0.31, 0.5, 1.0), (0.1, 0.29, 0.0)] {
         let cone = Some(LightCone { direction, bright, dark });
@@ -167,7 +167,7 @@ fn lamps_fall_off_and_shine_into_cones() {
     }
 }
 
-/// Balls with all optics there are, on a floor, under lamps of all kinds.
+/// Balls with all kinds of optics, on a floor, under all kinds of lamps.
 fn with_still_life(then: impl FnOnce(&Scene)) {
     let optics = |fresnel, highlight| Optics { fresnel, highlight, ..Optics::PLAIN };
     let bottle =

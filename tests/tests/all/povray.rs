@@ -1,4 +1,4 @@
-//! The core in `f32` against POV-Ray, where it is installed.
+//! Comparisons of the core in `f32` with POV-Ray, if it is installed.
 
 use std::path::{Path, PathBuf};
 
@@ -23,7 +23,8 @@ fn check(name: &str) {
         let Some(povray) = PovrayPicture::render(scene, settings, &directory(), name) else { return };
         let core = core_picture::<f32>(scene, settings);
         if name == "teapot_s1" {
-            // No bar: handle and spout are pairs of triangles in one place, of which POV-Ray sees the other one.
+            // Printed without a limit: the handle and the spout have coincident triangles, of which POV-Ray
+            // shows the other one.
             let alike = Comparison::new(&core, &povray.picture).alike;
             println!("{name:12} f32 / povray: {:.3} % of pixels alike", alike * 100.0);
         } else {
@@ -32,8 +33,8 @@ fn check(name: &str) {
     });
 }
 
-/// The material without what POV-Ray computes in another way: it does not color highlights as it does mirrors, and light that
-/// was mirrored inside of glass is not absorbed there.
+/// The material without the properties that POV-Ray computes differently: it colors highlights differently
+/// from reflections, and does not absorb light that was mirrored inside of glass.
 fn as_in_povray(material: Material) -> Material {
     let Some(optics) = material.optics else { return material };
     let is_metal = optics.reflection_color != LinearRgb::WHITE;
@@ -51,15 +52,16 @@ fn ray_counts_of_balls_s3() {
         let core = ray_counts(scene, settings);
         assert_eq!(core.camera, povray.reported("Pixels"));
         for (what, ours, theirs) in [
-            // POV-Ray counts a mirrored ray before it looks whether that is one too many.
+            // POV-Ray counts a mirrored ray before it checks the limit of bounces.
             (
                 "reflected",
                 core.reflected + core.cut_bounces + core.cut_throughput,
                 povray.reported("Reflected Rays"),
             ),
-            // It counts one for each transparent surface on the way to a light, but nothing is transparent here.
+            // POV-Ray counts a test for each transparent surface in front of a light, but nothing is
+            // transparent here.
             ("shadow", core.shadow, povray.reported("Shadow Ray Tests")),
-            // Rays from the eye and mirrored rays.
+            // Camera rays and mirrored rays.
             (
                 "camera and reflected",
                 core.camera + core.reflected + core.cut_bounces + core.cut_throughput,
@@ -72,7 +74,7 @@ fn ray_counts_of_balls_s3() {
     });
 }
 
-/// A picture without symmetry.
+/// An image without symmetry.
 const PICTURE: Image = Image {
     width: 3,
     height: 2,
@@ -127,36 +129,42 @@ fn pictures_lie_on_surfaces_as_in_povray() {
         ),
         ("mesh", Shape::Mesh(mesh)),
     ];
+    for (name, shape) in shapes {
+        assert_textured(name, shape);
+    }
+}
+
+/// Asserts that an image on this shape looks as in POV-Ray, with both filters.
+fn assert_textured(name: &str, shape: Shape<'_>) {
+    let v = Vec3::new;
     let placement =
         Placement::SURFACE.turned(v(0.0, 0.0, 0.5)).stretched(v(0.5, 0.25, 1.0)).at(v(0.125, 0.25, 0.0));
     let blended = Image { filter: Filter::Bilinear, ends: Ends::Mirror, ..PICTURE };
-    for (name, shape) in shapes {
-        for (filter, image) in [("nearest", PICTURE), ("blended", blended)] {
-            let placed = Placed::new(Figure::Image(image), placement);
-            let material = Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) };
-            let scene = Scene {
-                camera: Camera {
-                    eye: v(1.0, 2.0, 4.0),
-                    target: Vec3::ZERO,
-                    up: v(0.0, 1.0, 0.0),
-                    vertical_fov: 0.6,
-                },
-                background: Background::gray(0.25),
-                objects: &[Object::new(shape, 0)],
-                materials: &[material],
-                lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
-            };
-            let name = format!("{name}-{filter}");
-            let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {
-                return;
-            };
-            assert_alike(
-                &directory(),
-                &name,
-                ("f32", &core_picture::<f32>(&scene, settings(0))),
-                ("povray", &povray.picture),
-            );
-        }
+    for (filter, image) in [("nearest", PICTURE), ("blended", blended)] {
+        let placed = Placed::new(Figure::Image(image), placement);
+        let material = Material { color: Texture::Placed(&placed), ..Material::matte(LinearRgb::WHITE) };
+        let scene = Scene {
+            camera: Camera {
+                eye: v(1.0, 2.0, 4.0),
+                target: Vec3::ZERO,
+                up: v(0.0, 1.0, 0.0),
+                vertical_fov: 0.6,
+            },
+            background: Background::gray(0.25),
+            objects: &[Object::new(shape, 0)],
+            materials: &[material],
+            lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
+        };
+        let name = format!("{name}-{filter}");
+        let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {
+            return;
+        };
+        assert_alike(
+            &directory(),
+            &name,
+            ("f32", &core_picture::<f32>(&scene, settings(0))),
+            ("povray", &povray.picture),
+        );
     }
 }
 

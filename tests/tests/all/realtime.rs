@@ -1,4 +1,5 @@
-//! Realtime quality: close to the exact picture, for few rays, in any order, and nothing thin is lost.
+//! Tests of realtime quality: pictures close to the exact ones with few rays, the same bytes in any order of
+//! lines, and no lost thin objects.
 
 use std::collections::HashMap;
 use std::mem::MaybeUninit;
@@ -23,20 +24,20 @@ use rayline::{
 use rayline_simulator::{LoadedScene, Orbit};
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
 
-/// Hands a renderer of the scene to `use_it`.
+/// Calls `use_it` with a renderer of the scene.
 fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<R>) -> T) -> T {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
     use_it(&Renderer::new(&prepared, settings).expect("legal settings"))
 }
 
-/// What a screen shows.
+/// The picture on a screen.
 fn picture_on(screen: &Screen) -> Picture {
     let pixels = screen.picture().iter().map(|color| [color.r(), color.g(), color.b()]).collect();
     Picture { width: screen.size().width, pixels }
 }
 
-/// Memory for one frame.
+/// The buffers for one frame.
 struct Memory {
     colors: Vec<Rgb888>,
     samples: Vec<Sample>,
@@ -56,7 +57,7 @@ impl Memory {
     }
 }
 
-/// The picture in realtime quality, and its rays.
+/// The picture in realtime quality, and its ray counts.
 fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl Probe<R>) -> Picture {
     let mut screen = Screen::new(renderer);
     let mut memory = Memory::new(renderer, quality);
@@ -75,7 +76,7 @@ fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture 
     Picture { width: renderer.width(), pixels }
 }
 
-/// Peak signal to noise ratio in decibels.
+/// The peak signal-to-noise ratio in decibels.
 fn psnr(a: &Picture, b: &Picture) -> f64 {
     assert_eq!((a.width, a.pixels.len()), (b.width, b.pixels.len()));
     let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
@@ -87,7 +88,7 @@ fn all_rays(counts: &RayCounts) -> u64 {
     counts.camera + counts.shadow + counts.reflected + counts.refracted
 }
 
-/// The table of the module's essay.
+/// The table in the documentation of the module.
 #[test]
 fn close_to_exact_for_few_rays() {
     println!("scene    | PSNR dB | traced | rays, exact | rays");
@@ -128,7 +129,8 @@ fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
     LoadedScene::open(&file, arena).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// How close a picture of 320×240 is to the exact one, in decibels, and the share of its pixels that are traced.
+/// The PSNR of a picture of 320×240 against the exact one, in decibels, and the share of its pixels that are
+/// traced.
 fn close_and_traced(scene: &Scene, quality: Realtime) -> (f64, f64) {
     with_renderer::<f32, _>(scene, Settings { bounces: 6, ..Settings::new(320, 240) }, |renderer| {
         let mut rays = RayCounts::default();
@@ -137,7 +139,7 @@ fn close_and_traced(scene: &Scene, quality: Realtime) -> (f64, f64) {
     })
 }
 
-/// Between two points of the grid that look alike may be another texel, a joint or a hole.
+/// Between two alike points of the grid there may be another texel, a joint or a hole.
 #[test]
 fn texels_bricks_and_stripes_between_points_of_the_grid_are_seen() {
     for (quality, bars) in [
@@ -159,7 +161,7 @@ fn texels_bricks_and_stripes_between_points_of_the_grid_are_seen() {
     }
 }
 
-/// A photograph that has a texel for each pixel does not leave the mark of each.
+/// A photograph with a texel for each pixel must not make every pixel an edge.
 #[test]
 fn smooth_images_are_interpolated() {
     let level = |wave: f32| (128.0 + 60.0 * wave.sin()) as u8;
@@ -198,7 +200,7 @@ fn smooth_images_are_interpolated() {
     }
 }
 
-/// What a function tells of each of 24 frames around a scene, exact and in realtime quality.
+/// The results of a function for each of 24 frames around a scene, from the exact and the realtime picture.
 fn of_rotation<T>(
     scene: &Scene,
     distance: f32,
@@ -216,12 +218,12 @@ fn of_rotation<T>(
     })
 }
 
-/// The worst of 24 frames around a scene, in decibels.
+/// The worst PSNR of 24 frames around a scene, in decibels.
 fn worst_of_rotation(scene: &Scene, distance: f32, settings: Settings, quality: Realtime) -> f64 {
     of_rotation(scene, distance, settings, quality, psnr).fold(f64::INFINITY, f64::min)
 }
 
-/// What things stand on, what mirrors them, and what they are of, for tests of what they shade.
+/// The materials of the stage, of mirrors and of objects, for tests of shadows.
 const STAGE: [Material; 3] = [
     Material::matte(LinearRgb::gray(0.8)),
     Material { diffuse: 0.1, specular: 0.0, reflectance: 0.8, ..Material::matte(LinearRgb::WHITE) },
@@ -232,7 +234,7 @@ const SUN: [Light; 1] =
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const FLOOR: Shape = Shape::Plane(Plane::new(Vec3::ZERO, UP));
 
-/// Some things on the stage under the sun, in front of a sky.
+/// A scene with these objects under the sun, in front of a sky.
 fn staged<'s>(objects: &'s [Object<Shape<'s>>], eye: Vec3, target: Vec3, vertical_fov: f32) -> Scene<'s> {
     Scene {
         camera: Camera { eye, target, up: UP, vertical_fov },
@@ -243,7 +245,7 @@ fn staged<'s>(objects: &'s [Object<Shape<'s>>], eye: Vec3, target: Vec3, vertica
     }
 }
 
-/// Four balls on a floor, seen from so high above it.
+/// Four balls on a floor, seen from this height.
 fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
     let ball = |x: f32, z: f32, radius: f32| {
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(x, radius, z), radius)), 2)
@@ -258,7 +260,7 @@ fn with_low_shadows(floor: Shape, height: f32, use_it: impl FnOnce(&Scene)) {
     use_it(&staged(&objects, Vec3::new(2.0, height, 9.0), UP * 0.6, 0.7));
 }
 
-/// Shadows on a floor that is seen aslant are lower than the cells of the grid.
+/// Shadows on a floor that is seen at a flat angle are lower than the cells of the grid.
 #[test]
 fn low_shadows_do_not_flicker() {
     for (height, bars) in [(0.6, [40.5, 40.5]), (1.2, [34.0, 36.5]), (2.0, [36.0, 39.0])] {
@@ -286,7 +288,7 @@ fn a_rotation_does_not_flicker() {
     }
 }
 
-/// White light on everything, from everywhere, in front of black.
+/// A scene with white ambient light, in front of a black background.
 fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material<'s>]) -> Scene<'s> {
     Scene {
         camera: Camera {
@@ -306,7 +308,8 @@ const QUALITIES: [Realtime; 2] = [Realtime::new(), Realtime::fine()];
 
 const GLOWING: Material = Material { ambient: 1.0, diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
 
-/// Every pixel of what glows is as in the exact picture, and not too much else is traced. Tells how many they are.
+/// Asserts that every pixel of the objects is as in the exact picture, and that few other pixels are traced.
+/// Returns the number of pixels that show them.
 fn assert_shown_whole(objects: &[Object<Shape>], what: &str) -> usize {
     let scene = bright(objects, &[GLOWING]);
     with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
@@ -323,8 +326,8 @@ fn assert_shown_whole(objects: &[Object<Shape>], what: &str) -> usize {
 }
 
 #[test]
-fn what_is_thin_is_shown_whole() {
-    // At 160×120, one pixel is 0.091 wide where the objects stand. What is thinner may lie between two lines.
+fn thin_objects_are_shown_whole() {
+    // At 160×120, a pixel is 0.091 wide at the objects. Thinner objects may lie between two lines.
     let mut shown = 0;
     for step in 0..24 {
         let angle = step as f32 * core::f32::consts::PI / 24.0 + 0.01;
@@ -360,10 +363,10 @@ fn what_is_thin_is_shown_whole() {
     assert!(shown > 24 * 3 * 10 * 50, "{shown} pixels");
 }
 
-/// Long or flat ones, from end to end twice `along`, and as thin as twice the `radius`.
+/// Long or flat shapes, of length twice `along` and thickness twice `radius`.
 fn thin_shapes(center: Vec3, along: Vec3, radius: f32) -> [(&'static str, Shape<'static>); 7] {
     let across = Vec3::new(-along.y, along.x, 0.0) * (radius / 4.0);
-    // Toward the camera, and a little aside: what is flat is seen from its edge.
+    // Toward the camera and slightly aside, so that flat shapes are seen from their edge.
     let toward = Vec3::new(0.0, 0.0, 1.0);
     let corner = center - along - across;
     let plate = [along, across, toward * 2.0];
@@ -396,7 +399,8 @@ fn thin_shapes(center: Vec3, along: Vec3, radius: f32) -> [(&'static str, Shape<
 
 #[test]
 fn glints_are_shown_in_every_frame() {
-    // A mirror as far away as that of `classic`, and smaller ones; and a highlight of a few pixels that moves over it.
+    // A mirror at the distance of that in `classic`, and smaller ones, with a moving highlight of a few
+    // pixels.
     for (radius, shininess, least) in [(3.0, 1425.0, 501), (1.1, 800.0, 0), (1.5, 1425.0, 0), (0.8, 800.0, 0)]
     {
         let glossy = Material { diffuse: 0.0, specular: 1.0, shininess, ..Material::matte(LinearRgb::WHITE) };
@@ -410,7 +414,7 @@ fn glints_are_shown_in_every_frame() {
             with_renderer::<f32, _>(&scene, Settings::new(160, 120), |renderer| {
                 let exact = light_of(&exact(renderer, &mut ()));
                 sum += exact;
-                // On a grid of eight pixels, a pixel on the flank of a highlight may be interpolated.
+                // On a grid of eight pixels, pixels at the edge of a highlight may be interpolated.
                 for (quality, part) in QUALITIES.into_iter().zip([6, 12]) {
                     let close = light_of(&realtime(renderer, quality, &mut ()));
                     let off = exact.abs_diff(close);
@@ -421,12 +425,12 @@ fn glints_are_shown_in_every_frame() {
                 }
             });
         }
-        // The smallest are often less than a pixel.
+        // The smallest highlights are often smaller than a pixel.
         assert!(sum > 60 * 20, "{sum} of {shininess}");
     }
 }
 
-/// The light of a picture.
+/// The sum of the light of a picture.
 fn light_of(picture: &Picture) -> u32 {
     picture.pixels.iter().map(|pixel| u32::from(pixel[0])).sum()
 }
@@ -440,7 +444,7 @@ fn highlights_are_shown_on_what_is_curved() {
     let ball = |radius| Shape::Sphere(Sphere::new(Vec3::ZERO, radius));
     let axis = Vec3::new(0.1, 1.0, 0.5);
     let torus = Shape::Torus(Torus { center: Vec3::ZERO, axis, major_radius: 3.0, minor_radius: 1.0 });
-    // From broad highlights to those of a few pixels; a unit is 11 pixels.
+    // Highlights from broad ones to those of a few pixels. A unit is 11 pixels.
     let (broad, all) = ([20.0, 40.0, 100.0].as_slice(), [20.0, 40.0, 100.0, 300.0].as_slice());
     for (name, shape, shininesses) in [
         ("a ball of 33 pixels", ball(3.0), all),
@@ -457,7 +461,7 @@ fn highlights_are_shown_on_what_is_curved() {
             let objects = [Object::new(shape, 0)];
             let (mut total, mut most, mut worst) = (0, 0, f64::INFINITY);
             for frame in 0..40 {
-                // From before the eye to far aside, and above.
+                // The light moves from in front of the eye to far aside and above.
                 let (sine, cosine) = (frame as f32 * 0.03).sin_cos();
                 let position = Vec3::new(30.0 * sine, 7.0 + frame as f32 * 0.3, 30.0 * cosine);
                 let lights = [Light::Point { position, color: LinearRgb::WHITE }];
@@ -472,7 +476,7 @@ fn highlights_are_shown_on_what_is_curved() {
                     }
                 });
             }
-            // In no frame more is lost, or added, than a quarter of what the highlight has in a usual one.
+            // In each frame the light is off by at most a quarter of the highlight's mean light.
             let share = f64::from(most) / (f64::from(total) / 40.0);
             assert!(
                 share < 0.25 && worst > 42.0,
@@ -484,7 +488,7 @@ fn highlights_are_shown_on_what_is_curved() {
 
 const SMALL: Settings = Settings { bounces: 3, ..Settings::new(61, 43) };
 
-/// Draws some lines on their own.
+/// Draws some lines in a frame of their own.
 fn draw_part(renderer: &Renderer<f32>, quality: Realtime, lines: Range<u32>, screen: &mut Screen) {
     let mut memory = Memory::new(renderer, quality);
     let mut frame = renderer.realtime_frame(lines, quality, memory.lend()).expect("a frame");
@@ -496,10 +500,10 @@ const GRIDS: [Grid; 3] = [Grid::Two, Grid::Four, Grid::Eight];
 #[test]
 fn lines_in_any_order_are_the_same_bytes() {
     check_order(&PRISM, SMALL);
-    // What is thin of a mesh is looked for by itself.
+    // The thin parts of a mesh are searched separately.
     let arena = Bump::new();
     check_order(&gallery("show-teapot", &arena).scene, Settings::new(57, 43));
-    // Shadows fall beyond the edge of a table, where nothing is seen.
+    // The shadows fall beyond the edge of a table, where they are not visible.
     let (corner, right) = (Vec3::new(-2.5, 0.0, -1.2), Vec3::new(5.0, 0.0, 0.0));
     let table = Shape::Rectangle(Rectangle::new(corner, right, Vec3::new(0.0, 0.0, 5.0)));
     for height in [0.6, 0.9, 1.2, 2.0] {
@@ -523,7 +527,8 @@ fn check_order(scene: &Scene, settings: Settings) {
                 draw_part(renderer, quality, y..y + 1, &mut screen);
             }
             assert!(picture_on(&screen) == expected);
-            // One frame goes on with other lines, some of which follow the last, and some of which it leaves before they are drawn.
+            // One frame continues with other lines. Some follow the last line, and some are left before they
+            // are drawn.
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
             let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
             for lines in [16..24, 24..40, 3..9, 40..43, 9..16, 0..3] {
@@ -576,7 +581,7 @@ fn drawing_goes_on_after_a_failing_display() {
     with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
         let expected = realtime(renderer, quality, &mut ());
         for failure in [0, 1, 60, 61 * 8, 61 * 9 + 3, 61 * 43 - 1] {
-            // In the same frame, and with the lines that are left in another one.
+            // Continue in the same frame, and draw the rest of the lines in another one.
             let (mut screen, mut memory) = (Screen::new(renderer), Memory::new(renderer, quality));
             screen.pixels_until_failure = Some(failure);
             let mut frame = renderer.realtime_frame(0..43, quality, memory.lend()).expect("a frame");
@@ -598,7 +603,7 @@ fn drawing_goes_on_after_a_failing_display() {
     });
 }
 
-/// Counts how often each camera ray is traced.
+/// A probe that counts how many times each camera ray is traced.
 #[derive(Default)]
 struct Directions(HashMap<[u32; 3], u32>);
 
@@ -617,17 +622,18 @@ fn no_pixel_is_traced_more_than_twice() {
         for (width, height) in [(61, 43), (64, 48), (1, 1), (2, 9), (9, 2), (5, 8), (8, 5), (33, 1), (1, 33)]
         {
             for scene in [&CLASSIC, &PRISM] {
-                // Nothing is alike: every pixel is wanted.
+                // No pixels are alike, so every pixel is needed.
                 for threshold in [0, 2048] {
                     let quality = Realtime { grid, threshold, ..Realtime::new() };
                     let settings = Settings { bounces: 3, ..Settings::new(width, height) };
                     with_renderer::<f32, _>(scene, settings, |renderer| {
                         let mut traced = Directions::default();
                         realtime(renderer, quality, &mut traced);
-                        // Once to see which of two neighbors it is like, and where it is like neither once more.
+                        // A pixel is traced once to compare it with two neighbors, and once more if it is
+                        // like neither.
                         let most = traced.0.values().max();
                         assert!(most <= Some(&2), "{width}×{height}, {grid:?}, {threshold}: {most:?} times");
-                        // The last points of the grid lie beyond the picture.
+                        // The last points of the grid may lie beyond the picture.
                         let side = grid.pixels() as u32;
                         let points = (width.next_multiple_of(side) + 1) * (height.next_multiple_of(side) + 1);
                         assert!(traced.0.len() <= points as usize);
@@ -640,7 +646,7 @@ fn no_pixel_is_traced_more_than_twice() {
 
 #[test]
 fn traced_pixels_are_those_of_the_exact_picture() {
-    // With glints everywhere, every pixel is traced.
+    // If highlights may be everywhere, every pixel is traced.
     let glowing = [Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 0.1)), 0)];
     let scene = bright(&glowing, &[GLOWING]);
     for (width, height) in [(1, 1), (1, 7), (7, 1), (13, 11), (8, 8)] {
@@ -724,7 +730,7 @@ fn a_budget_of_rays_is_kept_and_quality_falls_with_it() {
             let (rays, close) = (all_rays(&counts), psnr(&exact, &picture));
             println!("{budget_rays} rays allowed, {rays} traced: {close:.1} dB");
             assert!(rays <= u64::from(budget_rays), "{rays} of {budget_rays}");
-            // Where it matters, nearly all are used.
+            // In the relevant part nearly all rays are used.
             let wanted = all_rays(&most);
             assert!(rays == wanted || rays * 10 >= u64::from(budget_rays) * 9, "{rays} of {budget_rays}");
             assert!(close <= last && close > 20.0, "{close} dB with {budget_rays} rays");
@@ -754,7 +760,7 @@ fn a_budget_of_a_tenth_more_than_a_frame_wants_costs_nothing() {
     }
 }
 
-/// Beside an edge colors were those four pixels away: a horizon was dashed.
+/// An earlier version used colors four pixels away beside an edge, so that a horizon became a dashed line.
 #[test]
 fn a_level_horizon_is_even() {
     let materials = [Material::matte(LinearRgb::gray(0.7))];
@@ -772,7 +778,7 @@ fn a_level_horizon_is_even() {
     };
     with_renderer::<f32, _>(&scene, Settings::new(320, 240), |renderer| {
         let (exact, close) = (exact(renderer, &mut ()), realtime(renderer, Realtime::new(), &mut ()));
-        // From the sky to where the floor is no longer black.
+        // From the sky to the part of the floor that is not black.
         for (exact, close) in exact.pixels.chunks(320).zip(close.pixels.chunks(320)).take(40) {
             for (pair, close) in exact.windows(2).zip(close.windows(2)) {
                 if pair[0] == pair[1] {
@@ -783,7 +789,8 @@ fn a_level_horizon_is_even() {
     });
 }
 
-/// Instances side by side are one object, and bricks of one color one texture: the edges between them were lost.
+/// Instances side by side are one object, and bricks of one color one texture. An earlier version lost the
+/// edges between them.
 #[test]
 fn parts_of_objects_and_of_textures_are_told_apart() {
     for (name, least) in [("shape-instances", 39.0), ("texture-brick", 42.0), ("show-die", 42.0)] {
@@ -796,11 +803,11 @@ fn parts_of_objects_and_of_textures_are_told_apart() {
     }
 }
 
-/// Counts the rays of a frame, and the most of one pixel.
+/// A probe that counts the rays of a frame, and the most rays of a pixel.
 #[derive(Default)]
 struct Most {
     all: RayCounts,
-    /// Before the current pixel, and the most of one.
+    /// The rays before the current pixel. `most` is the largest number of rays of a pixel.
     before: u64,
     most: u64,
 }
@@ -854,7 +861,7 @@ fn patterns_draw_every_pixel_once() {
         with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
             let mut screen = Screen::new(renderer);
             for frame in 0..pattern.frames() {
-                // The screen refuses no pixel that is drawn again: count them.
+                // The screen accepts a pixel that is drawn twice, so count the pixels.
                 let drawn = (0..43u16)
                     .flat_map(|y| (0..61u16).map(move |x| (x, y)))
                     .filter(|(x, y)| pattern.draws(*x, *y, frame))
@@ -869,7 +876,7 @@ fn patterns_draw_every_pixel_once() {
 
 #[test]
 fn lines_that_are_told_unchanged_are() {
-    // As seen on the way past, and from above, where the horizon leaves the picture.
+    // Seen from a moving camera, and from above, where the horizon is outside of the picture.
     let mut skipped = 0;
     for (from, to) in [((0.0, 0.0), (0.5, 0.0)), ((0.0, 0.0), (0.0, 0.4)), ((0.0, 9.0), (0.0, 9.2))] {
         let scene = |(x, y): (f32, f32)| {
@@ -897,13 +904,14 @@ fn lines_that_are_told_unchanged_are() {
     assert!(skipped > 60, "{skipped} lines");
 }
 
-/// How far a pixel is off, in the channel where that is most.
+/// The largest difference of two pixels in a channel.
 fn off(a: &[u8; 3], b: &[u8; 3]) -> u8 {
     a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
 }
 
-/// How many pixels something changes that the second scene is without, how many of these are off by more than half of that, and the share
-/// of pixels that are traced.
+/// Compares a scene with a second one without some objects. Returns the number of pixels that these objects
+/// change, how many of them are off by more than half of that change, and the share of pixels that are
+/// traced.
 fn lost<R: Real>(
     with: &Scene,
     without: &Scene,
@@ -924,7 +932,7 @@ fn lost<R: Real>(
     (all, lost, rays.camera as f64 / there.pixels.len() as f64)
 }
 
-/// The same of a frame: of each third in fixed point.
+/// The results of `lost` for a frame; every third frame is drawn in fixed point.
 fn lost_in(
     frame: usize,
     with: &Scene,
@@ -995,7 +1003,8 @@ fn shadows_and_mirrored_pictures_of_what_is_thin_are_shown() {
     }
 }
 
-/// Of shapes that are wide elsewhere. Corners of 53° and more are cut off still, so the others are below the floor.
+/// Tips of shapes that are wide elsewhere. Corners of 53° and more still lose pixels, so they are below the
+/// floor.
 #[test]
 fn tips_and_their_shadows_are_shown_in_every_frame() {
     for half_angle in [10f32, 18.0, 25.0] {
@@ -1004,7 +1013,7 @@ fn tips_and_their_shadows_are_shown_in_every_frame() {
         let cone = Cone { base, base_radius: 1.6 * slope, top, top_radius: 0.0, capped: true };
         let below = |aside: f32| Vec3::new(2.0 + aside * 2.0 * slope, -0.5, -0.4);
         let triangle = Triangle::flat(Vec3::new(2.0, 1.5, -0.4), below(-1.0), below(1.0));
-        // Outward and inward in turn.
+        // The vertices alternate between the outer and the inner radius.
         let eighteen = core::f32::consts::PI / 10.0;
         let inner = slope / ((2.0 * eighteen).sin() + slope * (2.0 * eighteen).cos());
         let star: [Vec3; 10] = core::array::from_fn(|i| {
@@ -1027,7 +1036,7 @@ fn tips_and_their_shadows_are_shown_in_every_frame() {
                 (sum, gone, most) = (sum + there, gone + lost, most.max(lost));
                 traced += share / 24.0;
             }
-            // Seven tips, and as many shadows: three pixels of each, where they are no wider than one.
+            // There are seven tips and seven shadows; of each, three pixels are no wider than one.
             let what =
                 format!("{half_angle}°, {width}, {:?}: {gone} of {sum} lost, {most} at most", quality.grid);
             assert!(sum > 20_000 && gone <= 24 * 42 && most <= 90, "{what}");
@@ -1036,7 +1045,7 @@ fn tips_and_their_shadows_are_shown_in_every_frame() {
     }
 }
 
-/// A box as a mesh: its corners, and two triangles for each side.
+/// Adds a box to a mesh: its corners, and two triangles for each side.
 fn slab(from: Vec3, to: Vec3, vertices: &mut Vec<Vec3>, triangles: &mut Vec<[u16; 3]>) {
     let first = vertices.len() as u16;
     let either = |bit: u16, low: f32, high: f32| if bit == 0 { low } else { high };
@@ -1052,7 +1061,7 @@ fn slab(from: Vec3, to: Vec3, vertices: &mut Vec<Vec3>, triangles: &mut Vec<[u16
     }
 }
 
-/// Of a mesh that is large as a whole: a fence of flat triangles, and a model of it that stands there twice.
+/// Thin parts of a large mesh: a fence of flat triangles, and two instances of it.
 #[test]
 fn thin_parts_of_meshes_are_shown() {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
@@ -1089,7 +1098,7 @@ fn thin_parts_of_meshes_are_shown() {
                 "{is_model}, {:?}: {gone} of {sum} lost, {most} at most, {traced} traced",
                 quality.grid
             );
-            // Of slats that are a pixel wide, and of their shadows, which are half as wide.
+            // The slats are a pixel wide, and their shadows half as wide.
             let (few, one) = if quality.grid == Grid::Eight { (9, 85) } else { (20, 40) };
             assert!(sum > 3000 && gone * few < sum && most <= one && traced < 0.17, "{what}");
         }
@@ -1112,7 +1121,7 @@ fn a_teapot_is_shown_whole_in_every_frame() {
     }
 }
 
-/// Among more than 32 objects these are looked for beside sticks, by the hierarchy.
+/// In scenes of more than 32 objects, the hierarchy finds these beside sticks.
 #[test]
 fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
     let floor = Object::new(FLOOR, 0);
@@ -1141,7 +1150,7 @@ fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
 }
 
 #[test]
-fn what_is_thin_is_shown_whole_with_several_samples() {
+fn thin_objects_are_shown_whole_with_several_samples() {
     let settings = Settings { samples_per_pixel: 4, ..Settings::new(160, 120) };
     let bead = Object::new(Shape::Sphere(Sphere::new(Vec3::new(-4.0, 3.0, 0.0), 0.1)), 0);
     for angle in [0.1f32, 0.8, 1.4, 2.3] {
@@ -1158,9 +1167,10 @@ fn what_is_thin_is_shown_whole_with_several_samples() {
     }
 }
 
-/// A scene of more than 32 objects has no sets of them: what is narrow is found by the hierarchy, or one object after the other.
+/// A scene of more than 32 objects has no sets. Narrow objects are found by the hierarchy, or one after the
+/// other.
 #[test]
-fn what_is_narrow_among_many_is_shown_whole() {
+fn narrow_objects_among_many_are_shown_whole() {
     fn check<R: Real>(scene: &Scene) {
         let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
         let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
@@ -1175,7 +1185,7 @@ fn what_is_narrow_among_many_is_shown_whole() {
         }
     }
     for angle in [0.0f32, 0.3, 0.7, 1.2, 1.5] {
-        // Bars aslant, and beads on a line beside them.
+        // Slanted bars, and beads on a line beside them.
         let (along, across) =
             (Vec3::new(angle.cos(), angle.sin(), 0.1), Vec3::new(-angle.sin(), angle.cos(), 0.0));
         let objects: Vec<_> = (0..40)

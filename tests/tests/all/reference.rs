@@ -1,4 +1,4 @@
-//! The core in `f32` and in `f64` against the textbook renderer and against each other.
+//! Comparisons of the core in `f32` and in `f64` with the textbook renderer and with each other.
 
 use std::path::Path;
 

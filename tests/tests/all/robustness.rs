@@ -1,4 +1,5 @@
-//! Bad input: every bad number is refused with its place, and whatever is accepted renders finite pixels.
+//! Tests of bad input: every bad number is refused with its part, and every accepted scene renders finite
+//! pixels.
 
 use std::mem::MaybeUninit;
 
@@ -20,7 +21,7 @@ fn prepare(scene: &Scene) -> Result<(), SceneError> {
     PreparedScene::<f32, _>::new(scene, &mut memory).map(|_| ())
 }
 
-/// The classic scene with one object, material or light replaced is refused for that part.
+/// Asserts that the classic scene with one object, material or light replaced is refused for that part.
 #[track_caller]
 fn assert_refused(change: impl FnOnce(&mut Parts), part: Part, fault: Fault) {
     let mut parts = Parts {
@@ -75,7 +76,7 @@ const BAD: [(f32, Fault); 5] = [
     (-3e38, Fault::TooFar),
 ];
 
-/// Something to have instances of.
+/// A model for instances.
 static TILE: Model = Model::Polygon(Polygon::new(&[
     Vec3::new(0.0, 0.0, 0.0),
     Vec3::new(1.0, 0.0, 0.0),
@@ -84,118 +85,150 @@ static TILE: Model = Model::Polygon(Polygon::new(&[
 
 #[test]
 fn numbers_out_of_range_are_refused_with_kind_and_index() {
-    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
     for (bad, fault) in BAD {
         let point = Vec3::new(1.0, bad, 2.0);
         let color = LinearRgb::new(0.1, 0.2, bad);
-        let instead = |other: Fault| if fault == Fault::TooFar { other } else { fault };
-        // What is no length is not mended by another scale of the scene.
-        let number = instead(Fault::TooLarge { given: bad });
-        let share = |coefficient| instead(Fault::OutsideUnit { coefficient, given: bad });
-        assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
-        assert_refused(|parts| parts.camera.up = point, Part::Camera, number);
-        let view = instead(Fault::FieldOfView);
-        assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, view);
-        assert_refused(|parts| parts.background = color.into(), Part::Background, number);
-        let sky = Sky::new(color, LinearRgb::WHITE);
-        assert_refused(
-            |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
-            Part::Background,
-            number,
-        );
-        let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
-        assert_refused(
-            |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
-            Part::Background,
-            number,
-        );
-        for (i, object) in [
-            Shape::Sphere(Sphere::new(point, 1.0)),
-            Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
-            Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
-            Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
-            Shape::Cone(Cone {
-                base: point,
-                base_radius: 1.0,
-                top: Vec3::ZERO,
-                top_radius: 0.0,
-                capped: false,
-            }),
-            Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
-            Shape::Torus(Torus {
-                center: point,
-                axis: Vec3::new(0.0, 1.0, 0.0),
-                major_radius: 2.0,
-                minor_radius: 1.0,
-            }),
-            Shape::Torus(Torus {
-                center: Vec3::ZERO,
-                axis: Vec3::new(0.0, 1.0, 0.0),
-                major_radius: bad,
-                minor_radius: 1.0,
-            }),
-            Shape::Quadric(Quadric {
-                center: Vec3::ZERO,
-                coefficients: [1.0; 10],
-                min: Vec3::ZERO,
-                max: point,
-                capped: true,
-            }),
-            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
-            Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            let index = i % 5;
-            assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
-        }
-        for object in [
-            Shape::Plane(Plane::new(Vec3::ZERO, point)),
-            Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
-                Blob::new(Vec3::ZERO, 1.0),
-                Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
-            ])))),
-            Shape::Instances(Instances::new(
-                &TILE,
-                Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])),
-            )),
-            Shape::Instances(Instances::new(&TILE, &HERE).sized(bad)),
-        ] {
-            assert_refused(|parts| parts.objects[2].shape = object, Part::Object(2), number);
-        }
-        for (index, (light, fault)) in [
-            (Light::Point { position: point, color: LinearRgb::WHITE }, fault),
-            (Light::Directional { direction: point, color: LinearRgb::WHITE }, number),
-            (Light::Point { position: Vec3::ZERO, color }, number),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
-        }
-        type Field = for<'m> fn(&'m mut Material<'static>) -> &'m mut f32;
-        let fields: [(Field, Fault); 7] = [
-            (|material| &mut material.ambient, share(Coefficient::Ambient)),
-            (|material| &mut material.diffuse, share(Coefficient::Diffuse)),
-            (|material| &mut material.specular, share(Coefficient::Specular)),
-            (|material| &mut material.shininess, number),
-            (|material| &mut material.reflectance, share(Coefficient::Reflectance)),
-            (|material| &mut material.transmittance, share(Coefficient::Transmittance)),
-            (|material| &mut material.ior, number),
-        ];
-        for (field, fault) in fields {
-            assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
-        }
-        let channel = share(Coefficient::Color);
-        assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), channel);
-        let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
-        assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), channel);
+        let number = Number { bad, fault, point, color };
+        refuse_camera_and_background(number);
+        refuse_shapes(number);
+        refuse_lights_and_materials(number);
     }
 }
 
-/// Cells without size were not finite, and tiny ones had to do with the scale of the scene.
+/// A bad number, the fault of a length with this value, and a point and a color that contain it.
+#[derive(Clone, Copy)]
+struct Number {
+    bad: f32,
+    fault: Fault,
+    point: Vec3,
+    color: LinearRgb,
+}
+
+impl Number {
+    /// The fault of a number that is no length: scaling the scene would not help with that.
+    fn no_length(self) -> Fault {
+        self.instead(Fault::TooLarge { given: self.bad })
+    }
+
+    /// The fault of a coefficient.
+    fn share(self, coefficient: Coefficient) -> Fault {
+        self.instead(Fault::OutsideUnit { coefficient, given: self.bad })
+    }
+
+    /// Another fault for a number that is too large; NaN and infinity have the same fault everywhere.
+    fn instead(self, other: Fault) -> Fault {
+        if self.fault == Fault::TooFar { other } else { self.fault }
+    }
+}
+
+fn refuse_camera_and_background(of: Number) {
+    let Number { bad, fault, point, color } = of;
+    let number = of.no_length();
+    assert_refused(|parts| parts.camera.eye = point, Part::Camera, fault);
+    assert_refused(|parts| parts.camera.target = point, Part::Camera, fault);
+    assert_refused(|parts| parts.camera.up = point, Part::Camera, number);
+    let view = of.instead(Fault::FieldOfView);
+    assert_refused(|parts| parts.camera.vertical_fov = bad, Part::Camera, view);
+    assert_refused(|parts| parts.background = color.into(), Part::Background, number);
+    let sky = Sky::new(color, LinearRgb::WHITE);
+    assert_refused(
+        |parts| parts.background = Background::Gradient(Box::leak(Box::new(sky))),
+        Part::Background,
+        number,
+    );
+    let panorama = Panorama { rotation: point, ..Panorama::new(PICTURE) };
+    assert_refused(
+        |parts| parts.background = Background::Image(Box::leak(Box::new(panorama))),
+        Part::Background,
+        number,
+    );
+}
+
+fn refuse_shapes(of: Number) {
+    static HERE: [Pose; 1] = [Pose::at(Vec3::ZERO)];
+    let Number { bad, fault, point, .. } = of;
+    let number = of.no_length();
+    for (i, object) in [
+        Shape::Sphere(Sphere::new(point, 1.0)),
+        Shape::Plane(Plane::new(point, Vec3::new(0.0, 1.0, 0.0))),
+        Shape::Triangle(Triangle::flat(point, Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0))),
+        Shape::Cylinder(Cylinder { base: Vec3::ZERO, top: point, radius: 1.0, capped: true }),
+        Shape::Cone(Cone { base: point, base_radius: 1.0, top: Vec3::ZERO, top_radius: 0.0, capped: false }),
+        Shape::Ellipsoid(Ellipsoid::new(Vec3::ZERO, point)),
+        Shape::Torus(Torus {
+            center: point,
+            axis: Vec3::new(0.0, 1.0, 0.0),
+            major_radius: 2.0,
+            minor_radius: 1.0,
+        }),
+        Shape::Torus(Torus {
+            center: Vec3::ZERO,
+            axis: Vec3::new(0.0, 1.0, 0.0),
+            major_radius: bad,
+            minor_radius: 1.0,
+        }),
+        Shape::Quadric(Quadric {
+            center: Vec3::ZERO,
+            coefficients: [1.0; 10],
+            min: Vec3::ZERO,
+            max: point,
+            capped: true,
+        }),
+        Shape::Metaballs(Metaballs::new(Box::leak(Box::new([Blob::new(point, 1.0)])))),
+        Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(point)])))),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let index = i % 5;
+        assert_refused(|parts| parts.objects[index].shape = object, Part::Object(index), fault);
+    }
+    for object in [
+        Shape::Plane(Plane::new(Vec3::ZERO, point)),
+        Shape::Metaballs(Metaballs::new(Box::leak(Box::new([
+            Blob::new(Vec3::ZERO, 1.0),
+            Blob { strength: bad, ..Blob::new(Vec3::ZERO, 1.0) },
+        ])))),
+        Shape::Instances(Instances::new(&TILE, Box::leak(Box::new([Pose::at(Vec3::ZERO).turned(point)])))),
+        Shape::Instances(Instances::new(&TILE, &HERE).sized(bad)),
+    ] {
+        assert_refused(|parts| parts.objects[2].shape = object, Part::Object(2), number);
+    }
+}
+
+fn refuse_lights_and_materials(of: Number) {
+    let Number { bad, fault, point, color } = of;
+    let number = of.no_length();
+    for (index, (light, fault)) in [
+        (Light::Point { position: point, color: LinearRgb::WHITE }, fault),
+        (Light::Directional { direction: point, color: LinearRgb::WHITE }, number),
+        (Light::Point { position: Vec3::ZERO, color }, number),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_refused(|parts| parts.lights[index] = light, Part::Light(index), fault);
+    }
+    type Field = for<'m> fn(&'m mut Material<'static>) -> &'m mut f32;
+    let fields: [(Field, Fault); 7] = [
+        (|material| &mut material.ambient, of.share(Coefficient::Ambient)),
+        (|material| &mut material.diffuse, of.share(Coefficient::Diffuse)),
+        (|material| &mut material.specular, of.share(Coefficient::Specular)),
+        (|material| &mut material.shininess, number),
+        (|material| &mut material.reflectance, of.share(Coefficient::Reflectance)),
+        (|material| &mut material.transmittance, of.share(Coefficient::Transmittance)),
+        (|material| &mut material.ior, number),
+    ];
+    for (field, fault) in fields {
+        assert_refused(|parts| *field(&mut parts.materials[3]) = bad, Part::Material(3), fault);
+    }
+    let channel = of.share(Coefficient::Color);
+    assert_refused(|parts| parts.materials[4].color = Texture::Solid(color), Part::Material(4), channel);
+    let checker = Texture::checker_xz(LinearRgb::WHITE, color, 1.0);
+    assert_refused(|parts| parts.materials[4].color = checker, Part::Material(4), channel);
+}
+
+/// Earlier versions called cells of size 0 not finite, and blamed the scale of the scene for tiny ones.
 #[test]
 fn cells_of_a_checker_that_are_too_small_are_told_so() {
     for size in [0.0, -0.0, 1e-7, -1e-7] {
@@ -209,7 +242,7 @@ fn cells_of_a_checker_that_are_too_small_are_told_so() {
     );
 }
 
-/// The coefficient was not named, and its number not told.
+/// Earlier errors had neither the name nor the value of the coefficient.
 #[test]
 fn a_coefficient_outside_0_to_1_is_named() {
     const TINTED: Optics = Optics { transmission_color: LinearRgb::new(0.5, -1.0, 0.5), ..Optics::PLAIN };
@@ -230,11 +263,13 @@ fn a_coefficient_outside_0_to_1_is_named() {
         (|glass| glass.ambient = 1e7, "material 1: `ambient` is 10000000.0, outside 0 to 1; scale it"),
         (
             |glass| glass.color = LinearRgb::new(0.5, 200.0, 0.5).into(),
-            "material 1: a component of `color` is 200.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+            "material 1: a component of `color` is 200.0, outside 0 to 1; scale it (of 255 levels, divide by \
+             255)",
         ),
         (
             |glass| glass.optics = Some(&TINTED),
-            "material 1: a component of `transmission_color` is -1.0, outside 0 to 1; scale it (of 255 levels, divide by 255)",
+            "material 1: a component of `transmission_color` is -1.0, outside 0 to 1; scale it (of 255 \
+             levels, divide by 255)",
         ),
         (
             |glass| glass.color = Texture::Placed(&WIDE),
@@ -245,7 +280,7 @@ fn a_coefficient_outside_0_to_1_is_named() {
     }
 }
 
-/// A fault of a solid or a model seemed to be one of the whole object.
+/// An earlier version reported the fault of a solid or a model as one of the whole object.
 #[test]
 fn a_fault_inside_of_a_shape_names_the_part() {
     const BALL: Solid = Solid::Sphere(Sphere::new(Vec3::new(0.0, 0.0, -9.0), 1.0));
@@ -383,7 +418,7 @@ fn too_little_memory_is_refused_and_just_enough_is_enough() {
             let error = PreparedScene::<f32, _>::new(scene, &mut memory).expect_err("refused");
             assert_eq!(error, SceneError { part: Part::Memory, fault: Fault::Memory { needed, lent } });
         }
-        // At any alignment.
+        // Memory of any alignment is accepted.
         for offset in 0..16 {
             let mut memory = vec![MaybeUninit::uninit(); needed + offset];
             assert!(PreparedScene::<f32, _>::new(scene, &mut memory[offset..]).is_ok());
@@ -421,7 +456,7 @@ fn a_full_scene_hands_back_what_does_not_fit() {
     assert!(scene.as_scene().objects.is_empty());
 }
 
-/// Any float at all, and often one that is legal.
+/// Any float, and often a legal one.
 fn number() -> BoxedStrategy<f32> {
     prop_oneof![1 => any::<f32>(), 24 => numbers()].boxed()
 }
@@ -473,7 +508,11 @@ fn material() -> BoxedStrategy<Material<'static>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 20_000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn any_scene_is_refused_or_renders_finite_pixels(
@@ -484,7 +523,7 @@ proptest! {
         lights in proptest::collection::vec(lights(&number(), &light_color()), 0..3),
     ) {
         let (eye, target, up, vertical_fov) = camera;
-        // Parts that are refused are left out, so that most cases render something.
+        // Leave out the refused parts, so that most cases render a picture.
         let camera = Camera { eye, target, up, vertical_fov };
         let accepted = |scene: &Scene| prepare(scene).is_ok();
         let empty = Scene { objects: &[], materials: &[], lights: &[], ..CLASSIC };
@@ -494,7 +533,8 @@ proptest! {
         let materials: Vec<_> = materials
             .into_iter()
             .map(|material| {
-                if accepted(&Scene { materials: &[material], ..empty }) { material } else { CLASSIC.materials[1] }
+                let is_accepted = accepted(&Scene { materials: &[material], ..empty });
+                if is_accepted { material } else { CLASSIC.materials[1] }
             })
             .collect();
         let objects: Vec<_> = shapes

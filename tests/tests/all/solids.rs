@@ -1,5 +1,5 @@
-//! Pictures of curved solids: the core in all number systems against the textbook renderer, and against POV-Ray where it is
-//! installed.
+//! Comparisons of pictures of curved solids: the core in all number systems with the textbook renderer, and
+//! with POV-Ray if it is installed.
 
 use std::path::Path;
 
@@ -40,13 +40,13 @@ const MATERIALS: [Material; 5] = [
     },
 ];
 
-/// Solids of these materials stand on a floor; all pictures of them are alike.
+/// Asserts that all pictures of solids with these materials on a floor are alike.
 #[track_caller]
 fn check(name: &str, solids: &[(Shape<'_>, u16)]) {
     check_with(settings(4), name, solids);
 }
 
-/// The same in pictures of this size.
+/// Asserts the same for pictures of this size.
 #[track_caller]
 fn check_with(settings: Settings, name: &str, solids: &[(Shape<'_>, u16)]) {
     let floor = Shape::Plane(Plane::new(Vec3::new(0.0, -1.0, 0.0), Vec3::new(0.0, 1.0, 0.0)));
@@ -69,7 +69,7 @@ fn check_with(settings: Settings, name: &str, solids: &[(Shape<'_>, u16)]) {
     }
 }
 
-/// x² + z² = y² / 2 + 1/4, up to 1 above and below the middle.
+/// The quadric x² + z² = y² / 2 + 1/4, up to 1 above and below its center.
 const fn waisted(center: Vec3, capped: bool) -> Quadric {
     let coefficients = [1.0, -0.5, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.25];
     Quadric { center, coefficients, min: Vec3::new(-2.0, -1.0, -2.0), max: Vec3::new(2.0, 1.0, 2.0), capped }
@@ -81,7 +81,7 @@ fn ellipsoids_and_quadrics() {
         center: Vec3::new(-1.6, 0.0, 1.6),
         axes: [Vec3::new(0.9, 0.3, 0.2), Vec3::new(-0.1, 0.6, 0.1), Vec3::new(-0.2, 0.2, 0.5)],
     };
-    // y = x² + z² - 1, filled with glass up to 1/2.
+    // The paraboloid y = x² + z² - 1, filled with glass up to 1/2.
     let bowl = Quadric {
         center: Vec3::new(1.5, 0.0, 2.0),
         coefficients: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, -0.99],
@@ -89,7 +89,7 @@ fn ellipsoids_and_quadrics() {
         max: Vec3::new(2.0, 0.5, 2.0),
         capped: true,
     };
-    // x z = 0.04, a cylinder that has four sides.
+    // The hyperbolic cylinder x z = 0.04.
     let saddle = Quadric {
         center: Vec3::new(0.0, 0.0, -2.5),
         coefficients: [0.0, -0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0, -0.04],
@@ -145,7 +145,8 @@ fn metaballs() {
             drop(2.0 + cosine, 0.3 * sine, sine - 1.8, 0.9)
         })
         .collect();
-    // POV-Ray takes a thousand times as long for a pixel of them as for one of a sphere.
+    // POV-Ray takes a thousand times as long for a pixel of these as for one of a sphere, so the pictures are
+    // small.
     check_with(
         Settings { width: 96, height: 96, ..settings(4) },
         "metaballs",
@@ -159,7 +160,7 @@ fn metaballs() {
 
 #[test]
 fn instances() {
-    // An arrow that points along x, with smooth sides and flat ends.
+    // An arrow along x, with smooth sides and flat ends.
     let vertices = [
         Vec3::new(1.0, 0.0, 0.0),
         Vec3::new(-0.5, 0.4, 0.4),
@@ -216,16 +217,16 @@ fn solids_put_together() {
     let middle = Vec3::new(1.4, 0.1, 3.0);
     let toward = Vec3::new(-0.1, 0.5, 0.85);
     let lens = [ball(middle - toward * 1.6, 1.9), ball(middle + toward * 1.6, 1.9), common];
-    // A ball that is bored through along each axis.
+    // A ball with a bore along each axis.
     let center = Vec3::new(-1.9, 0.2, -1.5);
     let bore = |along: Vec3| pillar(center - along * 2.0, center + along * 2.0, 0.55);
     let along = Vec3::new(0.7, 0.0, 0.7);
     let across = Vec3::new(0.7, 0.0, -0.7);
     let bored = [ball(center, 1.1), bore(UP), take_away, bore(along), take_away, bore(across), take_away];
-    // A bowl of glass: hollow, without its upper half.
+    // A glass bowl: a hollow ball without its upper half.
     let center = Vec3::new(1.9, 0.0, -1.0);
     let bowl = [ball(center, 0.99), ball(center, 0.85), take_away, behind(center + UP * 0.2, UP), common];
-    // A mug with a handle that does not reach inside.
+    // A mug with a handle that does not reach into it.
     let base = Vec3::new(-1.6, -0.99, 2.3);
     let wall = pillar(base, base + UP * 1.2, 0.55);
     let inside = pillar(base + UP * 0.1, base + UP * 2.0, 0.47);
@@ -236,7 +237,7 @@ fn solids_put_together() {
         minor_radius: 0.08,
     }));
     let mug = [wall, handle, join, inside, take_away];
-    // A cone with a bite.
+    // A cone with a part cut out.
     let cone = CsgStep::Solid(Solid::Cone(Cone {
         base: Vec3::new(0.2, -0.99, -3.0),
         base_radius: 0.9,
@@ -245,7 +246,7 @@ fn solids_put_together() {
         capped: true,
     }));
     let bitten = [cone, ball(Vec3::new(0.5, 0.2, -2.3), 0.6), take_away];
-    // A die, with dots on the faces that are seen.
+    // A die, with pips on the visible faces.
     let center = Vec3::new(0.1, -0.49, 0.6);
     let half = Vec3::new(0.5, 0.5, 0.5);
     let mut die = vec![CsgStep::Solid(Solid::Cuboid(Cuboid::aligned(center - half, center + half)))];

@@ -52,6 +52,10 @@ pub(super) fn misses_ball(from_center: [i32; 3], direction: [i32; 3], radius: i3
 /// By how much directions to lights are off at most, as an angle in radians: each coordinate by less than one of at least 2¹⁴.
 pub(super) const ASTRAY: f32 = 1.0 / 8192.0;
 
+/// Cosines of 2⁻¹¹ and more stay positive by whatever [`toward_light`] is off: by [`ASTRAY`], and by as much
+/// in the cosine itself.
+pub(super) const LOW: i32 = 1 << 13;
+
 /// Along the way from a point to a light: the unit vector, the length, and the cosine of the angle with a unit normal, if the light is above the
 /// surface; if that is by no digit that counts, a cosine of 0.
 ///

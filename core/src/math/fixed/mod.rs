@@ -437,7 +437,13 @@ impl Real for Fixed {
     #[inline(always)]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)> {
         let (unit, length, cosine) = coarse::toward_light(way.map(Self::to_bits), normal.map(Self::to_bits))?;
-        Some((unit.map(Self), Self(length), Self(cosine)))
+        let unit = unit.map(Self);
+        // A ray along a direction that points below the surface would meet the surface itself: there is no
+        // light then.
+        if cosine < coarse::LOW && Self::dot3(unit, normal) <= Self::ZERO {
+            return None;
+        }
+        Some((unit, Self(length), Self(cosine)))
     }
 
     fn offset(magnitude: Self) -> Self {

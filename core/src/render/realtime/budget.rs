@@ -1,49 +1,54 @@
-//! Rays for a frame, shared out among its bands of lines.
+//! The rays of a frame, shared out among its bands of lines.
 
-/// How closely a band is looked at.
+/// How closely a band is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
-    /// Wherever neighbors differ.
+    /// Pixels are traced wherever neighbors differ.
     Full,
-    /// Only where their colors differ much.
+    /// Pixels are traced only where the colors of neighbors differ much.
     Coarse,
-    /// Nowhere but at the points of the grid.
+    /// Only the pixels of the grid are traced.
     Grid,
 }
 
-/// How many times its share a band may take, and the one below is still looked at as closely. Bands differ: where what is
-/// to be seen lies in a few of them, less costs quality in frames that have rays enough (four times: 5 dB where there are
-/// 5 % more than all bands want).
+/// How many times its share a band may take before the next band is drawn more coarsely. Bands differ: often
+/// a few of them show most of what there is to see, and a smaller factor would draw these coarsely in frames
+/// that have rays enough.
 const MOST: u32 = 8;
 
-/// The same after bands have come to their end, each of which halves it: there are too few for all.
+/// The least factor in place of [`MOST`]. Each band that runs out of rays halves the factor, down to this.
 const LEAST: u32 = 2;
 
 /// The rays that a frame may still spend.
 ///
-/// Each band gets its share of what the pixels of the grid leave. These are traced first, so that what those of the
-/// lines below will take is kept back: as much for each row as the last one took.
+/// The pixels of the grid come first: the rays that they will take in the bands below are kept back,
+/// estimated by those of the last row. Each band has an equal share of the rest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
-    /// For the frame, and what is left of it.
+    /// The rays of the whole frame; `u32::MAX`: there is no limit.
     rays: u32,
+    /// How many of them are left.
     left: u32,
-    /// The frame's lines.
+    /// The lines of the whole frame.
     lines: u32,
-    /// What the last row of the grid took that was traced, and what the current one has taken.
+    /// The rays of the last traced row of the grid.
     row: u32,
+    /// The rays that the current row of the grid has taken.
     row_spent: u32,
-    /// Whether the lower row of the current band is traced.
+    /// Whether the lower row of the grid is traced in the current band.
     traces_row: bool,
-    /// What the current band may spend beside the grid, and what it has spent.
+    /// The rays that the current band may spend between the pixels of the grid.
     limit: u32,
+    /// How many of them it has spent.
     spent: u32,
     /// How many times its share a band may take.
     most: u32,
+    /// How closely the current band is drawn while it has rays.
     detail: Detail,
 }
 
 impl Budget {
+    /// `rays` for a frame of this many lines.
     pub(super) fn new(rays: u32, lines: u32) -> Self {
         Self {
             rays,
@@ -59,7 +64,7 @@ impl Budget {
         }
     }
 
-    /// Begins a band of `lines`, where `lines_left` are to be drawn with it.
+    /// Begins a band of `lines`. `lines_left` lines are still to be drawn, those of this band among them.
     pub(super) fn share(&mut self, lines: u32, lines_left: u32) {
         if self.rays == u32::MAX {
             return;
@@ -81,17 +86,18 @@ impl Budget {
             Detail::Coarse | Detail::Grid if self.spent / 2 < share => self.detail.finer(),
             same => same,
         };
-        // Those below keep half of theirs.
+        // The bands below keep half of their shares.
         let kept = free.saturating_sub(share) / 2;
         let limit = share.saturating_mul(self.most).min(free - kept);
-        // Where there are too few for the grid, its rows are left out evenly.
+        // If there are too few rays for the grid, rows of it are left out evenly: this row is traced if the
+        // frame has spent no more than is due by the end of this band.
         let due = part(self.rays, self.lines.saturating_sub(lines_left) + lines, self.lines);
         let taken = self.rays.saturating_sub(self.left).saturating_add(self.row);
         self.traces_row = grid <= self.left || taken <= due;
         (self.limit, self.spent, self.row_spent, self.detail) = (limit, 0, 0, next);
     }
 
-    /// Counts rays of the current band.
+    /// Counts the rays of a cell of the current band.
     pub(super) fn spend(&mut self, rays: Spent) {
         if self.rays == u32::MAX {
             return;
@@ -106,23 +112,24 @@ impl Budget {
         self.left
     }
 
-    /// Whether the pixels of the grid below the band are traced.
+    /// Whether the row of the grid below the current band is traced.
     pub(super) fn traces_row(&self) -> bool {
         self.traces_row
     }
 
-    /// How many rays the current band has left for what lies between the pixels of the grid.
+    /// How many rays the current band has left for pixels between those of the grid.
     pub(super) fn refines(&self) -> u32 {
         self.limit.saturating_sub(self.spent).min(self.left)
     }
 
-    /// How closely to look now: a band that has spent all it may sees only the grid.
+    /// How closely the next cell is drawn: without rays, only the pixels of the grid are traced.
     pub(super) fn detail(&self) -> Detail {
         if self.refines() == 0 { Detail::Grid } else { self.detail }
     }
 }
 
-/// What falls to some of a picture's lines. Both are below 2¹⁶: no product overflows, and none takes 64 bits.
+/// The part of `rays` that falls to `lines` of `of` lines, rounded down. Both are below 2¹⁶, so that 32 bits
+/// are enough for each product.
 fn part(rays: u32, lines: u32, of: u32) -> u32 {
     let of = of.max(1);
     (rays / of).saturating_mul(lines).saturating_add(rays % of * lines / of)
@@ -133,7 +140,7 @@ fn part(rays: u32, lines: u32, of: u32) -> u32 {
 pub(super) struct Spent {
     /// All of them.
     pub(super) all: u32,
-    /// Those of its lower right corner: one pixel of the row below.
+    /// Those of its lower right corner, which belongs to the row of the grid below the band.
     pub(super) row: u32,
     /// Those between its corners.
     pub(super) refined: u32,
@@ -164,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_limit_all_is_looked_at() {
+    fn without_a_limit_every_band_is_drawn_in_full() {
         let mut budget = Budget::new(u32::MAX, 8);
         budget.share(4, 8);
         budget.spend(refined(u32::MAX));
@@ -174,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_spent_too_fast_is_made_up_for() {
+    fn bands_after_an_expensive_one_are_drawn_coarsely() {
         let mut budget = Budget::new(1000, 40);
         budget.share(4, 40);
         assert_eq!((budget.detail(), budget.refines()), (Detail::Full, 550));
@@ -182,7 +189,7 @@ mod tests {
         assert_eq!(budget.detail(), Detail::Full);
         budget.spend(refined(2));
         assert_eq!((budget.detail(), budget.refines()), (Detail::Grid, 0));
-        // 449 rays for 36 lines: 49 for four.
+        // 449 rays are left for 36 lines: 49 for four.
         budget.share(4, 36);
         assert_eq!(budget.detail(), Detail::Coarse);
         budget.spend(refined(10));
@@ -191,20 +198,21 @@ mod tests {
     }
 
     #[test]
-    fn what_the_grid_takes_below_is_kept_back() {
+    fn rays_for_the_grid_below_are_kept_back() {
         let mut budget = Budget::new(1000, 40);
         budget.share(4, 40);
         budget.spend(Spent { all: 120, row: 60, refined: 0 });
         budget.share(4, 36);
-        // 880 are left, of which nine rows take 540: 37 a band. Those below keep 151.
+        // 880 rays are left. Nine rows of the grid take 540, so that a band's share is 37. The bands below
+        // keep 151.
         assert_eq!((budget.refines(), budget.traces_row()), (189, true));
-        // The last band may take all that its own row leaves.
+        // The last row took no rays, so that none are kept back in the last band.
         budget.share(4, 4);
         assert_eq!(budget.refines(), 880);
     }
 
     #[test]
-    fn where_there_are_too_few_rays_rows_are_left_out_evenly() {
+    fn with_too_few_rays_rows_of_the_grid_are_left_out_evenly() {
         let mut budget = Budget::new(300, 80);
         let mut rows = Vec::new();
         for band in 0..20 {

@@ -1,53 +1,59 @@
-//! What is known of one pixel while its surroundings are refined.
+//! What is kept of one pixel while its surroundings are drawn.
 
-use super::super::Tone;
+use crate::render::Tone;
 
-/// What is known of one pixel: its tone, and digests of what it saw. Lent to the realtime mode in rows, see
-/// [`Realtime::samples`](super::Realtime::samples).
+/// What is kept of one pixel, in 8 bytes: its tone, and digests of what its rays met. Realtime quality is
+/// lent a row of samples, see [`Realtime::samples`](super::Realtime::samples).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
     /// The tone's first two channels.
     pair: u32,
-    /// Digests of what was seen, and flags, in the upper half; the tone's third channel in the lower.
+    /// Flags and digests in the upper half, the tone's third channel in the lower.
     rest: u32,
 }
 
-/// It was traced, not interpolated.
+/// Flag: the pixel was traced, not interpolated.
 const TRACED: u32 = 1 << 31;
-/// A small highlight is near: interpolation could lose it.
+/// Flag: a small highlight is near, which interpolation could lose.
 const GLINT: u32 = 1 << 30;
-/// Digest of what was met, on the way that light takes to the pixel: never 0.
+/// Bits of the [`Path`]: 7 bits that are never all 0.
 const PATH: u32 = ((1 << 7) - 1) << 16;
-/// Digest of what stood before the lights.
+/// Bits of the digest of what stood between the hits and the lights: 7 bits. All of them are 1 for
+/// [`Near::Tiny`].
 const SHADE: u32 = ((1 << 14) - 1) << 16 ^ PATH;
 
-/// Digest of what a pixel met, of all that a sample keeps.
+/// A digest of the objects that a pixel's rays met, cut to the 7 bits that a sample keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Path(u32);
 
 impl Path {
+    /// From a digest of 32 bits.
     pub(super) fn new(digest: u32) -> Self {
-        // The upper bits depend on all that was folded.
+        // The upper bits depend on all that was folded into the digest.
         let digest = digest >> 6 & PATH;
         Self(if digest == 0 { PATH } else { digest })
     }
 }
 
-/// What a pixel is near, that interpolation could lose.
+/// What lies near a pixel and could be lost by interpolation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Near {
+    /// Nothing that is known.
     Nothing,
-    /// A small highlight.
+    /// A small highlight: pixels between two such points are traced down to every second one.
     Glint,
-    /// Something that may lie between all pixels of a grid: what this pixel stands for is to be traced in full.
+    /// Something so small that it may lie between all pixels of the grid: every pixel around is traced.
     Tiny,
 }
 
 impl Sample {
-    /// Nothing known: to fill memory that is lent.
+    /// An unknown pixel, to fill memory that is lent.
     pub const BLANK: Self = Self { pair: 0, rest: 0 };
 
-    /// A traced pixel that met this.
+    /// Bits of [`marks_differ`](Self::marks_differ): both digests.
+    pub(super) const SEEN: u32 = PATH | SHADE;
+
+    /// A traced pixel. `shade` is a digest of 32 bits of what stood before the lights.
     pub(super) fn traced(tone: Tone, path: Path, shade: u32, near: Near) -> Self {
         let marks = match near {
             Near::Nothing => shade >> 2 & SHADE,
@@ -57,88 +63,92 @@ impl Sample {
         Self { pair: tone.pair(), rest: TRACED | marks | path.0 | u32::from(tone.third()) }
     }
 
-    /// A pixel that was not traced, seen as this one.
-    #[inline(always)]
-    pub(super) fn like(self, tone: Tone) -> Self {
+    /// An interpolated pixel of this tone, with the digests of `self`.
+    #[inline]
+    pub(super) fn with_tone(self, tone: Tone) -> Self {
         Self { pair: tone.pair(), rest: self.rest & (GLINT | PATH | SHADE) | u32::from(tone.third()) }
     }
 
-    /// A pixel like this one, but not traced.
-    #[inline(always)]
-    pub(super) fn again(self) -> Self {
+    /// A copy of this pixel that counts as not traced.
+    #[inline]
+    pub(super) fn untraced(self) -> Self {
         Self { rest: self.rest & !TRACED, ..self }
     }
 
-    /// The same, near a small highlight or what is looked for as closely.
-    pub(super) fn near_glint(self) -> Self {
+    /// This pixel, marked as near a small highlight. Pixels near other small things are marked in the same
+    /// way.
+    pub(super) fn marked_near_glint(self) -> Self {
         Self { rest: self.rest | GLINT, ..self }
     }
 
+    /// Whether this is more than [`BLANK`](Self::BLANK).
     pub(super) fn is_known(self) -> bool {
         self.rest & PATH != 0
     }
 
+    /// Whether the pixel was traced, not interpolated or copied.
     pub(super) fn is_traced(self) -> bool {
         self.rest & TRACED != 0
     }
 
+    /// The digest of the objects that its rays met.
     pub(super) fn path(self) -> Path {
         Path(self.rest & PATH)
     }
 
+    /// Whether two pixels have the same digest of what stood before the lights.
     pub(super) fn is_shaded_like(self, other: Self) -> bool {
         (self.rest ^ other.rest) & SHADE == 0
     }
 
-    #[inline(always)]
+    /// The color, on the display's scale.
+    #[inline]
     pub(super) fn tone(self) -> Tone {
         Tone::of_pair(self.pair, self.rest as u16)
     }
 
-    /// What was seen.
-    pub(super) const SEEN: u32 = PATH | SHADE;
-
-    /// Whether the two differ in any of these bits of what was seen.
-    #[inline(always)]
+    /// Whether two pixels differ in any of the bits `marks`, which are [`SEEN`](Self::SEEN) or none.
+    #[inline]
     pub(super) fn marks_differ(self, other: Self, marks: u32) -> bool {
         (self.rest ^ other.rest) & marks != 0
     }
 
-    /// Whether a small highlight may lie between the two.
-    #[inline(always)]
-    pub(super) fn is_near_glint(self, other: Self) -> bool {
+    /// Whether at least one of two pixels is near a small highlight.
+    #[inline]
+    pub(super) fn either_near_glint(self, other: Self) -> bool {
         (self.rest | other.rest) & GLINT != 0
     }
 
-    /// Whether one may lie near both.
-    #[inline(always)]
-    pub(super) fn are_near_glint(self, other: Self) -> bool {
+    /// Whether both pixels are near a small highlight.
+    #[inline]
+    pub(super) fn both_near_glint(self, other: Self) -> bool {
         self.rest & other.rest & GLINT != 0
     }
 
-    /// Whether something tiny may be near; one near a small highlight in 128 says so too.
+    /// Whether something tiny is near. One in 128 pixels near a small highlight has the same bits by chance,
+    /// and its surroundings are traced for nothing.
     pub(super) fn is_near_tiny(self) -> bool {
         self.rest & (GLINT | SHADE) == GLINT | SHADE
     }
 
-    /// Whether the two are of different color.
-    #[inline(always)]
+    /// Whether the tones differ by more than `threshold` in a channel.
+    #[inline]
     pub(super) fn differs_in_color(self, other: Self, threshold: u16) -> bool {
         self.tone().differs(other.tone(), threshold)
     }
 
-    /// So many quarters of the way between two that do not differ.
+    /// The interpolated pixel that is this many quarters of the way from here to `other`.
     pub(super) fn toward(self, other: Self, quarters: usize) -> Self {
         let mut tone = self.tone();
         let step = tone.step_toward(other.tone(), 2);
         for _ in 0..quarters {
             tone = tone.after(step);
         }
-        self.like(tone)
+        self.with_tone(tone)
     }
 
-    /// Halfway between two that do not differ.
+    /// The interpolated pixel halfway from here to `other`.
     pub(super) fn middle(self, other: Self) -> Self {
-        self.like(self.tone().middle(other.tone()))
+        self.with_tone(self.tone().middle(other.tone()))
     }
 }

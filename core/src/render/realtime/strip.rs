@@ -1,10 +1,10 @@
 //! What the cells of a few neighboring lines can show.
 
 use super::super::Renderer;
-use super::super::line_candidates::Span;
-use super::thin::{ThinPlaces, heights};
+use super::small::{ThinCells, heights};
 use crate::math::Real;
 use crate::prepared::candidates::ObjectSet;
+use crate::render::span::Span;
 use crate::shape::Geometry;
 
 /// What each place of a strip of lines can show.
@@ -20,7 +20,7 @@ impl Strip {
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),
-        thin: &mut ThinPlaces,
+        thin: &mut ThinCells,
     ) -> Option<Self> {
         let known = renderer.outlines.strip(top, bottom)?;
         let heights = heights::<R>((top, bottom));

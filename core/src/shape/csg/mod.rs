@@ -155,17 +155,19 @@ impl<'a, S: Geometry + 'a> Geometry for Csg<'a, S> {
             let solid = unprepared.next().ok_or(Fault::NotOneSolid)?;
             solid.prepare(scale, memory).inspect_err(|_| memory.blame(Inner::Solid(index)))
         })?;
-        let bounds = bounds(self.steps, solids)?;
-        let ball = bounds.map(|bounds| {
-            let center = bounds.center();
-            let radius = (bounds.max - center).length();
-            (center, radius + R::offset(bounds.magnitude()))
-        });
         // Of all solids, since what is left of them is rounded as they are; in `f64` too, since descriptions are rounded to `f32`.
         let Extent { solid, flat, plane } = self.extent();
         let magnitude = solid.larger(flat).larger(plane.unwrap_or(0.0));
         let rounding: R = scale.length(R::Setup::from_f32(f32::offset(magnitude)));
         let tolerance = rounding.larger(R::offset(scale.length(R::Setup::from_f32(magnitude))));
+        // Rays begin at the middle of the whole, so a small solid is met with the rounding of all; and of
+        // boundaries that are one place, the surface may be either.
+        let bounds = bounds(self.steps, solids)?.map(|bounds| bounds.padded(tolerance + tolerance));
+        let ball = bounds.map(|bounds| {
+            let center = bounds.center();
+            let radius = (bounds.max - center).length();
+            (center, radius + R::offset(bounds.magnitude()))
+        });
         let body = memory.store(Body { program, bounds, ball, tolerance })?;
         Ok(PreparedCsg { solids, body })
     }

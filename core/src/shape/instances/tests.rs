@@ -306,7 +306,9 @@ fn what_wraps_far_away_meets_no_model() {
             let toward = if i % 4 < 2 { random.vector() - origin } else { random.vector() };
             let Some(direction) = toward.to::<f32>().normalized() else { continue };
             let ray = Ray { origin: Vec3::from_setup(origin), direction: Vec3::from_setup(direction) };
-            let exact = Ray { origin: ray.origin.to_setup().to(), direction: ray.direction.to_setup().to() };
+            // Of unit length to all its digits.
+            let exact: Vec3<f64> = ray.direction.to_setup().to();
+            let exact = Ray { origin: ray.origin.to_setup().to(), direction: exact.polar().0 };
             let reached = Interval { min: 0.0, max: 59.0 };
             if fixed.intersect(&ray, Interval::AHEAD).is_some() {
                 assert!(double.intersect(&exact, reached).is_some(), "{ray:?}");

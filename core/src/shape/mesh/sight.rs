@@ -16,11 +16,18 @@
 //! vectors across the ray take the place of the shear, which cost two products more for a corner and no division and no
 //! exchange of coordinates; and there is nothing to decide, as it does no harm if both triangles of an edge are met.
 //!
+//! # What is no hit
+//! A triangle may be so thin beside its distance that all three differences are nothing but rounding: they
+//! have the same sign by chance, and their shares put the hit anywhere between the depths of the corners. So
+//! the place of a hit must lie in the triangle's own box, with the room that hierarchies have around boxes.
+//! What is met in earnest is off by a small part of that.
+//!
 //! # In fixed point
 //! Corners lie within 8 units and rays begin within 59, so coordinates across a ray stay below 116, and the difference of two
 //! of their products below 2 · 116² units, which 64 bits hold exactly: signs are always right.
 
 use crate::math::{Product, Ray, Real, Vec3};
+use crate::shape::bounds_of;
 
 /// A ray, prepared to look at corners.
 pub(super) struct Sight<R> {
@@ -58,6 +65,13 @@ impl<R: Real> Sight<R> {
         Self { origin, direction: d, across }
     }
 
+    /// Whether the place at this distance lies in the box around a triangle, but for its rounding.
+    fn is_beside(&self, corners: [Vec3<R>; 3], t: R) -> bool {
+        let place = self.origin + self.direction * t;
+        let room = R::offset(self.origin.magnitude().larger(place.magnitude()));
+        bounds_of(corners.into_iter()).is_some_and(|bounds| bounds.padded(room).contains(place))
+    }
+
     /// Where the whole line of the ray meets a triangle. One that is seen edge-on is not met.
     #[inline(always)]
     pub(super) fn meet(&self, corners: [Vec3<R>; 3]) -> Option<Meeting<R>> {
@@ -86,6 +100,7 @@ impl<R: Real> Sight<R> {
         let (b, c) = (at_b.share(whole), at_c.share(whole));
         // Between the depths of the corners, however thin the triangle is.
         let [at_a, at_b, at_c] = seen.map(|corner| corner.dot(self.direction));
-        Some(Meeting { t: at_a + (at_b - at_a) * b + (at_c - at_a) * c, b, c })
+        let t = at_a + (at_b - at_a) * b + (at_c - at_a) * c;
+        self.is_beside(corners, t).then_some(Meeting { t, b, c })
     }
 }

@@ -1,4 +1,4 @@
-//! Draws many scenes, on any board: it needs no device.
+//! Draws many scenes, one after the other. One source serves all boards: it needs no device of theirs.
 
 #![no_std]
 #![no_main]

@@ -1,27 +1,27 @@
-//! The counts that are kept with the source: none may rise unseen.
+//! The figures in `firmware/boards.json`, which later versions are compared with.
 
 use std::fmt::Write;
 use std::fs;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use super::measured::Measured;
 
-/// Where they are kept.
+/// The file of the figures.
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../boards.json");
 
-/// A count may rise or fall by so many percent without a word.
+/// Percent by which a figure may rise or fall.
 const TOLERANCE: u64 = 2;
 
-/// What was measured, and with which compiler: counts hold for one alone.
+/// The figures, and the compiler that they hold for.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Committed {
     pub(super) compiler: String,
     pub(super) measured: Vec<Measured>,
 }
 
-/// What a comparison came to.
+/// The figures that have changed by more than [`TOLERANCE`], a line each.
 #[derive(Debug, Default, PartialEq)]
 struct Comparison {
     risen: String,
@@ -34,15 +34,38 @@ impl Committed {
         serde_json::from_str(&text).context("firmware/boards.json")
     }
 
+    /// New figures, in place of all those in the file or, if only some boards were measured, of those
+    /// programs.
+    pub(super) fn updated(compiler: String, measured: &[Measured], is_whole: bool) -> Result<Self> {
+        if is_whole {
+            return Ok(Self { compiler, measured: measured.to_vec() });
+        }
+        let mut committed = Self::read()?;
+        ensure!(
+            compiler == committed.compiler,
+            "firmware/boards.json holds for {}, and this is {compiler}: measure all boards",
+            committed.compiler
+        );
+        for figures in measured {
+            match committed.measured.iter_mut().find(|known| known.name() == figures.name()) {
+                Some(known) => known.clone_from(figures),
+                None => committed.measured.push(figures.clone()),
+            }
+        }
+        Ok(committed)
+    }
+
     pub(super) fn write(&self) -> Result<()> {
         fs::write(FILE, serde_json::to_string_pretty(self)? + "\n").context("firmware/boards.json")
     }
 
-    /// Tells whether no count of what was measured now has risen, and says what has changed.
+    /// Compares new figures with these, and prints the changes; returns whether none has risen.
     pub(super) fn check(&self, compiler: &str, now: &[Measured]) -> bool {
         if compiler != self.compiler {
             eprintln!(
-                "not compared: firmware/boards.json holds for {}, and this is {compiler}",
+                "not compared: firmware/boards.json holds for {}, and this is {compiler}; measure both \
+                 versions with one \
+                 compiler",
                 self.compiler
             );
             return true;
@@ -50,22 +73,25 @@ impl Committed {
         let Comparison { risen, fallen } = self.compare(now);
         if !risen.is_empty() {
             eprintln!(
-                "more than firmware/boards.json allows (`cargo boards --bench --update` accepts it):\n{risen}"
+                "more than firmware/boards.json allows; to accept it, run `cargo boards --bench \
+                 --update`:\n{risen}"
             );
         }
         if !fallen.is_empty() {
-            eprintln!("better than firmware/boards.json: run `cargo boards --bench --update`:\n{fallen}");
+            eprintln!(
+                "better than firmware/boards.json; to keep it, run `cargo boards --bench --update`:\n{fallen}"
+            );
         }
         risen.is_empty()
     }
 
-    /// What has risen and fallen, a line each.
+    /// The figures that have risen and fallen.
     fn compare(&self, now: &[Measured]) -> Comparison {
         let mut comparison = Comparison::default();
         for now in now {
             let name = now.name();
             let Some(before) = self.measured.iter().find(|before| before.name() == name) else {
-                _ = writeln!(comparison.risen, "  {name}: not in the table");
+                _ = writeln!(comparison.risen, "  {name}: not in firmware/boards.json");
                 continue;
             };
             let counts = [
@@ -124,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fall_is_told() {
+    fn a_fall_is_printed() {
         let comparison = committed().compare(&now(9_000, 40_000));
         assert_eq!(
             comparison.fallen,

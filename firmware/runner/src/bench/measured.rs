@@ -1,10 +1,10 @@
-//! What was measured of one program.
+//! The figures of one program.
 
 use serde::{Deserialize, Serialize};
 
 use crate::record::Record;
 
-/// What a program is, and what it took.
+/// A program, and its figures.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Measured {
     pub(super) board: String,
@@ -17,8 +17,9 @@ pub(super) struct Measured {
     pub(super) rays: u64,
     pub(super) psnr_db: Option<f64>,
     pub(super) instructions: u64,
-    /// For a frame, and how many frames a second they mean, where the emulator counts them.
+    /// Cycles of a frame, where the emulator counts them.
     pub(super) cycles: Option<u64>,
+    /// Frames a second at the clock that the program sets, where the emulator counts cycles.
     pub(super) frames_per_second: Option<f64>,
     pub(super) text_bytes: u64,
     pub(super) static_ram_bytes: u64,
@@ -26,7 +27,7 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// Of a program that ran and drew the right picture.
+    /// The figures of a program that ran and drew the right picture; `None` for any other.
     pub(super) fn of(record: &Record) -> Option<Self> {
         if !record.is_right() {
             return None;
@@ -50,7 +51,7 @@ impl Measured {
         })
     }
 
-    /// What the program is, in words: no two have the same.
+    /// The name of the program, which no other has.
     pub(super) fn name(&self) -> String {
         let Self { board, scene, width, height, number, mode, small, .. } = self;
         let size = if *small { " small" } else { "" };
@@ -69,8 +70,44 @@ impl Measured {
         self.rays as f64 / self.pixels()
     }
 
+    /// The clock that frames a second hold for, where the emulator counts cycles.
+    pub(super) fn megahertz(&self) -> Option<f64> {
+        Some(self.cycles? as f64 * self.frames_per_second? / 1e6)
+    }
+
+    /// Bytes of RAM: statics and stack.
+    pub(super) fn ram_bytes(&self) -> u64 {
+        self.static_ram_bytes + self.stack_bytes
+    }
+
     fn pixels(&self) -> f64 {
         f64::from(self.width) * f64::from(self.height)
+    }
+}
+
+/// Whether a program has the features that only make exact pictures faster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Build {
+    Fast,
+    Small,
+}
+
+/// The figures of all programs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Measurements<'m>(pub(super) &'m [Measured]);
+
+impl<'m> Measurements<'m> {
+    /// The figures of the fast program for a picture; `None` if it was not measured.
+    pub(super) fn find(self, board: &str, scene: &str, number: &str, mode: &str) -> Option<&'m Measured> {
+        self.find_build([board, scene, number, mode], Build::Fast)
+    }
+
+    /// The figures of a program for a picture of this board, scene, number system and mode.
+    pub(super) fn find_build(self, picture: [&str; 4], build: Build) -> Option<&'m Measured> {
+        self.0.iter().find(|measured| {
+            let Measured { board, scene, number, mode, small, .. } = measured;
+            [board, scene, number, mode] == picture && *small == (build == Build::Small)
+        })
     }
 }
 
@@ -78,7 +115,7 @@ impl Measured {
 pub(super) mod tests {
     use super::*;
 
-    /// What a program of 100 pixels might have taken.
+    /// Figures of a program that draws 100 pixels.
     pub(crate) fn measured(
         board: &str,
         scene: &str,

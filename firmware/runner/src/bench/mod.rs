@@ -1,140 +1,137 @@
-//! `cargo boards --bench`: what each kind of processor takes, next to what it should take.
+//! `cargo boards --bench`: instructions, flash and RAM on each kind of processor.
 
+mod allowances;
 mod committed;
+mod desktop;
+mod entries;
 mod measured;
+mod report;
 mod tables;
 
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::thread;
 use std::time::Duration;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, anyhow, ensure};
 
-use crate::board::BOARDS;
-use crate::picture::{Mode, Number, Request, Size};
+use crate::board::{BOARDS, Board};
+use crate::convert;
+use crate::record::Record;
 use crate::session::Session;
 use crate::toolchain::Toolchain;
 use committed::Committed;
-use measured::Measured;
+use entries::{Entry, M4F, TEAPOT, entries};
+use measured::{Measured, Measurements};
+use report::Page;
 
-/// What to do with the measurements, besides showing them.
+/// The use of the figures, besides printing them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Action {
     Show,
-    /// Writes the table that is kept with the source.
+    /// Writes `firmware/boards.json`.
     Update,
-    /// Compares them with that table.
+    /// Compares the figures with `firmware/boards.json` and with the allowances.
     Check,
 }
 
-/// A program that is measured.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    board: &'static str,
-    scene: &'static str,
-    number: Number,
-    mode: Mode,
-    small: bool,
-    /// `None`: the board's own.
-    size: Option<Size>,
+/// The options of a bench.
+#[derive(Debug)]
+pub(crate) struct Bench<'a> {
+    pub(crate) action: Action,
+    /// The page to write.
+    pub(crate) report: Option<&'a Path>,
+    /// The boards to measure on; all if this is empty.
+    pub(crate) boards: &'a [&'static Board],
+    pub(crate) timeout: Duration,
+    /// Whether a board that cannot be run here is a failure.
+    pub(crate) all_required: bool,
 }
 
-const fn entry(board: &'static str, scene: &'static str, number: Number, mode: Mode) -> Entry {
-    Entry { board, scene, number, mode, small: false, size: Some(SIZE) }
-}
-
-/// The same exact picture, by a program without what only makes it faster.
-const fn small(board: &'static str, scene: &'static str, number: Number) -> Entry {
-    Entry { small: true, ..entry(board, scene, number, Mode::Exact) }
-}
-
-/// Frames on a board with a panel.
-const fn frames(board: &'static str, mode: Mode) -> Entry {
-    Entry { size: None, ..entry(board, "classic", Number::Fixed, mode) }
-}
-
-const M4F: &str = "mps2-an386";
-const M3: &str = "mps2-an385";
-/// It has the instructions of an M0+.
-const M0: &str = "microbit";
-
-const PICO: &str = "pico-dual";
-
-const SIZE: Size = Size { width: 320, height: 240 };
-
-const ENTRIES: [Entry; 18] = [
-    entry(M4F, "classic", Number::F32, Mode::Exact),
-    entry(M3, "classic", Number::Fixed, Mode::Exact),
-    entry(M0, "classic", Number::Fixed, Mode::Exact),
-    entry(M4F, "classic", Number::F32, Mode::Realtime),
-    entry(M3, "classic", Number::Fixed, Mode::Realtime),
-    entry(M0, "classic", Number::Fixed, Mode::Realtime),
-    entry(M4F, "flake-10", Number::F32, Mode::Exact),
-    entry(M4F, "flake-91", Number::F32, Mode::Exact),
-    entry(M4F, "flake-820", Number::F32, Mode::Exact),
-    entry(M4F, "spheres", Number::F32, Mode::Exact),
-    entry(M4F, "torus", Number::F32, Mode::Exact),
-    entry(M4F, "csg", Number::F32, Mode::Exact),
-    entry(M4F, "mesh", Number::F32, Mode::Exact),
-    frames(PICO, Mode::Exact),
-    frames(PICO, Mode::Realtime),
-    small(M4F, "spheres", Number::F32),
-    small(M4F, "classic", Number::F32),
-    small(M0, "classic", Number::Fixed),
-];
-
-/// Measures all entries and prints the tables; tells whether everything holds.
-pub(crate) fn run(action: Action, timeout: Duration, all_required: bool) -> Result<bool> {
-    let (mut measured, mut complete, mut accepted) = (Vec::new(), true, true);
-    for (index, entry) in ENTRIES.into_iter().enumerate() {
-        let session = entry.session(timeout)?;
-        eprintln!("{} of {}: {}", index + 1, ENTRIES.len(), session.picture);
-        let record = session.run();
-        accepted &= record.is_accepted(all_required);
-        match Measured::of(&record) {
-            Some(figures) => measured.push(figures),
-            None => complete = false,
+impl Bench<'_> {
+    /// Measures the programs, and prints the tables; returns whether nothing failed.
+    pub(crate) fn run(&self) -> Result<bool> {
+        let folder = tempfile::tempdir()?;
+        let sessions = self.sessions(folder.path())?;
+        let records = measure(&sessions, folder.path())?;
+        let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
+        let figures = Measurements(&measured);
+        for (heading, table) in tables::all(figures) {
+            println!("{heading}:\n\n{table}");
         }
-    }
-    print!("{}", tables::Tables(&measured));
-    match action {
-        Action::Show => Ok(accepted),
-        Action::Update if !complete || !accepted => bail!("the table is written only if every board ran"),
-        Action::Update => {
-            Committed { compiler: compiler()?, measured }.write()?;
-            Ok(true)
+        let accepted = records.iter().all(|record| record.is_accepted(self.all_required));
+        let complete = accepted && measured.len() == sessions.len();
+        let mut holds = accepted;
+        match self.action {
+            Action::Show => {}
+            Action::Update => {
+                ensure!(complete, "firmware/boards.json stays as it is: not every program ran, see above");
+                Committed::updated(compiler()?, &measured, self.boards.is_empty())?.write()?;
+            }
+            Action::Check if measured.is_empty() => {}
+            Action::Check => {
+                holds &= Committed::read()?.check(&compiler()?, &measured);
+                for line in allowances::broken(figures) {
+                    eprintln!("beyond an allowance (firmware/runner/src/bench/allowances.rs): {line}");
+                    holds = false;
+                }
+            }
         }
-        Action::Check if measured.is_empty() => Ok(accepted),
-        Action::Check => Ok(Committed::read()?.check(&compiler()?, &measured) && accepted),
+        if let Some(file) = self.report {
+            ensure!(complete, "{} stays as it is: not every program ran, see above", file.display());
+            let page = Page::read(file).with_desktop(desktop::measure()?);
+            page.with_boards(figures, &compiler()?).write(file)?;
+        }
+        Ok(holds)
     }
-}
 
-impl Entry {
-    fn session(&self, timeout: Duration) -> Result<Session<'static>> {
-        let Self { board, scene, number, mode, small, size } = *self;
-        let request = Request { size, number, mode, small, ..Request::new(scene)? };
-        let Some(board) = BOARDS.iter().find(|known| known.name == board) else {
-            bail!("there is no board {board}");
+    /// The programs to measure.
+    fn sessions(&self, folder: &Path) -> Result<Vec<Session<'static>>> {
+        let is_chosen = |entry: &Entry| {
+            self.boards.is_empty() || self.boards.iter().any(|board| board.name == entry.board)
         };
-        Ok(Session { board, picture: request.on(board), picture_file: None, timeout })
-    }
-}
-
-/// The compiler that the counts hold for: all boards have the same.
-fn compiler() -> Result<String> {
-    let Some(board) = BOARDS.iter().find(|board| board.name == M4F) else { bail!("there is no board {M4F}") };
-    Toolchain::find(board.target).map_err(anyhow::Error::msg)?.name()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_entry_can_be_measured() {
-        for entry in ENTRIES {
-            let session = entry.session(Duration::from_secs(1)).unwrap();
-            assert_eq!((session.board.name, session.picture.scene.name), (entry.board, entry.scene));
-            assert_eq!((session.picture.number, session.picture.mode), (entry.number, entry.mode));
-            session.board.draws(entry.mode).unwrap();
+        let entries: Vec<Entry> = entries().into_iter().filter(is_chosen).collect();
+        let mut teapot = PathBuf::new();
+        if entries.iter().any(|entry| entry.scene == TEAPOT) {
+            teapot = convert::to_bytes(&[gallery().join(TEAPOT).with_extension("ron")], folder)?.remove(0);
         }
+        entries.iter().map(|entry| entry.session(&teapot, self.timeout)).collect()
     }
+}
+
+/// Writes the part of a page that `firmware/boards.json` holds, without measuring.
+pub(crate) fn write_report(file: &Path) -> Result<()> {
+    let Committed { compiler, measured } = Committed::read()?;
+    Page::read(file).with_boards(Measurements(&measured), &compiler).write(file)
+}
+
+/// Builds one program while the one before runs: there is one emulator at a time, and one compiler.
+fn measure(sessions: &[Session<'_>], folder: &Path) -> Result<Vec<Record>> {
+    let (sender, built) = mpsc::sync_channel(1);
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            for (index, session) in sessions.iter().enumerate() {
+                eprintln!("{} of {}: {}", index + 1, sessions.len(), session.picture);
+                let program = session.build().and_then(|program| {
+                    // The next build overwrites the file.
+                    program.copied_to(folder.join(format!("program-{index}")))
+                });
+                if sender.send((session, program)).is_err() {
+                    break;
+                }
+            }
+        });
+        Ok(built.into_iter().map(|(session, program)| session.run_built(program)).collect())
+    })
+}
+
+/// The folder of the gallery's scenes.
+fn gallery() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/gallery")
+}
+
+/// The compiler of the programs, which is the same for all boards.
+fn compiler() -> Result<String> {
+    let board = BOARDS.iter().find(|board| board.name == M4F).context("there is no board for the bench")?;
+    Toolchain::find(board.target).map_err(|reason| anyhow!(reason))?.name()
 }

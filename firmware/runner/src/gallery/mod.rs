@@ -1,5 +1,5 @@
-//! `cargo boards --gallery`: all scenes of a folder on each board, in one run of one program, each compared with this
-//! computer's picture by its digest.
+//! `cargo boards --gallery`: draws all scenes of a folder on each board with one program, and compares the
+//! digest of each picture with this computer's.
 
 mod results;
 mod scenes;
@@ -10,28 +10,30 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use rayline_choice::USUAL_BOUNCES;
+use rayline_build_support::BOUNCES_OF_FILES;
 
-use crate::board::{Board, Emulator as Kind, Output, Source};
+use crate::board::{Board, EmulatorKind, Output, ProgramSource};
 use crate::emulator::Emulator;
 use crate::host;
-use crate::picture::{Mode, Picture, Request, Size};
+use crate::picture::{Mode, Picture, Size};
 use crate::program::Program;
+use crate::request::Request;
 use crate::session::Session;
 use crate::toolchain::Toolchain;
-use results::{Drawn, Exhibit, Outcome, table};
+use results::{Drawn, Exhibit, TourOutcome, table};
 use scenes::Scenes;
 
-/// Size of the pictures, if none is asked for.
+/// Default size of the pictures.
 const SIZE: Size = Size { width: 24, height: 18 };
 
-/// Boards with 256 KB of flash and little RAM: all shapes have room in a program only without what makes it faster.
+/// Boards with 256 KB of flash and little RAM. A program with all shapes fits only without the features that
+/// make exact pictures faster.
 const LITTLE: [&str; 2] = ["lm3s6965evb", "microbit"];
 
-/// How often it is told how far a board has come.
+/// Time between two messages of progress.
 const PACE: Duration = Duration::from_secs(5);
 
-/// Draws all scenes of a folder on all boards; tells whether all digests are this computer's.
+/// Draws all scenes of a folder on all boards; returns whether all digests are this computer's.
 pub(crate) fn run(
     boards: &[&Board],
     folder: &Path,
@@ -40,7 +42,7 @@ pub(crate) fn run(
     all_required: bool,
 ) -> Result<bool> {
     for board in boards {
-        ensure!(can_run(board), "{}: its program draws one scene, and reads none", board.name);
+        ensure!(can_run(board), "{}: its program cannot read scenes: leave this board out", board.name);
     }
     let scenes = Scenes::read(folder)?;
     let mut outcomes = Vec::new();
@@ -49,7 +51,7 @@ pub(crate) fn run(
         let small = request.small || LITTLE.contains(&board.name);
         let picture = Picture {
             size: request.size.unwrap_or(SIZE),
-            bounces: request.bounces.unwrap_or(USUAL_BOUNCES),
+            bounces: request.bounces.unwrap_or(BOUNCES_OF_FILES),
             small,
             ..request.on(board)
         };
@@ -68,16 +70,16 @@ pub(crate) fn run(
     Ok(outcomes.iter().all(|(_, _, outcome)| outcome.is_accepted(all_required)))
 }
 
-/// Whether a board's program can read scenes: those in QEMU can, from files of this computer.
+/// Whether the board's program can read scenes: in QEMU it reads files of this computer.
 pub(crate) fn can_run(board: &Board) -> bool {
-    matches!(board.emulator, Kind::Qemu { .. })
+    matches!(board.emulator, EmulatorKind::Qemu { .. })
 }
 
-/// The board with the program that draws any scene, and shows it nowhere.
+/// The board with the program that draws any scene, and has no display.
 fn with_program(board: &Board, small: bool) -> Board {
     let features: &'static [&'static str] =
         if small { &["gallery"] } else { &["gallery", "candidates", "hierarchy"] };
-    let program = Source { binary: "gallery", features, ..board.program };
+    let program = ProgramSource { binary: "gallery", features, ..board.program };
     Board { program, output: Output::File, ..*board }
 }
 
@@ -96,7 +98,7 @@ impl Scenes {
 #[derive(Debug)]
 struct Tour<'a> {
     board: &'a Board,
-    /// How each scene is drawn.
+    /// Size and settings of each picture; its scene is not used.
     picture: Picture,
     scenes: &'a Scenes,
     /// This computer's digests.
@@ -105,24 +107,24 @@ struct Tour<'a> {
 }
 
 impl Tour<'_> {
-    /// Draws them, and says how it goes.
-    fn run(&self) -> Outcome {
+    /// Draws the scenes, and prints the progress.
+    fn run(&self) -> TourOutcome {
         let Self { board, picture, timeout, .. } = *self;
         let session = Session { board, picture, picture_file: None, timeout };
         let outcome = match session.toolchain() {
-            _ if picture.small && picture.mode == Mode::Realtime => {
-                Outcome::Skipped("its flash has no room for all shapes and realtime quality".into())
-            }
-            Err(reason) => Outcome::Skipped(reason),
+            _ if picture.small && picture.mode == Mode::Realtime => TourOutcome::Skipped(
+                "its flash is too small for all shapes and realtime quality: use --mode exact".into(),
+            ),
+            Err(reason) => TourOutcome::Skipped(reason),
             Ok(toolchain) => {
-                self.draw(&toolchain).unwrap_or_else(|error| Outcome::Failed(format!("{error:#}")))
+                self.draw(&toolchain).unwrap_or_else(|error| TourOutcome::Failed(format!("{error:#}")))
             }
         };
         self.say(&outcome);
         outcome
     }
 
-    fn draw(&self, toolchain: &Toolchain) -> Result<Outcome> {
+    fn draw(&self, toolchain: &Toolchain) -> Result<TourOutcome> {
         self.say(&"building (the first time takes a minute)");
         let file = toolchain.program(self.board, &self.picture)?;
         let program = Program::read(&file, self.board.program)?;
@@ -137,7 +139,7 @@ impl Tour<'_> {
         let numbers = emulator.next_report().context("numbers")?.digest;
         ensure!(
             numbers == Some(host::digest_of_numbers(self.picture.number)),
-            "it computes other numbers than this computer"
+            "its arithmetic differs from this computer's: compare the crate rayline-arithmetic-digest on both"
         );
         for (scene, expected) in self.scenes.sources.iter().zip(self.expected) {
             if said.elapsed() >= PACE {
@@ -153,7 +155,7 @@ impl Tour<'_> {
             });
         }
         emulator.finish()?;
-        Ok(Outcome::Ran { picture: self.picture, text_bytes: program.text_bytes, exhibits })
+        Ok(TourOutcome::Ran { picture: self.picture, text_bytes: program.text_bytes, exhibits })
     }
 
     fn say(&self, what: &dyn std::fmt::Display) {

@@ -1,24 +1,24 @@
-//! How it went with each board, as a table, and what is to be said besides.
+//! The results of boards as a table, and remarks on single scenes.
 
 use std::fmt;
 
 use crate::picture::Picture;
 use crate::table::{Align, Table, with_commas};
 
-/// How it went with a board.
+/// The outcome of a board.
 #[derive(Debug)]
-pub(super) enum Outcome {
-    /// It ran; pictures may still be wrong.
+pub(super) enum TourOutcome {
+    /// The program ran; pictures may be wrong.
     Ran {
-        /// How each scene was drawn.
+        /// Size and settings of each picture.
         picture: Picture,
-        /// Flash that the program takes.
+        /// Bytes of flash of the program.
         text_bytes: u64,
         exhibits: Vec<Exhibit>,
     },
-    /// It does not run here, for want of something.
+    /// The program cannot be run here, for this reason.
     Skipped(String),
-    /// It should have run.
+    /// The program failed, for this reason.
     Failed(String),
 }
 
@@ -26,11 +26,12 @@ pub(super) enum Outcome {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Exhibit {
     pub(super) scene: &'static str,
-    /// `None`: the board has no memory for it.
+    /// `None`: the board has too little memory for the scene.
     pub(super) drawn: Option<Drawn>,
     /// This computer's digest.
     pub(super) expected: u64,
-    /// Memory that it takes: its bytes, their lists, and the prepared scene; that much at least, if it was not drawn.
+    /// Bytes of memory for the scene's file, its lists, and the prepared scene; a lower bound if it was not
+    /// drawn.
     pub(super) memory_bytes: u64,
 }
 
@@ -47,7 +48,7 @@ impl Exhibit {
     }
 }
 
-impl Outcome {
+impl TourOutcome {
     fn exhibits(&self) -> &[Exhibit] {
         match self {
             Self::Ran { exhibits, .. } => exhibits,
@@ -59,7 +60,8 @@ impl Outcome {
         self.exhibits().iter().filter_map(|exhibit| Some((exhibit, exhibit.drawn?)))
     }
 
-    /// Whether this is no failure. A board that was skipped, and a scene that it has no room for, are if all are required.
+    /// Whether the board did not fail. A skipped board, and a scene without enough memory, fail if all are
+    /// required.
     pub(super) fn is_accepted(&self, all_required: bool) -> bool {
         match self {
             Self::Ran { exhibits, .. } => {
@@ -72,16 +74,19 @@ impl Outcome {
         }
     }
 
-    /// Every scene that differs, and those for which there is no room.
+    /// A line for each scene that differs, and for each scene that the board has too little memory for.
     pub(super) fn remarks(&self) -> impl Iterator<Item = String> {
         let differ = self.drawn().filter(|(exhibit, _)| exhibit.differs()).map(|(exhibit, drawn)| {
             let Exhibit { scene, expected, .. } = exhibit;
-            format!("{scene} differs: its digest is {:016x}, and here {expected:016x}", drawn.digest)
+            format!(
+                "{scene} differs: its digest is {:016x}, and this computer's is {expected:016x}",
+                drawn.digest
+            )
         });
         let no_room = self.exhibits().iter().filter(|exhibit| exhibit.drawn.is_none());
         let no_room = no_room.map(|exhibit| {
             let needed = with_commas(exhibit.memory_bytes);
-            format!("no room for {}, which needs {needed} B or more", exhibit.scene)
+            format!("too little memory for {}, which needs {needed} B or more", exhibit.scene)
         });
         differ.chain(no_room)
     }
@@ -116,7 +121,7 @@ impl Outcome {
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for TourOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Ran { exhibits, .. } => {
@@ -146,7 +151,7 @@ const HEADINGS: [(&str, Align); 10] = [
 ];
 
 /// All boards as a table.
-pub(super) fn table(outcomes: &[(&str, &str, Outcome)]) -> Table {
+pub(super) fn table(outcomes: &[(&str, &str, TourOutcome)]) -> Table {
     let mut table = Table::new(HEADINGS);
     for (board, core, outcome) in outcomes {
         table.push(outcome.cells(board, core));
@@ -158,7 +163,7 @@ pub(super) fn table(outcomes: &[(&str, &str, Outcome)]) -> Table {
 mod tests {
     use super::*;
     use crate::board::BOARDS;
-    use crate::picture::Request;
+    use crate::request::Request;
 
     const SAME: Exhibit = Exhibit {
         scene: "ball",
@@ -174,36 +179,39 @@ mod tests {
     };
     const TOO_LARGE: Exhibit = Exhibit { scene: "teapot", drawn: None, memory_bytes: 160_000, ..SAME };
 
-    fn ran(exhibits: &[Exhibit]) -> Outcome {
+    fn ran(exhibits: &[Exhibit]) -> TourOutcome {
         let picture = Request::new("classic").unwrap().on(&BOARDS[1]);
-        Outcome::Ran { picture, text_bytes: 200_000, exhibits: exhibits.to_vec() }
+        TourOutcome::Ran { picture, text_bytes: 200_000, exhibits: exhibits.to_vec() }
     }
 
     #[test]
-    fn what_differs_fails_and_is_named() {
+    fn a_picture_that_differs_fails_and_is_named() {
         let outcome = ran(&[SAME, OTHER]);
         assert!(!outcome.is_accepted(false));
         assert_eq!(outcome.to_string(), "2 of 2 scenes drawn, 1 differ");
         let remarks: Vec<String> = outcome.remarks().collect();
-        assert_eq!(remarks, ["torus differs: its digest is 00000000000000ac, and here 00000000000000ab"]);
+        assert_eq!(
+            remarks,
+            ["torus differs: its digest is 00000000000000ac, and this computer's is 00000000000000ab"]
+        );
         assert!(ran(&[SAME]).is_accepted(true));
     }
 
     #[test]
-    fn what_has_no_room_fails_only_if_all_are_required_or_nothing_was_drawn() {
+    fn too_little_memory_fails_only_if_all_are_required_or_nothing_was_drawn() {
         let outcome = ran(&[SAME, TOO_LARGE]);
         assert!(outcome.is_accepted(false));
         assert!(!outcome.is_accepted(true));
         assert!(!ran(&[TOO_LARGE]).is_accepted(false));
         let remarks: Vec<String> = outcome.remarks().collect();
-        assert_eq!(remarks, ["no room for teapot, which needs 160,000 B or more"]);
+        assert_eq!(remarks, ["too little memory for teapot, which needs 160,000 B or more"]);
     }
 
     #[test]
     fn the_table_names_the_scenes_that_take_most() {
         let outcomes = [
             ("board", "core", ran(&[SAME, OTHER, TOO_LARGE])),
-            ("other", "core", Outcome::Skipped("no emulator".into())),
+            ("other", "core", TourOutcome::Skipped("no emulator".into())),
         ];
         let text = table(&outcomes).to_string();
         let lines: Vec<&str> = text.lines().collect();

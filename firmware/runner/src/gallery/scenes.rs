@@ -1,19 +1,19 @@
 //! The scenes of a folder, as the boards' program reads them.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::picture::{Request, Source};
-use crate::toolchain;
+use crate::convert;
+use crate::picture::SceneSource;
+use crate::request::Request;
 
 /// All scenes of a folder.
 #[derive(Debug)]
 pub(super) struct Scenes {
-    pub(super) sources: Vec<Source>,
-    /// What the program reads: how many bytes a scene has, these, and so on.
+    pub(super) sources: Vec<SceneSource>,
+    /// The file that the program reads: for each scene the number of its bytes, then the bytes.
     pub(super) file: Vec<u8>,
 }
 
@@ -28,30 +28,17 @@ impl Scenes {
                 texts.push(path);
             }
         }
-        ensure!(!texts.is_empty(), "{shown}: there is no .ron file in it");
+        ensure!(!texts.is_empty(), "{shown}: there is no .ron file in it, name another folder");
         texts.sort();
         eprintln!("reading {} scenes (the first time takes a few minutes)", texts.len());
         let (mut sources, mut file) = (Vec::new(), Vec::new());
         let converted = tempfile::tempdir()?;
-        for bytes in convert(&texts, converted.path())? {
+        for bytes in convert::to_bytes(&texts, converted.path())? {
             sources.push(Request::new(bytes.to_str().context("a path that is not UTF-8")?)?.scene);
             append(&mut file, &fs::read(bytes)?)?;
         }
         Ok(Self { sources, file })
     }
-}
-
-/// Has `rayline` write the bytes of each scene into a folder.
-fn convert(texts: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>> {
-    // Started as a program: linked into this one, its readers of files would take longer to build than all the rest.
-    let rayline = toolchain::build_here("rayline")?;
-    let convert = |text: &PathBuf| {
-        let bytes = folder.join(text.file_stem().unwrap_or_default()).with_extension("rayline");
-        let output = Command::new(&rayline).args(["convert", "--quiet"]).args([text, &bytes]).output()?;
-        ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim_end());
-        Ok(bytes)
-    };
-    texts.iter().map(convert).collect()
 }
 
 /// Adds a scene to the file that the program reads.
@@ -78,6 +65,6 @@ mod tests {
     fn a_folder_without_scenes_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let error = Scenes::read(folder.path()).unwrap_err().to_string();
-        assert!(error.ends_with("there is no .ron file in it"), "{error}");
+        assert!(error.ends_with("there is no .ron file in it, name another folder"), "{error}");
     }
 }

@@ -1,9 +1,9 @@
-//! Which instructions load or store (Arm, "ARMv7-M Architecture Reference Manual", A5; RISC-V, "The RISC-V
-//! Instruction Set Manual", volume I, chapters 24 and 26).
+//! Recognizes instructions that load or store (Arm, "ARMv7-M Architecture Reference Manual", A5; RISC-V, "The
+//! RISC-V Instruction Set Manual", volume I, chapters 24 and 26).
 
 use object::Architecture;
 
-/// Whether the instruction with which these bytes begin loads from memory or stores to it.
+/// Whether the instruction at the beginning of these bytes loads or stores.
 pub(super) fn touches_memory(architecture: Architecture, bytes: &[u8]) -> bool {
     let (halves, _) = bytes.as_chunks::<2>();
     let half = |index: usize| halves.get(index).map_or(0, |half| u16::from_le_bytes(*half));
@@ -16,17 +16,19 @@ pub(super) fn touches_memory(architecture: Architecture, bytes: &[u8]) -> bool {
 
 fn thumb(first: u16, second: u16) -> bool {
     match first >> 11 {
-        // Relative to the program counter, with a register, an immediate or the stack pointer, or several.
+        // One register: relative to the program counter, a register, an immediate or the stack pointer.
+        // Several registers.
         0b01001 | 0b01010..=0b10011 | 0b11000 | 0b11001 => true,
         // Push and pop.
         0b10110 | 0b10111 => first & 0x0600 == 0x0400,
-        // Several, two, or exclusively; numbers of the FPU, but not between it and the processor.
+        // Several registers, two, or exclusive access; FPU loads and stores, but not moves between FPU and
+        // processor.
         0b11101 => match first & 0x0600 {
             0 => true,
             0x0400 => first & 0x03A0 != 0 && second & 0x0E00 == 0x0A00,
             _ => false,
         },
-        // One.
+        // One register, in 32 bits.
         0b11111 => first & 0x0600 == 0,
         _ => false,
     }

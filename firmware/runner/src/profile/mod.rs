@@ -1,13 +1,15 @@
-//! `cargo boards --profile`: which functions the instructions of a board's program go to.
+//! `cargo boards --profile`: the folders, functions and lines that the instructions of a board's program go
+//! to.
 //!
-//! QEMU writes down every instruction that it executes, one at a time; those between the two marks that also start and
-//! stop the program's own count are taken. rp2040js counts instructions and their cycles, from the beginning of a frame to that
-//! of another. They are attributed to functions by the program's line tables, inlined functions among them. Line tables change no
-//! instruction: the total is what `cargo boards` counts.
+//! QEMU logs every instruction that it executes; the profile has those between the two functions that start
+//! and stop the program's own count. rp2040js counts instructions and cycles of whole frames. The program's
+//! line tables attribute instructions to functions, with inlined ones. Line tables change no instruction, so
+//! the total is the count of `cargo boards`.
 
+mod costs;
+mod line_tables;
 mod memory_access;
-mod report;
-mod source;
+
 mod trace;
 
 use std::fs;
@@ -16,19 +18,20 @@ use std::time::Duration;
 use anyhow::{Context, Result, anyhow};
 use object::{Object, ObjectSection};
 
-use crate::board::{Board, Emulator};
+use crate::board::{Board, EmulatorKind};
 use crate::picture::{Picture, Size};
 use crate::session::Session;
 use crate::{emulator, qemu};
+use costs::Costs;
+use line_tables::LineTables;
 use memory_access::touches_memory;
-use report::Report;
-use source::Source;
+
 use trace::{Marks, Trace};
 
-/// Size of the picture, if none is asked for: every instruction is a line of text.
+/// Default size of the picture. It is small, because QEMU logs a line of text for every instruction.
 pub(crate) const SIZE: Size = Size { width: 80, height: 60 };
 
-/// Builds a board's program with line tables, traces it, and prints where its instructions go.
+/// Builds a board's program with line tables, traces it, and prints the profile.
 pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) -> Result<()> {
     let session = Session { board, picture, picture_file: None, timeout };
     let toolchain = session.toolchain().map_err(|reason| anyhow!("{}: {reason}", board.name))?;
@@ -39,18 +42,18 @@ pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) ->
 
     eprintln!("{}: running, one instruction at a time", board.name);
     let trace = match board.emulator {
-        Emulator::Qemu { command, machine, .. } => {
+        EmulatorKind::Qemu { command, machine, .. } => {
             Trace::of_qemu(qemu::command(command, machine, &file), &Marks::find(&elf)?, timeout)?
         }
-        Emulator::Rp2040js { frames } => {
+        EmulatorKind::Rp2040js { frames } => {
             Trace::of_frames(&emulator::profile(board, &file, timeout)?, frames)?
         }
     };
 
-    let source = Source::read(&elf)?;
+    let source = LineTables::read(&elf)?;
     let code: Vec<(u64, &[u8])> =
         elf.sections().filter_map(|section| Some((section.address(), section.data().ok()?))).collect();
-    let mut report = Report::default();
+    let mut report = Costs::default();
     for (address, executed) in trace.counts() {
         let instruction = code.iter().find_map(|(start, data)| {
             let offset = usize::try_from(address.checked_sub(*start)?).ok()?;

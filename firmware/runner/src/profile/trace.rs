@@ -1,4 +1,4 @@
-//! The instructions that an emulated processor executes.
+//! The number of executions of each instruction.
 
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read};
@@ -12,7 +12,7 @@ use anyhow::{Context, Result, anyhow, bail, ensure};
 use object::{Object, ObjectSymbol};
 use rustc_demangle::demangle;
 
-/// The functions of the program that start and stop counting. They do not count themselves.
+/// The addresses of the functions that start and stop counting. Their own instructions are not counted.
 #[derive(Clone, Debug)]
 pub(super) struct Marks {
     resume: Range<u64>,
@@ -26,8 +26,9 @@ impl Marks {
                 let name = symbol.name().map(|name| format!("{:#}", demangle(name))).unwrap_or_default();
                 name.contains("rayline_emulated::meter::") && name.ends_with(end)
             });
-            let symbol = symbol.with_context(|| format!("the program has no function Meter{end}"))?;
-            // The lowest bit tells that it is Thumb code.
+            let symbol = symbol
+                .with_context(|| format!("the program has no function Meter{end}: do not inline it"))?;
+            // The lowest bit of the address marks Thumb code.
             let start = symbol.address() & !1;
             Ok(start..start + symbol.size())
         };
@@ -35,22 +36,22 @@ impl Marks {
     }
 }
 
-/// What an instruction has come to.
+/// Executions of an instruction, and their cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Executed {
     pub(super) times: u64,
-    /// 0 where the emulator counts none.
+    /// 0 if the emulator counts no cycles.
     pub(super) cycles: u64,
 }
 
-/// How often each instruction was executed while the program counted.
+/// Executions of each instruction while the program counted, by address.
 #[derive(Debug)]
 pub(super) struct Trace {
     counts: HashMap<u64, Executed>,
 }
 
 impl Trace {
-    /// What rp2040js has counted during some frames, for one of them.
+    /// The mean of a frame, from the counts of rp2040js for `frames` frames.
     pub(super) fn of_frames(counts: &str, frames: u32) -> Result<Self> {
         let each = |line: &str| -> Option<(u64, Executed)> {
             let mut numbers = line.split(' ').map(|digits| u64::from_str_radix(digits, 16).ok());
@@ -59,15 +60,19 @@ impl Trace {
             let each = |count: u64| count / u64::from(frames);
             Some((address, Executed { times: each(times), cycles: each(cycles) }))
         };
-        let counts = counts.lines().map(|line| each(line).with_context(|| format!("{line:?} is no count")));
+        let counts = counts.lines().map(|line| {
+            each(line).with_context(|| {
+                format!("{line:?} is not address, executions and cycles: run the board again")
+            })
+        });
         Ok(Self { counts: counts.collect::<Result<_>>()? })
     }
 
-    /// Runs QEMU until the program has told everything.
+    /// Runs QEMU until the program ends its report, and reads the log.
     pub(super) fn of_qemu(mut emulator: Command, marks: &Marks, timeout: Duration) -> Result<Self> {
         let folder = tempfile::tempdir()?;
         let mut process = emulator
-            // Blocks of one instruction, each of which is written down.
+            // Log blocks of code, each of one instruction.
             .args(["-singlestep", "-d", "exec,nochain"])
             .current_dir(&folder)
             .stdin(Stdio::null())
@@ -80,13 +85,13 @@ impl Trace {
         let (sender, last_line) = mpsc::channel();
         thread::spawn(move || {
             let lines = BufReader::new(output).lines().map_while(Result::ok);
-            // Nobody waits any more if that was too late.
+            // After a timeout there is no receiver.
             let _ = sender.send(lines.into_iter().find(|line| line == "done" || line.starts_with("fault")));
         });
         let marks = marks.clone();
         let reader = thread::spawn(move || read(log, &marks));
         let last_line = last_line.recv_timeout(timeout);
-        // Some programs never end by themselves.
+        // Some programs do not end by themselves.
         process.kill()?;
         process.wait()?;
         let (counts, messages) =
@@ -96,27 +101,27 @@ impl Trace {
             Ok(Some(line)) => bail!("the program stopped: {line}"),
             Ok(None) => bail!("the emulator ended early: {}", messages.trim()),
             Err(_) => bail!(
-                "the emulator was stopped after {} s: this needs a longer --timeout or a smaller --size",
+                "the emulator was stopped after {} s: use a longer --timeout or a smaller --size",
                 timeout.as_secs()
             ),
         }
-        ensure!(!counts.is_empty(), "the emulator wrote no instructions down: {}", messages.trim());
+        ensure!(!counts.is_empty(), "the emulator logged no instructions: {}", messages.trim());
         Ok(Self { counts })
     }
 
-    /// Addresses, and how often they were executed.
+    /// Addresses with their executions.
     pub(super) fn counts(&self) -> impl Iterator<Item = (u64, Executed)> {
         self.counts.iter().map(|(address, count)| (*address, *count))
     }
 }
 
-/// Counts the instructions of a log, and gives what else it says.
+/// Counts the instructions of a log; also returns the log's other messages.
 fn read(log: ChildStderr, marks: &Marks) -> Result<(HashMap<u64, Executed>, String)> {
     let mut log = BufReader::with_capacity(1 << 20, log);
     let mut counts = HashMap::<u64, Executed>::new();
     let (mut messages, mut line) = (Vec::new(), Vec::new());
     let mut counts_now = false;
-    // A line that never ends would be no log.
+    // The limit protects against a line without an end.
     while log.by_ref().take(1 << 16).read_until(b'\n', &mut line)? > 0 {
         match executed(&line) {
             Some(address) if marks.resume.contains(&address) => counts_now = true,

@@ -1,8 +1,8 @@
-//! Files that are refused, and the part that is named.
+//! Tests of files that are refused, and of the part in the error.
 
 use super::*;
 
-/// What is said of the cube with a change.
+/// Asserts the error of the cube's file after a change.
 fn refused(change: impl FnOnce(&mut Value), expected: &str) {
     let mut file = cube();
     change(&mut file);
@@ -16,7 +16,7 @@ fn binary_files_are_read() {
         assert_eq!((mesh(&import, 0).vertices.len(), mesh(&import, 0).triangles.len()), (8, 12));
         assert_eq!(mesh(&import, 0).triangles, CUBE);
     });
-    // One without bytes of its own, and one with a chunk that nobody knows.
+    // A file without a binary chunk, and one with an unknown chunk.
     let json = cube().to_string();
     for chunks in [&[(b"JSON", json.as_bytes())][..], &[(b"JSON", json.as_bytes()), (b"XMAS", b"ho ho ho")]] {
         with_bytes("model.glb", &binary(chunks), |import| assert_eq!(import.unwrap().scene.objects.len(), 1));
@@ -29,13 +29,13 @@ fn binary_files_that_are_cut_off_are_refused() {
     for length in 0..file.len() {
         let error = with_bytes("model.glb", &file[..length], |import| import.map(|_| ()).unwrap_err());
         let expected = match length {
-            // No more than the start of a text.
+            // Too short for the mark of a binary file, so it is read as JSON.
             0..4 => "model.glb: ".to_owned(),
             4..12 => {
-                format!("model.glb: it should have 12 bytes, and {length} are there; copy the file again")
+                format!("model.glb: it should have 12 bytes, but has {length}; copy the file again")
             }
             _ => format!(
-                "model.glb: it should have {} bytes, and {length} are there; copy the file again",
+                "model.glb: it should have {} bytes, but has {length}; copy the file again",
                 file.len()
             ),
         };
@@ -52,41 +52,41 @@ fn binary_files_that_are_cut_off_are_refused() {
     let needed = u32::from_le_bytes([0xff, file[13], file[14], 0xff]);
     refused(
         &wrong,
-        &format!("first chunk: it should have {needed} bytes, and {given} are there; copy the file again"),
+        &format!("first chunk: it should have {needed} bytes, but has {given}; copy the file again"),
     );
     let mut wrong = file.clone();
     wrong[4] = 1;
-    refused(&wrong, "it is of version `1`; export it again as glTF 2.0");
+    refused(&wrong, "its version is `1`; export it again as glTF 2.0");
     let mut wrong = file.clone();
     wrong[16] = b'X';
     refused(&wrong, "it does not begin with its JSON; export the file again");
-    // It says that it ends before its first chunk.
+    // A length field of 0 ends the file before its first chunk.
     let mut wrong = file;
     wrong[8..12].fill(0);
     let length = wrong.len();
-    refused(&wrong, &format!("it should have 0 bytes, and {length} are there; copy the file again"));
+    refused(&wrong, &format!("it should have 0 bytes, but has {length}; copy the file again"));
 }
 
 #[test]
 fn other_formats_are_refused() {
     refused(
         |file| file["asset"]["version"] = json!("1.0"),
-        "it is of version `1.0`; export it again as glTF 2.0",
+        "its version is `1.0`; export it again as glTF 2.0",
     );
     refused(
         |file| file["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]),
-        "it needs the extension `KHR_draco_mesh_compression`, which is not known here; export it without",
+        "it needs the extension `KHR_draco_mesh_compression`, which is not supported; export it without",
     );
     refused(
         |file| file["nodes"] = json!([]),
-        "there is no node 0: there are 0, counted from 0; name another",
+        "there is no node 0: there are 0, counted from 0; correct the number",
     );
     refused(
         |file| file["nodes"] = json!([{}]),
-        "the scene has no triangle that has an area; is it the right file?",
+        "the scene has no triangle with an area; check that it is the right file",
     );
     let error = with_bytes("model.gltf", b"solid cube", |import| import.map(|_| ()).unwrap_err());
-    assert_eq!(error, "model.gltf: expected value at line 1 column 1; mend the file");
+    assert_eq!(error, "model.gltf: expected value at line 1 column 1; correct the file");
     let error = read(&Bump::new(), Path::new("no/such.glb")).unwrap_err();
     assert!(error.to_string().starts_with("cannot read no/such.glb: "), "{error}");
 }
@@ -94,7 +94,7 @@ fn other_formats_are_refused() {
 #[test]
 fn parts_that_do_not_exist_are_named() {
     let cube = "node 0 `Box`, mesh 0 `Cube`, primitive 0";
-    let there_is_no = |what: &str| format!("there is no {what}, counted from 0; name another");
+    let there_is_no = |what: &str| format!("there is no {what}, counted from 0; correct the number");
     let check = |path: &str, value: Value, place: &str, what: &str| {
         let expected =
             if place.is_empty() { there_is_no(what) } else { format!("{place}: {}", there_is_no(what)) };
@@ -116,20 +116,20 @@ fn parts_that_do_not_exist_are_named() {
     check("/bufferViews/0/buffer", json!(1), &format!("{position}, buffer view 0"), "buffer 1: there are 1");
     refused(
         |file| file["nodes"][0]["children"] = json!([7]),
-        "node 0 `Box`: there is no node 7: there are 1, counted from 0; name another",
+        "node 0 `Box`: there is no node 7: there are 1, counted from 0; correct the number",
     );
     refused(
         |file| file["nodes"][0]["camera"] = json!(0),
-        "node 0 `Box`: there is no camera 0: there are 0, counted from 0; name another",
+        "node 0 `Box`: there is no camera 0: there are 0, counted from 0; correct the number",
     );
     refused(
         |file| file["nodes"][0]["extensions"] = json!({ "KHR_lights_punctual": { "light": 2 } }),
-        "node 0 `Box`: there is no light 2: there are 0, counted from 0; name another",
+        "node 0 `Box`: there is no light 2: there are 0, counted from 0; correct the number",
     );
-    // The corner of a triangle.
+    // An index of a triangle's corner.
     refused(
         |file| file["accessors"][0]["count"] = json!(7),
-        &format!("{cube}, indices: there is no vertex 7: there are 7, counted from 0; name another"),
+        &format!("{cube}, indices: there is no vertex 7: there are 7, counted from 0; correct the number"),
     );
 }
 
@@ -138,21 +138,22 @@ fn buffers_that_are_too_short_are_refused() {
     let position = "node 0 `Box`, mesh 0 `Cube`, primitive 0, POSITION, accessor 0";
     refused(
         |file| file["buffers"][0]["byteLength"] = json!(200),
-        "buffer 0: it takes 200 bytes, and there are 168; export the file again",
+        "buffer 0: it takes 200 bytes, but there are 168; export the file again",
     );
     refused(
         |file| file["bufferViews"][0]["byteLength"] = json!(1e15 as u64),
         &format!(
-            "{position}, buffer view 0: it takes 1000000000000000 bytes, and there are 168; export the file again"
+            "{position}, buffer view 0: it takes 1000000000000000 bytes, but there are 168; export the file \
+             again"
         ),
     );
     refused(
         |file| file["accessors"][0]["count"] = json!(9),
-        &format!("{position}: it takes 108 bytes, and there are 96; export the file again"),
+        &format!("{position}: it takes 108 bytes, but there are 96; export the file again"),
     );
     refused(
         |file| file["accessors"][0]["byteOffset"] = json!(u64::MAX),
-        &format!("{position}: it takes {} bytes, and there are 96; export the file again", u64::MAX),
+        &format!("{position}: it takes {} bytes, but there are 96; export the file again", u64::MAX),
     );
     for count in [u64::MAX, 1 << 40, 5_000_000] {
         refused(
@@ -160,14 +161,15 @@ fn buffers_that_are_too_short_are_refused() {
                 file["accessors"][0]["count"] = json!(count);
                 file["accessors"][0].as_object_mut().unwrap().remove("bufferView");
             },
-            "node 0 `Box`, mesh 0 `Cube`, primitive 0: more than 4194304 vertices and corners of triangles; use fewer",
+            "node 0 `Box`, mesh 0 `Cube`, primitive 0: more than 4194304 vertices and corners of triangles; \
+             use fewer",
         );
     }
     refused(
         |file| {
             file["buffers"][0].as_object_mut().unwrap().remove("uri");
         },
-        "buffer 0: it has no bytes: there is no `uri`, and no binary part of the file for it",
+        "buffer 0: it has no bytes: there is no `uri` and no binary chunk for it; add one",
     );
     refused(
         |file| file["buffers"][0]["uri"] = json!("data:;base64,AAA$"),
@@ -175,7 +177,7 @@ fn buffers_that_are_too_short_are_refused() {
     );
     refused(
         |file| file["bufferViews"][0]["byteStride"] = json!(8),
-        &format!("{position}: expected one that its elements fit in, found a stride of 8 bytes"),
+        &format!("{position}: expected a stride of at least one element, found a stride of 8 bytes"),
     );
 }
 
@@ -198,9 +200,8 @@ fn nothing_is_read_from_outside_of_the_folder() {
     ];
     for uri in outside {
         let shown = uri.escape_debug();
-        let expected = format!(
-            "buffer 0: `{shown}` is not in the folder of the file or below it, and nothing is read from elsewhere; put it there"
-        );
+        let expected =
+            format!("buffer 0: `{shown}` is not in the folder of the file or below it; move it there");
         refused(|file| file["buffers"][0]["uri"] = json!(uri), &expected);
     }
     let mut file = cube();
@@ -217,7 +218,7 @@ fn nothing_is_read_from_outside_of_the_folder() {
 
 #[test]
 fn nodes_that_are_their_own_parents_are_refused() {
-    let twice = "it is there twice: as a child of two nodes, or of itself; make two nodes of it";
+    let twice = "it is in the scene twice: as a child of two nodes, or of itself; make two nodes of it";
     refused(|file| file["nodes"][0]["children"] = json!([0]), &format!("node 0 `Box`: {twice}"));
     refused(
         |file| {
@@ -225,10 +226,10 @@ fn nodes_that_are_their_own_parents_are_refused() {
         },
         &format!("node 0: {twice}"),
     );
-    // Each level twice: two to the number of nodes, if it were shown.
+    // Each level has the next as a child twice: 2^60 nodes, if they were shown.
     let levels: Vec<_> = (0..60).map(|i| json!({ "children": [i + 1, i + 1], "mesh": 0 })).collect();
     refused(|file| file["nodes"] = json!([levels, vec![json!({})]].concat()), &format!("node 60: {twice}"));
-    // A long chain is none.
+    // A long chain is not an error.
     let chain: Vec<_> = (0..20_000).map(|i| json!({ "children": [i + 1] })).collect();
     let mut file = cube();
     file["nodes"] = json!([chain, vec![json!({ "mesh": 0 })]].concat());
@@ -236,7 +237,7 @@ fn nodes_that_are_their_own_parents_are_refused() {
 }
 
 #[test]
-fn numbers_that_are_none_are_refused() {
+fn numbers_that_are_not_finite_are_refused() {
     let with_corner = |corner: [f32; 3]| {
         let mut points = corners();
         points[3] = corner;
@@ -278,17 +279,15 @@ fn lists_of_another_kind_are_refused() {
             file["accessors"][1]["componentType"] = json!(5126);
             file["accessors"][1]["count"] = json!(18);
         },
-        &format!("{place}, indices, accessor 1: expected whole numbers without sign, found F32"),
+        &format!("{place}, indices, accessor 1: expected unsigned integers, found F32"),
     );
     refused(
         |file| file["accessors"][0]["componentType"] = json!(5125),
-        &format!(
-            "{place}, POSITION, accessor 0: expected numbers of 8 or 16 bits, or with a fraction, found U32"
-        ),
+        &format!("{place}, POSITION, accessor 0: expected integers of 8 or 16 bits, or floats, found U32"),
     );
     refused(
         |file| file["meshes"][0]["primitives"][0]["mode"] = json!(7),
-        &format!("{place}: expected a mode from 0 to 6, found what is none of glTF's"),
+        &format!("{place}: expected a mode from 0 to 6, found an unknown mode"),
     );
     refused(
         |file| file["meshes"][0]["primitives"][0]["attributes"] = json!({ "NORMAL": 0 }),

@@ -1,10 +1,10 @@
-//! Meshes and where they lie.
+//! Tests of meshes and their transforms.
 
 use rayline::Vec3;
 
 use super::*;
 
-/// The least and greatest of all coordinates.
+/// The smallest and the largest of all coordinates.
 fn bounds(mesh: &Mesh<'_>) -> ([f32; 3], [f32; 3]) {
     let mut bounds = ([f32::MAX; 3], [f32::MIN; 3]);
     for Vec3 { x, y, z } in mesh.vertices {
@@ -26,7 +26,7 @@ fn assert_bounds(file: &Value, least: [f32; 3], greatest: [f32; 3]) {
     });
 }
 
-/// By how much each triangle, and each of its normals, looks away from a point.
+/// The cosines between the normals of each triangle and the direction away from a point.
 fn outward(mesh: &Mesh<'_>, from: Vec3) -> Vec<f32> {
     let triangles = mesh.triangles.iter().flat_map(|corners| {
         let [a, b, c] = corners.map(|corner| mesh.vertices[usize::from(corner)]);
@@ -42,23 +42,23 @@ fn a_cube_is_where_its_nodes_put_it() {
     let mut file = cube();
     assert_bounds(&file, [-0.5; 3], [0.5; 3]);
     let half = core::f32::consts::FRAC_1_SQRT_2;
-    // Stretched, turned upright about z and moved; then twice as large and moved again.
+    // Scaled, turned about z and moved; then doubled in size and moved again.
     file["nodes"] = json!([
         { "children": [1], "translation": [10, 0, 0], "scale": [2, 2, 2] },
         { "mesh": 0, "translation": [0, 1, 0], "rotation": [0, 0, half, half], "scale": [1, 2, 3] },
     ]);
     assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
-    // The same by matrices, of which each line here is a column.
+    // The same transforms as matrices; each line here is a column.
     file["nodes"] = json!([
         { "children": [1], "matrix": [2, 0, 0, 0,  0, 2, 0, 0,  0, 0, 2, 0,  10, 0, 0, 1] },
         { "mesh": 0, "matrix": [0, 1, 0, 0,  -2, 0, 0, 0,  0, 0, 3, 0,  0, 1, 0, 1] },
     ]);
     assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
-    // Without any scene, what is no child is shown.
+    // Without scenes, all nodes without a parent are shown.
     file.as_object_mut().unwrap().remove("scene");
     file.as_object_mut().unwrap().remove("scenes");
     assert_bounds(&file, [8.0, 1.0, -3.0], [12.0, 3.0, 3.0]);
-    // A node that is shown twice is two objects.
+    // A mesh at two nodes becomes two objects.
     file["nodes"].as_array_mut().unwrap().push(json!({ "name": "Other", "mesh": 0 }));
     with_file(&file, |import| {
         assert_eq!(import.scene.objects.len(), 2);
@@ -79,7 +79,7 @@ fn fronts_stay_outside_where_nodes_mirror() {
             assert!(faces.len() == 24 && faces.iter().all(|away| *away > 0.0), "{scale:?}: {faces:?}");
         });
     }
-    // A child that mirrors in a parent that does, too.
+    // A mirroring child of a mirroring parent.
     file["nodes"] = json!([{ "children": [1], "scale": [1, 1, -1] }, { "mesh": 0, "scale": [-1, 1, 1] }]);
     with_file(&file, |import| assert!(outward(&mesh(&import, 0), Vec3::ZERO).iter().all(|away| *away > 0.0)));
 }
@@ -96,7 +96,7 @@ fn normals_stay_normal_where_nodes_stretch() {
         assert!(mesh.normals.unwrap().iter().all(|normal| (*normal - expected).length() < 1e-6));
         assert_eq!(mesh.vertices[2], Vec3::new(2.0, -1.0, 0.0));
     });
-    // Flattened, there is no inverse.
+    // A node that flattens its mesh has no inverse.
     let lists = Lists::default().floats(&slope).floats(&[[0.0, 1.0, 0.0]; 3]);
     let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "NORMAL": 1 } }));
     file["nodes"][0]["scale"] = json!([1, 0, 1]);
@@ -117,7 +117,7 @@ fn strips_and_fans_are_triangles() {
         with_file(&lists.file(primitive), |import| mesh(&import, 0).triangles.to_vec())
     };
     assert_eq!(triangles(4, None), [[0, 1, 2], [3, 4, 5]]);
-    // What is left over is no triangle.
+    // Left-over corners make no triangle.
     assert_eq!(triangles(4, Some(1)), [[5, 4, 3]]);
     assert_eq!(triangles(5, None), [[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]]);
     assert_eq!(triangles(6, Some(1)), [[4, 3, 5], [3, 2, 5], [2, 1, 5]]);
@@ -125,7 +125,7 @@ fn strips_and_fans_are_triangles() {
 
 #[test]
 fn numbers_are_read_in_all_types_and_steps() {
-    // Between positions of signed bytes lies a byte that is none.
+    // The positions are signed bytes with a byte of padding between them.
     let bytes = [0, 0, 127, 9, 127, 0, 0, 9, 0, 0x80, 0, 9];
     let lists = Lists::default()
         .list(&bytes, json!({ "componentType": 5120, "count": 3, "type": "VEC3", "normalized": true }))
@@ -139,7 +139,7 @@ fn numbers_are_read_in_all_types_and_steps() {
     file["accessors"][0]["normalized"] = json!(false);
     assert_eq!(vertices(&file), [z * 127.0, x * 127.0, y * 128.0]);
 
-    // Zeros, but for two elements.
+    // A sparse list: zeros but for two elements.
     let lists = Lists::default().corners(&[1, 2]).floats(&[[1.0f32, 0.0, 0.0], [0.0, 1.0, 0.0]]).list(
         &[0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0],
         json!({ "componentType": 5125, "count": 3, "type": "SCALAR" }),
@@ -162,7 +162,7 @@ fn texture_coordinates_grow_upward() {
     let mut file = lists.file(json!({ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 } }));
     let uvs = |file: &Value| with_file(file, |import| mesh(&import, 0).uvs.map(<[_]>::to_vec));
     assert_eq!(uvs(&file).unwrap(), [[0.0, 1.0], [1.0, 0.75], [-2.0, -2.0]]);
-    // As shares of what 16 bits hold.
+    // Normalized integers of 16 bits.
     file["accessors"][1] =
         json!({ "bufferView": 0, "componentType": 5123, "count": 3, "type": "VEC2", "normalized": true });
     assert_eq!(uvs(&file).unwrap().len(), 3);
@@ -196,7 +196,7 @@ fn large_meshes_are_several() {
 }
 
 #[test]
-fn what_is_left_out_is_said() {
+fn notes_list_what_is_left_out() {
     let mut file = cube();
     file["meshes"][0]["primitives"][0]["targets"] = json!([{ "POSITION": 0 }]);
     file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = json!(0);
@@ -213,9 +213,9 @@ fn what_is_left_out_is_said() {
     file["extensionsUsed"] = json!(["KHR_materials_ior", "KHR_materials_clearcoat"]);
     file["animations"] = json!([{ "name": "Turn", "channels": [], "samplers": [] }]);
     let expected = [
-        "extension `KHR_materials_clearcoat`: left out, as it is not known here",
-        "animation 0 `Turn`: left out: nothing moves",
-        "scene 1 `Attic`: left out, as one scene alone is shown",
+        "extension `KHR_materials_clearcoat`: left out, as it is not supported",
+        "animation 0 `Turn`: left out: animations are not supported",
+        "scene 1 `Attic`: left out, as only one scene is shown",
         "node 0: its skin is left out",
         "mesh 0 `Cube`, primitive 0: morph targets are left out",
         "mesh 0 `Cube`, primitive 0: colors of vertices are left out",
@@ -225,7 +225,7 @@ fn what_is_left_out_is_said() {
     assert_eq!(notes(&file), expected.map(|note| format!("model.gltf: {note}")));
     with_file(&cube(), |import| {
         assert_eq!(import.notes.len(), 2, "{:?}", import.notes);
-        assert!(import.notes[0].starts_with("model.gltf: no camera: all of it is seen from the front"));
+        assert!(import.notes[0].starts_with("model.gltf: no camera: the whole model is seen from the front"));
         assert_eq!(import.notes[1], "model.gltf: no light: it is lit from the upper left");
     });
 }

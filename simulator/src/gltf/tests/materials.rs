@@ -1,4 +1,4 @@
-//! Materials and textures.
+//! Tests of materials and textures.
 
 use std::io::Cursor;
 
@@ -10,7 +10,7 @@ use rayline::{
 
 use super::*;
 
-/// The material of the cube where the file describes it so.
+/// Imports the cube with this material.
 fn with_material(material: Value, look: impl FnOnce(Material<'_>)) {
     let mut file = cube();
     file["materials"] = json!([material]);
@@ -33,7 +33,7 @@ fn rough_plastic_is_matte() {
             assert_eq!(material, MATTE_RED)
         });
     }
-    // Without any material it is a white metal, but as rough as can be.
+    // The default material is a white metal of roughness 1.
     let mut file = cube();
     file["meshes"][0]["primitives"][0].as_object_mut().unwrap().remove("material");
     with_file(&file, |import| {
@@ -46,7 +46,7 @@ fn rough_plastic_is_matte() {
 #[test]
 fn smooth_plastic_has_a_coat_that_mirrors() {
     with_material(pbr([0.75, 0.25, 0.0, 1.0], 0.0, 0.25), |material| {
-        // 2 / 0.25⁴ - 2, and (1 - 0.25) 0.04 n / 8, which is more than 1 - 0.25.
+        // The exponent is n = 2 / 0.25⁴ - 2. The strength (1 - 0.25) 0.04 n / 8 is above its limit 1 - 0.25.
         assert_eq!((material.shininess, material.specular), (510.0, 0.75));
         assert_eq!((material.diffuse, material.reflectance, material.ior), (1.0, 0.5, 1.5));
         let optics = Optics { highlight: Highlight::BlinnPhong, fresnel: Fresnel::Exact, ..Optics::PLAIN };
@@ -89,8 +89,13 @@ fn glass_refracts_and_absorbs() {
         assert!(((-2.0 * optics.absorption.r).exp() - 0.5).abs() < 1e-6);
         assert_eq!((optics.absorption.g, optics.absorption.b), (0.0, 0.0));
     });
-    let window = json!({ "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": {} },
-        "pbrMetallicRoughness": { "metallicFactor": 0 } });
+    let window = json!({
+        "extensions": {
+            "KHR_materials_transmission": { "transmissionFactor": 1 },
+            "KHR_materials_volume": {},
+        },
+        "pbrMetallicRoughness": { "metallicFactor": 0 },
+    });
     with_material(window, |material| {
         assert_eq!((material.diffuse, material.transmittance, material.ior), (0.0, 1.0, 1.5));
         assert_eq!(material.optics.unwrap().absorption, Optics::PLAIN.absorption);
@@ -98,7 +103,7 @@ fn glass_refracts_and_absorbs() {
 }
 
 #[test]
-fn what_glows_and_what_fades() {
+fn emissive_unlit_and_transparent_materials() {
     let mut lamp = pbr([0.0, 0.0, 0.0, 1.0], 0.0, 1.0);
     lamp["emissiveFactor"] = json!([1, 0.5, 0]);
     lamp["extensions"] = json!({ "KHR_materials_emissive_strength": { "emissiveStrength": 4 } });
@@ -139,7 +144,7 @@ fn numbers_beyond_their_range_are_brought_into_it() {
     with_file(&file, |import| crate::check(&import.scene).unwrap());
 }
 
-/// Red and green above, blue and white below; the white is half clear.
+/// Red and green above, blue and white below; the white pixel is half transparent.
 const PIXELS: [u8; 16] = [255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 128];
 
 fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
@@ -152,7 +157,7 @@ fn picture() -> Vec<u8> {
     encoded(&RgbaImage::from_raw(2, 2, PIXELS.to_vec()).unwrap().into(), ImageFormat::Png)
 }
 
-/// A triangle with coordinates in sets 0 and 1, and a picture on it.
+/// A triangle with texture coordinates in sets 0 and 1, and an image on it.
 fn textured() -> Value {
     let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let lists = Lists::default().floats(&triangle).floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).floats(&[
@@ -196,9 +201,9 @@ fn pictures_lie_on_surfaces() {
     });
     assert_eq!(
         notes(&file),
-        ["model.gltf: texture 0: beyond its upper and lower edge it goes on as beyond the others"]
+        ["model.gltf: texture 0: the wrapping of its left and right edges is used for all edges"]
     );
-    // Half of the light is code 188; a metal takes on the mean.
+    // Half of the light is code 188. A metal has the mean color.
     let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
     pbr["baseColorFactor"] = json!([0.5, 1, 1, 1]);
     pbr["metallicFactor"] = json!(1);
@@ -226,7 +231,7 @@ fn textures_choose_and_move_their_coordinates() {
     };
     assert_eq!(moved(json!({})), [1.0, 1.0]);
     assert_eq!(moved(json!({ "offset": [0.25, 0.5], "scale": [3, 2] })), [3.25, 0.5]);
-    // Counterclockwise, where v grows downward: from the right up.
+    // Counterclockwise, with v growing downward: from the right upward.
     let [u, v] = moved(json!({ "rotation": core::f32::consts::FRAC_PI_2 }));
     assert!(u.abs() < 1e-6 && (v - 2.0).abs() < 1e-6, "{u}, {v}");
 }
@@ -251,13 +256,13 @@ fn alpha_of_pictures_is_seen_through() {
     file["materials"][0]["alphaMode"] = json!("MASK");
     file["materials"][0]["alphaCutoff"] = json!(0.6);
     assert_eq!(palettes(&file), [[[255; 3], [0; 3]], [[0; 3], [255; 3]]]);
-    // All of it is there.
+    // All pixels pass the cutoff, so the surface is opaque.
     file["materials"][0]["alphaCutoff"] = json!(0.5);
     with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
 }
 
 #[test]
-fn of_pictures_of_metal_and_roughness_the_mean_counts() {
+fn the_mean_of_metallic_roughness_textures_is_used() {
     let mut file = textured();
     file["images"][0]["uri"] = json!(uri(&encoded(
         &RgbImage::from_raw(1, 2, vec![9, 255, 0, 9, 0, 255]).unwrap().into(),
@@ -267,7 +272,7 @@ fn of_pictures_of_metal_and_roughness_the_mean_counts() {
         "metallicFactor": 0.8, "roughnessFactor": 0.5, "metallicRoughnessTexture": { "index": 0 },
     } }]);
     with_file(&file, |import| {
-        // 0.4 and 0.25.
+        // The products are 0.4 and 0.25.
         assert_eq!((import.scene.materials[0].reflectance, import.scene.materials[0].diffuse), (0.5, 1.0));
     });
 }
@@ -296,35 +301,36 @@ fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
 }
 
 #[test]
-fn what_is_left_out_of_materials_is_said() {
+fn notes_list_what_is_left_out_of_materials() {
     let mut file = textured();
     file["samplers"] = json!([{}]);
     file["materials"][0]["normalTexture"] = json!({ "index": 0 });
     file["materials"][0]["occlusionTexture"] = json!({ "index": 0 });
     file["materials"][0]["emissiveTexture"] = json!({ "index": 0 });
     file["materials"][0]["emissiveFactor"] = json!([1, 1, 1]);
-    file["materials"][0]["extensions"] = json!({ "KHR_materials_transmission": { "transmissionFactor": 1, "transmissionTexture": { "index": 0 } } });
+    let transmission = json!({ "transmissionFactor": 1, "transmissionTexture": { "index": 0 } });
+    file["materials"][0]["extensions"] = json!({ "KHR_materials_transmission": transmission });
     let expected = [
         "the normal texture is left out",
         "the occlusion texture is left out",
         "the transmission texture is left out",
-        "the emissive texture is left out, and all light that the surface gives off",
+        "the emissive texture is left out, and with it all emission",
     ];
     assert_eq!(notes(&file), expected.map(|note| format!("model.gltf: material 0: {note}")));
 
-    // Two meshes of one material, of which one has no coordinates, are of two in the scene.
+    // One material on two meshes becomes two materials, if only one mesh has texture coordinates.
     let mut file = textured();
     file["samplers"] = json!([{}]);
     let bare = json!({ "attributes": { "POSITION": 0 }, "material": 0 });
     file["meshes"][0]["primitives"].as_array_mut().unwrap().push(bare);
-    let note = "model.gltf: material 0: the texture is left out where a mesh has no coordinates for it";
+    let note = "model.gltf: material 0: the texture is left out on meshes without texture coordinates";
     assert_eq!(notes(&file), [note]);
     with_file(&file, |import| {
         assert_eq!(import.scene.materials.len(), 2);
         assert_eq!(import.scene.materials[1].color, Texture::Solid(LinearRgb::WHITE));
     });
 
-    // Of pictures that cannot be read, the rest of the file is shown.
+    // If an image cannot be read, the rest of the file is shown.
     file["images"][0]["uri"] = json!("none.png");
     assert!(
         notes(&file)[0].starts_with("model.gltf: image 0: left out: cannot read none.png: "),
@@ -334,5 +340,5 @@ fn what_is_left_out_of_materials_is_said() {
     file["images"][0]["uri"] = json!(uri(b"no picture"));
     assert!(notes(&file)[0].starts_with("model.gltf: image 0: left out: "), "{:?}", notes(&file));
     file["textures"] = json!([{ "extensions": { "EXT_texture_webp": { "source": 0 } } }]);
-    assert_eq!(notes(&file)[0], "model.gltf: texture 0: left out: it is of another format than PNG and JPEG");
+    assert_eq!(notes(&file)[0], "model.gltf: texture 0: left out: its format is not PNG or JPEG");
 }

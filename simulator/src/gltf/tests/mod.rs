@@ -1,4 +1,4 @@
-//! Small files of every kind, good and bad, written here.
+//! Tests with small files, valid and broken, that are written here.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
@@ -15,12 +15,12 @@ use serde_json::{Value, json};
 
 use super::*;
 
-/// The corners of a cube from -1/2 to 1/2: bit 0 of their numbers is x, bit 1 is y, bit 2 is z.
+/// The corners of a cube from -1/2 to 1/2. Bit 0 of a corner's index selects x, bit 1 y, bit 2 z.
 pub(super) fn corners() -> Vec<[f32; 3]> {
     (0..8u8).map(|corner| [0, 1, 2].map(|axis| f32::from(corner >> axis & 1) - 0.5)).collect()
 }
 
-/// Its triangles, fronts outside.
+/// The triangles of the cube, with their fronts outside.
 const CUBE: [[u16; 3]; 12] = [
     [0, 4, 6],
     [0, 6, 2],
@@ -36,7 +36,7 @@ const CUBE: [[u16; 3]; 12] = [
     [4, 7, 6],
 ];
 
-/// A file's buffer that is put together from lists, each with a view and an accessor of the same number.
+/// A buffer that is built of lists, each with a view and an accessor of the same index.
 #[derive(Default)]
 pub(super) struct Lists {
     pub(super) bytes: Vec<u8>,
@@ -100,7 +100,7 @@ pub(super) fn cube() -> Value {
     file
 }
 
-/// Reads a file of these bytes, that is called so, out of a folder of its own.
+/// Writes a file of this name and these bytes to a temporary folder, and reads it.
 pub(super) fn with_bytes<T>(
     name: &str,
     bytes: &[u8],
@@ -124,7 +124,7 @@ pub(super) fn refusal(file: &Value) -> String {
     with_bytes("model.gltf", file.to_string().as_bytes(), |import| import.map(|_| ()).unwrap_err())
 }
 
-/// The notes, but for those on camera and light.
+/// The notes, without those about camera and light.
 pub(super) fn notes(file: &Value) -> Vec<String> {
     with_file(file, |import| {
         let is_said = |note: &String| !note.contains(": no camera: ") && !note.contains(": no light: ");

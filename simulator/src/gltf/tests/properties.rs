@@ -1,4 +1,4 @@
-//! Whatever a file holds, it is refused or a scene.
+//! Property tests: every file is refused or becomes a scene, without a panic.
 
 use core::mem::MaybeUninit;
 
@@ -7,7 +7,7 @@ use rayline::PreparedScene;
 
 use super::*;
 
-/// Reads a file and prepares what becomes of it. What a number says that is in range may still be refused then.
+/// Reads a file and prepares the scene. The core may still refuse numbers that are in range.
 fn read_and_prepare(bytes: &[u8]) {
     with_bytes("model.gltf", bytes, |import| {
         if let Ok(Import { scene, names, .. }) = import {
@@ -25,15 +25,20 @@ fn read_and_prepare(bytes: &[u8]) {
     });
 }
 
-/// Everything in one file.
+/// A file with every supported feature.
 fn rich() -> Value {
     let mut file = cube_lists().floats(&corners()).file(json!({
         "attributes": { "POSITION": 0, "NORMAL": 2 }, "indices": 1, "material": 0,
     }));
     file["materials"] = json!([{
         "alphaMode": "BLEND",
-        "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 }, "metallicRoughnessTexture": { "index": 0 } },
-        "extensions": { "KHR_materials_transmission": { "transmissionFactor": 0.5 }, "KHR_materials_ior": { "ior": 1.4 } },
+        "pbrMetallicRoughness": {
+            "baseColorTexture": { "index": 0 }, "metallicRoughnessTexture": { "index": 0 },
+        },
+        "extensions": {
+            "KHR_materials_transmission": { "transmissionFactor": 0.5 },
+            "KHR_materials_ior": { "ior": 1.4 },
+        },
     }]);
     file["textures"] = json!([{ "source": 0 }]);
     file["images"] = json!([{ "uri": "data:image/png;base64,AAAA" }]);
@@ -47,7 +52,7 @@ fn rich() -> Value {
     file
 }
 
-/// All places in a file where a number, a text or a list stands.
+/// The paths of all numbers, texts and lists in a file.
 fn places(value: &Value, path: &str, places: &mut Vec<String>) {
     places.push(path.to_owned());
     match value {
@@ -113,7 +118,9 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_in_place_of_some(changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8)) {
+    fn any_bytes_in_place_of_some(
+        changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
+    ) {
         let mut file = binary_cube();
         for (place, byte) in changes {
             let place = place.index(file.len());
@@ -123,7 +130,9 @@ proptest! {
     }
 
     #[test]
-    fn anything_in_place_of_something(changes in proptest::collection::vec((any::<prop::sample::Index>(), anything()), 1..5)) {
+    fn anything_in_place_of_something(
+        changes in proptest::collection::vec((any::<prop::sample::Index>(), anything()), 1..5),
+    ) {
         let mut file = rich();
         for (place, value) in changes {
             let mut all = Vec::new();

@@ -1,23 +1,27 @@
-//! Cameras and lights.
+//! Tests of cameras and lights.
 
 use rayline::{Camera, Light, LinearRgb, Vec3};
 
 use super::*;
 use crate::{LoadedScene, check};
 
-/// The cube, seen by a camera that was moved and turned to the side.
+/// The cube with a camera that is moved and turned to the side.
 fn seen() -> Value {
     let mut file = cube();
     let half = core::f32::consts::FRAC_1_SQRT_2;
     file["cameras"] = json!([
         { "type": "orthographic", "orthographic": { "xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9 } },
-        { "name": "Main", "type": "perspective", "perspective": { "yfov": 0.75, "aspectRatio": 1.5, "znear": 0.1 } },
+        {
+            "name": "Main",
+            "type": "perspective",
+            "perspective": { "yfov": 0.75, "aspectRatio": 1.5, "znear": 0.1 },
+        },
     ]);
     file["nodes"] = json!([
         { "mesh": 0 },
         { "camera": 0 },
         { "translation": [4, 1, 0], "children": [3, 4] },
-        // Turned left by a right angle: from -z, which it looks along, to -x.
+        // Turned left by a right angle, from -z to -x.
         { "camera": 1, "rotation": [0, half, 0, half], "scale": [3, 3, 3] },
         { "camera": 1 },
     ]);
@@ -34,14 +38,14 @@ fn the_first_perspective_camera_takes_the_picture() {
     with_file(&seen(), |import| {
         let Camera { eye, target, up, vertical_fov } = import.scene.camera;
         assert_eq!((eye, vertical_fov), (Vec3::new(4.0, 1.0, 0.0), 0.75));
-        // Beside the middle of the cube.
+        // The target is at the distance of the middle of the cube.
         assert!(near(target, Vec3::new(0.0, 1.0, 0.0)) && near(up, Vec3::new(0.0, 1.0, 0.0)));
         assert_eq!(import.resolution, (720, 480));
         assert_eq!(import.name_of(Part::Camera), Some("node 3, camera 1 `Main`"));
     });
     let expected = [
         "model.gltf: node 1, camera 0: left out: it is not perspective",
-        "model.gltf: node 4, camera 1 `Main`: left out, as one camera takes the picture",
+        "model.gltf: node 4, camera 1 `Main`: left out, as only the first camera is used",
     ];
     assert_eq!(notes(&seen()), expected);
 }
@@ -68,7 +72,7 @@ fn a_scene_that_is_refused_tells_the_part_of_the_file() {
     assert!(explained(&file).starts_with(expected), "{}", explained(&file));
 }
 
-/// The cube and this light, two units above it, which looks down.
+/// The cube with this light, two units above it, pointing down.
 fn lit(light: Value) -> Value {
     let mut file = cube();
     let half = core::f32::consts::FRAC_1_SQRT_2;
@@ -86,7 +90,7 @@ fn lit(light: Value) -> Value {
     file
 }
 
-/// What arrives at a distance below a lamp.
+/// The light that arrives at a distance below a lamp.
 fn arriving(lamp: &rayline::Lamp, distance: f32) -> LinearRgb {
     lamp.color * (1.0 / (lamp.falloff.quadratic * distance * distance))
 }
@@ -103,7 +107,7 @@ fn lights_are_brought_to_one_measure() {
         with_file(&lit(json!({ "type": "point", "intensity": intensity })), |import| {
             let [Light::Lamp(lamp)] = import.scene.lights else { unreachable!() };
             assert_eq!((lamp.position, lamp.cone), (Vec3::new(0.0, 2.0, 0.0), None));
-            // White in the middle, a quarter at twice the distance, and not much brighter than 16 anywhere.
+            // White in the middle, a quarter of it at twice the distance, and at most about 16 anywhere.
             assert!((arriving(lamp, 2.0).r - 1.0).abs() < 1e-5);
             assert!((arriving(lamp, 4.0).g - 0.25).abs() < 1e-5);
             assert!((lamp.color.b - 16.0).abs() < 1e-3);
@@ -116,7 +120,7 @@ fn lights_are_brought_to_one_measure() {
         assert!(near(cone.direction, down) && (cone.bright, cone.dark) == (0.25, 0.5));
         assert_eq!(import.name_of(Part::Light(0)), Some("node 1 `Lamp`, light 0"));
     });
-    // Three lux from one and four candela at one unit from another: 3 and 1, of which the root of squares is that of 10.
+    // Illuminances of 3 lux and, by 4 candela, 1 lux: the root of the sum of squares is √10.
     let mut both = lit(json!({ "type": "directional", "intensity": 3 }));
     let lights = both["extensions"]["KHR_lights_punctual"]["lights"].as_array_mut().unwrap();
     lights.push(json!({ "type": "point", "intensity": 4 }));
@@ -140,9 +144,9 @@ fn lights_without_light_are_said() {
         assert_eq!(import.scene.lights, view::LIGHTS);
         assert_eq!(
             import.notes[0],
-            "model.gltf: node 1 `Lamp`, light 0: its range is left out: it shines for ever"
+            "model.gltf: node 1 `Lamp`, light 0: its range is left out: it shines at any distance"
         );
-        assert_eq!(import.notes[1], "model.gltf: node 1 `Lamp`, light 0: left out: it gives no light");
+        assert_eq!(import.notes[1], "model.gltf: node 1 `Lamp`, light 0: left out: it has no light");
     });
     let error = refusal(&lit(json!({ "type": "point", "intensity": -1 })));
     assert_eq!(error, "model.gltf: node 1 `Lamp`, light 0: its intensity must not be -1; replace it");

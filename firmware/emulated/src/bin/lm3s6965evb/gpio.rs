@@ -1,15 +1,15 @@
-//! A pin of a port that is an output.
+//! An output pin of a port.
 
 use core::convert::Infallible;
 
 use embedded_hal::digital::{ErrorType, OutputPin};
 
-use crate::board::{modify, write};
+use crate::registers::{modify, write};
 
-/// A pin that is an output.
+/// An output pin.
 #[derive(Debug)]
 pub(crate) struct Output {
-    /// The address under which this pin alone is written.
+    /// The address that writes this pin and no other.
     data: usize,
     mask: u32,
 }
@@ -21,7 +21,7 @@ impl Output {
         // Direction and digital enable.
         modify(port + 0x400, |pins| pins | mask);
         modify(port + 0x51C, |pins| pins | mask);
-        // Bits 2 to 9 of the address say which pins a write concerns.
+        // Bits 2 to 9 of the address are the mask of the pins that a write changes.
         Self { data: port + ((mask as usize) << 2), mask }
     }
 }

@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embedded_hal::spi::{ErrorType, SpiBus};
 
-use crate::board::{read, write};
+use crate::registers::{read, write};
 
 /// Offsets of registers.
 const CR0: usize = 0x0;
@@ -34,7 +34,8 @@ impl Ssi {
         Self { base }
     }
 
-    /// Sends a byte and gives the one that came back: whoever leaves that one where it is stops the bus.
+    /// Sends a byte and returns the received one. Each received byte must be read: a full receive buffer
+    /// stops the bus.
     fn exchange(&mut self, byte: u8) -> u8 {
         while read(self.base + STATUS) & TRANSMIT_NOT_FULL == 0 {}
         write(self.base + DATA, byte.into());
@@ -63,7 +64,8 @@ impl SpiBus for Ssi {
     }
 
     fn transfer(&mut self, received: &mut [u8], words: &[u8]) -> Result<(), Infallible> {
-        // The longer of the two decides; what is missing is sent as zeros, what is too much is dropped.
+        // The longer slice sets the length: missing bytes are sent as zeros, received bytes without a place
+        // are dropped.
         for index in 0..received.len().max(words.len()) {
             let byte = self.exchange(words.get(index).copied().unwrap_or(0));
             if let Some(slot) = received.get_mut(index) {

@@ -1,0 +1,322 @@
+//! Draws bands, cell after cell. A band is the lines between two neighboring rows of the grid.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use super::RealtimeBuffer;
+use super::budget::{Budget, Detail, Spent};
+use super::cell::{Cell, Corners};
+use super::marks::FAINT;
+use super::paint::Paint;
+use super::pixel_source::PixelSource;
+use super::plan::{Above, Plan, Seen};
+use super::quality::Realtime;
+use super::sample::Sample;
+use super::side::Side;
+use super::small::{SmallThings, ThinCells, TipPoints};
+use super::strip::Strip;
+use super::tolerance::Tolerance;
+use super::tracer::{Traced, Tracer, nothing_met};
+use crate::integrator::Bounds;
+use crate::math::Real;
+use crate::prepared::candidates::ObjectSet;
+use crate::probe::Probe;
+use crate::render::{DisplayColor, Renderer};
+use crate::shape::{Geometry, Intersect};
+
+/// Rays that would bring a smaller share of their light than this to the pixel are left out.
+const CUTOFF: f32 = 1.0 / 64.0;
+
+/// The lines between two neighboring rows of the grid, drawn up to one of its cells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Band {
+    /// The first line.
+    pub(super) top: u32,
+    /// The left column of the next cell.
+    pub(super) left: u32,
+    /// Whether the lent row of samples holds the upper row of the grid, from `left` on.
+    has_top: bool,
+    /// Whether the left side of the next cell is refined, and not interpolated.
+    is_left_refined: bool,
+    /// The objects that each cell can show, if that is known.
+    strip: Option<Strip>,
+    /// The cells that can show something thin.
+    thin: ThinCells,
+    /// The points of the grid near tips and low shadows, if there are any.
+    tips: Option<TipPoints>,
+}
+
+impl Band {
+    /// The corners of the next cell, in which no ray meets an object.
+    fn empty_corners(&self, nothing: Sample, side: usize) -> Corners {
+        let corner = |x: usize, y: usize| match &self.tips {
+            Some(tips) => tips.mark(nothing, self.left + x as u32, y),
+            None => nothing,
+        };
+        Corners {
+            top_left: corner(0, 0),
+            top_right: corner(side, 0),
+            bottom_left: corner(0, side),
+            bottom_right: corner(side, side),
+        }
+    }
+}
+
+/// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
+#[derive(Debug)]
+pub(super) struct BandPainter<'p, 'm, R: Real, S: Geometry + 'm> {
+    renderer: &'p Renderer<'p, 'm, R, S>,
+    /// When rays end.
+    bounds: Bounds<R>,
+    /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
+    /// not traced.
+    unlit: Traced<'m, R, S>,
+    quality: Realtime,
+    small: SmallThings<R>,
+    /// The line of the picture that the lent row of samples holds.
+    row: Option<u32>,
+    /// The sample of a pixel whose ray meets no object, if all such pixels look alike.
+    nothing: Option<Sample>,
+    /// The current cell. Its left side is known from the cell before.
+    cell: Cell,
+    budget: Budget,
+}
+
+impl<'p, 'm, R: Real, S: Geometry + 'm> BandPainter<'p, 'm, R, S> {
+    /// For a picture of which this many `lines` are to be drawn, in colors of type `C`.
+    // Kept out of line, and `begin` too: else their stack stays in use while cells are drawn (820 bytes more for
+    // `classic` on an M4F).
+    #[inline(never)]
+    pub(super) fn new<C: DisplayColor>(
+        renderer: &'p Renderer<'p, 'm, R, S>,
+        quality: Realtime,
+        lines: u32,
+    ) -> Self {
+        let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
+        let mut unlit = *renderer.scene;
+        unlit.lights = &[];
+        let unlit_bounds = Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds };
+        Self {
+            renderer,
+            bounds: Bounds { cutoff, ..renderer.bounds },
+            unlit: Traced { scene: unlit, bounds: unlit_bounds },
+            quality,
+            small: SmallThings::new(renderer, quality.grid),
+            row: None,
+            nothing: nothing_met::<R, S, C>(renderer),
+            cell: Cell::BLANK,
+            budget: Budget::new(quality.budget_rays, lines),
+        }
+    }
+
+    /// Goes on with other lines of the picture, of which there are `lines`, and a new budget. The row of
+    /// samples is not used again if a band `is_unfinished`: one half of it belongs to one line, the other to
+    /// another.
+    pub(super) fn restart(&mut self, lines: u32, is_unfinished: bool) {
+        self.budget = Budget::new(self.quality.budget_rays, lines);
+        if is_unfinished {
+            self.row = None;
+        }
+    }
+
+    /// Begins the band that holds the first of the `lines` that are still to be drawn.
+    // Kept out of line: see `new`.
+    #[inline(never)]
+    pub(super) fn begin(&mut self, lines: &Range<u32>) -> Band {
+        let side = self.quality.grid.pixels();
+        let top = lines.start & !(side as u32 - 1);
+        let bottom = (top + side as u32).min(u32::from(u16::MAX));
+        self.budget.share(side as u32, lines.end.saturating_sub(lines.start));
+        let rows = (top as u16, bottom as u16);
+        let mut thin = self.small.thin_cells(self.renderer.width, self.quality.grid);
+        let strip = Strip::new(self.renderer, rows, &mut thin);
+        if strip.is_none() {
+            thin.add_all(self.renderer, rows);
+        }
+        thin.add_shadows(self.renderer, rows);
+        let tips = self.small.tip_points(self.renderer, self.quality.grid, rows);
+        Band { top, left: 0, has_top: self.row == Some(top), is_left_refined: false, strip, thin, tips }
+    }
+
+    /// Draws the next cell of a band into the buffer; returns the number of rays that it took.
+    #[inline]
+    pub(super) fn draw_cell<C: DisplayColor>(
+        &mut self,
+        band: &mut Band,
+        buffer: &mut RealtimeBuffer<'_, C>,
+        probe: &mut impl Probe<R>,
+    ) -> u32 {
+        let spent = self.draw_next(band, buffer, probe);
+        self.budget.spend(spent);
+        spent.all
+    }
+
+    /// Draws the next cell of a band into the buffer; returns the rays that it took.
+    fn draw_next<C: DisplayColor>(
+        &mut self,
+        band: &mut Band,
+        buffer: &mut RealtimeBuffer<'_, C>,
+        probe: &mut impl Probe<R>,
+    ) -> Spent {
+        let renderer = self.renderer;
+        let (side, left) = (self.quality.grid.pixels(), band.left as usize);
+        let (settings, width) = (&renderer.settings, usize::from(renderer.width));
+        let paint = Paint { settings, width, left, top: band.top, side };
+        let among = self.objects_shown(band, side);
+        if let Some(nothing) = self.nothing
+            && among.is_empty()
+        {
+            paint.blank(buffer.colors, nothing);
+            self.hand_on_corners(band, &band.empty_corners(nothing, side), buffer.samples);
+            return Spent::default();
+        }
+        let detail = self.budget.detail();
+        let seen = self.seen(band, detail);
+        let mut tracer = Tracer {
+            renderer,
+            bounds: &self.bounds,
+            unlit: &self.unlit,
+            among,
+            left: band.left,
+            top: band.top,
+            tolerance: Tolerance::new(self.quality.threshold, detail, side),
+            watch: self.small.watch.as_mut(),
+            tips: band.tips.as_ref(),
+            color: PhantomData::<C>,
+            probe,
+            rays: 0,
+            allowed: self.budget.left(),
+        };
+        let above: Above<'_> = if band.has_top { buffer.samples.get(left..) } else { None };
+        let is_first = left == 0;
+        let traces_row = self.budget.traces_row();
+        let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), side, &mut tracer);
+        let grid = tracer.rays;
+        tracer.allow(self.budget.refines());
+        if is_first {
+            band.is_left_refined = refine_first_side(&mut self.cell, side, &mut tracer);
+        }
+        let plan = Plan::new(&corners, band.is_left_refined, seen, side, &tracer);
+        plan.draw(&mut self.cell, &corners, above, &mut tracer);
+        let all = tracer.rays;
+        if plan.needs_corners_alone() {
+            paint.smooth(buffer.colors, &corners);
+        } else {
+            paint.refined(buffer.colors, &self.cell);
+        }
+        self.hand_on(band, &plan, &corners, buffer.samples);
+        Spent { all, row, refined: all - grid }
+    }
+
+    /// The objects that the next cell can show; all, if that is not known.
+    fn objects_shown(&self, band: &Band, side: usize) -> ObjectSet {
+        let (first, last) = (band.left as u16, (band.left as usize + side) as u16);
+        let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
+        // Beyond the right end of the picture it is not known.
+        let is_inside = band.left + (side as u32) < self.renderer.width();
+        shown.filter(|_| is_inside).unwrap_or_else(|| self.renderer.scene.all())
+    }
+
+    /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
+    fn seen(&self, band: &Band, detail: Detail) -> Seen {
+        let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
+        let next = band.left + self.quality.grid.pixels() as u32;
+        Seen {
+            is_thin,
+            is_next_thin: is_thin && band.thin.holds(next),
+            // The constant says whether any shape has rims. If none has, the compiler leaves out what follows.
+            has_rim: S::Prepared::<'m, R>::HAS_RIMS
+                && detail == Detail::Full
+                && self.small.has_rim(band.left, band.top),
+        }
+    }
+
+    /// Hands a cell that is drawn to the cell to the right and to the band below.
+    fn hand_on(&mut self, band: &mut Band, plan: &Plan, corners: &Corners, samples: &mut [Sample]) {
+        if plan.is_smooth() {
+            return self.hand_on_corners(band, corners, samples);
+        }
+        let (left, side) = (band.left as usize, self.quality.grid.pixels());
+        if plan.traces_all() {
+            hand_down_corners(samples, left, corners, side);
+        } else {
+            hand_down_row(samples, left, &self.cell, side);
+        }
+        self.cell.advance(side);
+        self.advance(band, plan.refines_right());
+    }
+
+    /// Hands a cell of which only the corners are known to the cell to the right and to the band below.
+    fn hand_on_corners(&mut self, band: &mut Band, corners: &Corners, samples: &mut [Sample]) {
+        let side = self.quality.grid.pixels();
+        self.cell.set(0, 0, corners.top_right);
+        self.cell.set(0, side, corners.bottom_right);
+        hand_down_corners(samples, band.left as usize, corners, side);
+        self.advance(band, false);
+    }
+
+    /// Goes on to the next cell of a band.
+    fn advance(&mut self, band: &mut Band, is_left_refined: bool) {
+        let side = self.quality.grid.pixels() as u32;
+        band.is_left_refined = is_left_refined;
+        band.left += side;
+        if band.left >= self.renderer.width() {
+            self.row = Some(band.top + side);
+        }
+    }
+}
+
+/// The corners of a cell, and the rays that the lower right one took. The left corners are known from the
+/// cell before unless the cell is the first of its band, the upper ones may be known from `above`. A row of
+/// the grid that is not traced is a copy of the row above.
+fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+    cell: &mut Cell,
+    above: Above<'_>,
+    (is_first, traces_row): (bool, bool),
+    side: usize,
+    tracer: &mut Tracer<'_, '_, R, S, C, P>,
+) -> (Corners, u32) {
+    let known = |x: usize| above.and_then(|above| above.get(x)).copied();
+    if is_first {
+        let top_left = known(0).unwrap_or_else(|| tracer.trace(0, 0));
+        cell.set(0, 0, top_left);
+        cell.set(0, side, tracer.trace_or_copy(top_left, traces_row, (0, side)));
+    }
+    let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
+    let top_right = known(side).unwrap_or_else(|| tracer.trace_or_copy(top_left, true, (side, 0)));
+    let before = tracer.rays;
+    let bottom_right = tracer.trace_or_copy(top_right, traces_row, (side, side));
+    (Corners { top_left, top_right, bottom_left, bottom_right }, tracer.rays - before)
+}
+
+/// Draws the left side of the first cell of a band, if its ends differ; returns whether they do.
+fn refine_first_side(cell: &mut Cell, side: usize, pixels: &mut impl PixelSource) -> bool {
+    let differ = pixels.differ(cell.get(0, 0), cell.get(0, side), side);
+    if differ {
+        cell.refine_side(Side::down((0, 0), side), pixels);
+    }
+    differ
+}
+
+/// Hands the bottom row of a cell to the band below. Its left end is the right end of the cell before.
+fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, side: usize) {
+    let first = if left == 0 { 0 } else { 1 };
+    for (x, sample) in (first..=side).zip(samples.iter_mut().skip(left + first)) {
+        *sample = cell.get(x, side);
+    }
+}
+
+/// Hands the lower corners of a cell to the band below, and marks the points between them as unknown.
+fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, side: usize) {
+    if let Some(row) = samples.get_mut(left..) {
+        if let (0, Some(first)) = (left, row.first_mut()) {
+            *first = corners.bottom_left;
+        }
+        if let Some(inside) = row.get_mut(1) {
+            *inside = Sample::BLANK;
+        }
+        if let Some(last) = row.get_mut(side) {
+            *last = corners.bottom_right;
+        }
+    }
+}

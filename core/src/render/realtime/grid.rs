@@ -1,0 +1,29 @@
+//! The grid of pixels that are always traced.
+
+/// The distance of the pixels that are always traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grid {
+    /// Every second pixel of every second line.
+    Two,
+    /// Every fourth pixel of every fourth line.
+    Four,
+    /// Every eighth pixel of every eighth line.
+    Eight,
+}
+
+impl Grid {
+    /// The distance in pixels.
+    pub const fn pixels(self) -> usize {
+        match self {
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+/// The largest side of a cell, in pixels. A cell is the square between four neighboring pixels of the grid.
+pub(super) const LARGEST_SIDE: usize = 8;
+
+/// The side of the squares that the inside of a cell is drawn in, in pixels.
+pub(super) const SQUARE: usize = 4;

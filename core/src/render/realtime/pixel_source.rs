@@ -1,0 +1,25 @@
+//! The pixels of a cell, as the drawing of the cell asks for them.
+
+use super::sample::Sample;
+
+/// Traces pixels of one cell, and compares them. Points are counted from the cell's upper left pixel.
+pub(super) trait PixelSource {
+    /// Traces the pixel at a point.
+    fn trace(&mut self, x: usize, y: usize) -> Sample;
+
+    /// Traces the pixel at a point for its tone alone: the digests of the sample are not used.
+    fn trace_tone(&mut self, x: usize, y: usize) -> Sample;
+
+    /// The pixel between `a` and `b`, which are `distance` pixels apart: traced, or a copy of the one of the
+    /// two that meets the same objects under the same lights.
+    fn trace_between(&mut self, point: (usize, usize), a: Sample, b: Sample, distance: usize) -> Sample;
+
+    /// Whether two pixels at this distance differ so much that something may lie between them.
+    fn differ(&self, a: Sample, b: Sample, distance: usize) -> bool;
+
+    /// Whether there are rays left for other pixels than the corners.
+    fn may_trace(&self) -> bool;
+
+    /// The distance from a straight edge up to which pixels are traced, in 1/16 of a pixel.
+    fn traced_beside_edge(&self) -> u32;
+}

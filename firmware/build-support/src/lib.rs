@@ -1,0 +1,150 @@
+//! For build scripts of boards' programs: writes the picture that the program renders as Rust source.
+//!
+//! Environment variables choose the picture:
+//!
+//! | variable | value | default |
+//! |---|---|---|
+//! | `RAYLINE_SCENE` | a built-in scene, or the path of a `.rayline` file | `classic` |
+//! | `RAYLINE_SIZE` | width and height, such as `320x240` | the program's own |
+//! | `RAYLINE_BOUNCES` | how often a ray may be mirrored or refracted | the scene's own; 6 for a file |
+//! | `RAYLINE_NUMBER` | `f32` or `fixed`, see [`write_number`] | `f32` |
+//! | `RAYLINE_MODE` | `exact` or `realtime`, see [`write_mode`] | `exact` |
+
+use core::mem::MaybeUninit;
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use rayline::bake::{self, BakeError};
+use rayline::math::Fixed;
+use rayline::{Scene, builtin};
+
+/// Bounces of scenes from files, which do not say how many they need.
+pub const BOUNCES_OF_FILES: u8 = 6;
+
+/// The number system of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Number {
+    /// `f32`.
+    F32,
+    /// [`Fixed`].
+    Fixed,
+}
+
+/// Writes `picture.rs` into the build's output folder: size and bounces of the picture, and its scene as
+/// [`rayline::bake`] writes it for a number system. `default_size` is such as `320x240`.
+///
+/// # Errors
+/// A variable that is no scene, size or number of bounces; a file that is no scene; or an output folder that
+/// cannot be written to.
+pub fn write_picture(default_size: &str, number: Number) -> Result<(), Box<dyn Error>> {
+    let (width, height) = size(&variable("RAYLINE_SIZE").unwrap_or_else(|| default_size.into()))?;
+    let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
+    let (source, default_bounces) =
+        if name.ends_with(".rayline") { bake_file(&name, number)? } else { bake_builtin(&name, number)? };
+    let bounces = match variable("RAYLINE_BOUNCES") {
+        Some(bounces) => bounces
+            .parse()
+            .map_err(|_| format!("RAYLINE_BOUNCES={bounces}: set it to a number from 0 to 255"))?,
+        None => default_bounces,
+    };
+    let picture = format!(
+        "{source}
+/// Bytes of memory for the prepared scene.
+pub const PREPARED_BYTES: usize = prepared_bytes::<Number>();
+/// Width of the picture in pixels.
+pub const WIDTH: usize = {width};
+/// Height of the picture in pixels.
+pub const HEIGHT: usize = {height};
+/// How often a ray may be mirrored or refracted.
+pub const BOUNCES: u8 = {bounces};
+"
+    );
+    write("picture.rs", &picture)
+}
+
+/// Width and height from a text such as `320x240`.
+fn size(text: &str) -> Result<(u16, u16), Box<dyn Error>> {
+    let sides =
+        text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+    sides.ok_or_else(|| format!("RAYLINE_SIZE={text}: set it to width and height, such as 320x240").into())
+}
+
+/// A built-in scene as Rust source, and its bounces.
+fn bake_builtin(name: &str, number: Number) -> Result<(String, u8), Box<dyn Error>> {
+    let builtin = builtin::all().find(|builtin| builtin.name == name).ok_or_else(|| {
+        format!("RAYLINE_SCENE={name}: set it to a name that `rayline scenes` prints, or to a .rayline file")
+    })?;
+    Ok((bake(builtin.scene, number)?, builtin.bounces))
+}
+
+/// The scene of a `.rayline` file as Rust source, and its bounces.
+fn bake_file(path: &str, number: Number) -> Result<(String, u8), Box<dyn Error>> {
+    println!("cargo:rerun-if-changed={path}");
+    let bytes = fs::read(path).map_err(|error| format!("{path} cannot be read: {error}"))?;
+    let mut memory = memory_for(&bytes);
+    let scene = Scene::from_bytes(&bytes, &mut memory)
+        .map_err(|error| format!("{path}: {error}; write it again with `rayline convert`"))?;
+    Ok((bake(&scene, number)?, BOUNCES_OF_FILES))
+}
+
+fn bake(scene: &Scene<'_>, number: Number) -> Result<String, BakeError> {
+    match number {
+        Number::F32 => bake::scene::<f32>(scene),
+        Number::Fixed => bake::scene::<Fixed>(scene),
+    }
+}
+
+/// Memory for the lists of a scene that is read from these bytes. In memory, numbers take a few times the
+/// bytes that they have in the file.
+pub fn memory_for(bytes: &[u8]) -> Vec<MaybeUninit<u8>> {
+    vec![MaybeUninit::uninit(); bytes.len().saturating_mul(64).max(1 << 16)]
+}
+
+/// Writes the program's number system, which `RAYLINE_NUMBER` names, into `number.rs` in the build's output
+/// folder, and returns it.
+///
+/// # Errors
+/// A variable that names no number system; or an output folder that cannot be written to.
+pub fn write_number() -> Result<Number, Box<dyn Error>> {
+    let (number, name) = match variable("RAYLINE_NUMBER").as_deref() {
+        None | Some("f32") => (Number::F32, "f32"),
+        Some("fixed") => (Number::Fixed, "rayline::math::Fixed"),
+        Some(other) => return Err(format!("RAYLINE_NUMBER={other}: set it to f32 or fixed").into()),
+    };
+    write(
+        "number.rs",
+        &format!("/// The number system that the program computes in.\npub type Number = {name};\n"),
+    )?;
+    Ok(number)
+}
+
+/// Writes the mode of drawing, which `RAYLINE_MODE` names, into `mode.rs` in the build's output folder.
+///
+/// # Errors
+/// A variable that names no mode; or an output folder that cannot be written to.
+pub fn write_mode() -> Result<(), Box<dyn Error>> {
+    let quality = match variable("RAYLINE_MODE").as_deref() {
+        None | Some("exact") => "None",
+        Some("realtime") => "Some(rayline::Realtime::new())",
+        Some(other) => return Err(format!("RAYLINE_MODE={other}: set it to exact or realtime").into()),
+    };
+    let text = format!(
+        "/// The realtime quality that the picture is drawn in; `None` for an exact picture.\n\
+         pub const QUALITY: Option<rayline::Realtime> = {quality};\n"
+    );
+    write("mode.rs", &text)
+}
+
+/// Writes a file into the build's output folder.
+fn write(name: &str, text: &str) -> Result<(), Box<dyn Error>> {
+    fs::write(Path::new(&env::var("OUT_DIR")?).join(name), text)?;
+    Ok(())
+}
+
+/// The value of an environment variable; cargo builds the program again when it changes.
+fn variable(name: &str) -> Option<String> {
+    println!("cargo:rerun-if-env-changed={name}");
+    env::var(name).ok()
+}

@@ -1,0 +1,165 @@
+//! The programs that are measured.
+
+use std::path::Path;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+
+use crate::board::{BOARDS, Board};
+use crate::picture::{Mode, Number, Size};
+use crate::request::Request;
+use crate::session::Session;
+
+pub(super) const M4F: &str = "mps2-an386";
+const M7: &str = "mps2-an500";
+pub(super) const M3: &str = "mps2-an385";
+/// A Cortex-M0. A Cortex-M0+ executes the same instructions.
+pub(super) const M0: &str = "microbit";
+/// Code for a Cortex-M0 with more RAM than a microbit has.
+pub(super) const LARGE_M0: &str = "mps2-an385-v6m";
+pub(super) const PICO: &str = "pico";
+pub(super) const DUAL_PICO: &str = "pico-dual";
+
+/// Size of most pictures.
+const QVGA: Size = Size { width: 320, height: 240 };
+/// Size of the pictures that compare scenes in fixed point: a quarter, which keeps the bench short.
+const QQVGA: Size = Size { width: 160, height: 120 };
+
+/// The scene of `docs/gallery` that is measured: a mesh of 2,120 triangles.
+pub(super) const TEAPOT: &str = "show-teapot";
+
+/// The scenes that are measured in fixed point beside `classic`.
+pub(super) const FIXED_SCENES: [&str; 4] = ["whitted", "flake-91", "table", TEAPOT];
+
+/// A program that is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Entry {
+    pub(super) board: &'static str,
+    pub(super) scene: &'static str,
+    number: Number,
+    mode: Mode,
+    small: bool,
+    /// `None`: the board's own size.
+    size: Option<Size>,
+}
+
+const fn entry(board: &'static str, scene: &'static str, number: Number, mode: Mode) -> Entry {
+    Entry { board, scene, number, mode, small: false, size: Some(QVGA) }
+}
+
+/// An exact picture by a program without the features that only make it faster.
+const fn small(board: &'static str, scene: &'static str, number: Number) -> Entry {
+    Entry { small: true, ..entry(board, scene, number, Mode::Exact) }
+}
+
+/// `classic` at the board's own size.
+const fn own_size(board: &'static str, number: Number, mode: Mode) -> Entry {
+    Entry { size: None, ..entry(board, "classic", number, mode) }
+}
+
+/// The programs beside those of [`FIXED_SCENES`] and those of all boards.
+const ENTRIES: [Entry; 21] = [
+    entry(M4F, "classic", Number::F32, Mode::Exact),
+    // The same program, which is not built again.
+    entry(M7, "classic", Number::F32, Mode::Exact),
+    entry(M3, "classic", Number::Fixed, Mode::Exact),
+    entry(M0, "classic", Number::Fixed, Mode::Exact),
+    entry(M4F, "classic", Number::F32, Mode::Realtime),
+    entry(M3, "classic", Number::Fixed, Mode::Realtime),
+    entry(M0, "classic", Number::Fixed, Mode::Realtime),
+    entry(M4F, "flake-10", Number::F32, Mode::Exact),
+    entry(M4F, "flake-91", Number::F32, Mode::Exact),
+    entry(M4F, "flake-820", Number::F32, Mode::Exact),
+    entry(M4F, "spheres", Number::F32, Mode::Exact),
+    entry(M4F, "torus", Number::F32, Mode::Exact),
+    entry(M4F, "csg", Number::F32, Mode::Exact),
+    entry(M4F, "mesh", Number::F32, Mode::Exact),
+    own_size(PICO, Number::Fixed, Mode::Exact),
+    own_size(PICO, Number::Fixed, Mode::Realtime),
+    own_size(DUAL_PICO, Number::Fixed, Mode::Exact),
+    own_size(DUAL_PICO, Number::Fixed, Mode::Realtime),
+    small(M4F, "spheres", Number::F32),
+    small(M4F, "classic", Number::F32),
+    small(M0, "classic", Number::Fixed),
+];
+
+/// All programs. Those of all boards stand last, because `rayline check` reads the first picture of a scene
+/// on a board, which must be the one in the processor's own number system.
+pub(super) fn entries() -> Vec<Entry> {
+    let mut entries = ENTRIES.to_vec();
+    for scene in FIXED_SCENES {
+        for board in [M3, LARGE_M0] {
+            for mode in [Mode::Exact, Mode::Realtime] {
+                entries.push(Entry { size: Some(QQVGA), ..entry(board, scene, Number::Fixed, mode) });
+            }
+        }
+    }
+    let own = qemu_boards().map(|board| Entry {
+        size: Some(board.size),
+        ..entry(board.name, "classic", Number::F32, Mode::Exact)
+    });
+    for entry in own {
+        if !entries.contains(&entry) {
+            entries.push(entry);
+        }
+    }
+    entries
+}
+
+/// The real boards in QEMU, whose programs compute in any number system.
+fn qemu_boards() -> impl Iterator<Item = &'static Board> {
+    BOARDS.iter().filter(|board| !board.stands_in && ![PICO, DUAL_PICO].contains(&board.name))
+}
+
+impl Entry {
+    /// The session that measures the program. `teapot` is the file with the bytes of [`TEAPOT`].
+    pub(super) fn session(&self, teapot: &Path, timeout: Duration) -> Result<Session<'static>> {
+        let Self { board, scene, number, mode, small, size } = *self;
+        let source =
+            if scene == TEAPOT { teapot.to_str().context("a path that is not UTF-8")? } else { scene };
+        let request = Request { size, number, mode, small, ..Request::new(source)? };
+        let board = BOARDS.iter().find(|known| known.name == board);
+        let board = board.with_context(|| format!("there is no board {}", self.board))?;
+        Ok(Session { board, picture: request.on(board), picture_file: None, timeout })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_entry_can_be_measured() {
+        for entry in entries().into_iter().filter(|entry| entry.scene != TEAPOT) {
+            let session = entry.session(Path::new(""), Duration::from_secs(1)).unwrap();
+            assert_eq!((session.board.name, session.picture.scene.name), (entry.board, entry.scene));
+            assert_eq!((session.picture.number, session.picture.mode), (entry.number, entry.mode));
+            session.board.draws(entry.mode).unwrap();
+        }
+    }
+
+    #[test]
+    fn no_program_is_measured_twice() {
+        let entries = entries();
+        for (index, entry) in entries.iter().enumerate() {
+            assert!(!entries[..index].contains(entry), "{entry:?}");
+        }
+    }
+
+    #[test]
+    fn every_board_is_measured() {
+        for board in BOARDS {
+            assert!(entries().iter().any(|entry| entry.board == board.name), "{}", board.name);
+        }
+    }
+
+    #[test]
+    fn the_first_picture_of_a_scene_is_in_the_processors_own_numbers() {
+        for (board, number) in [(M4F, Number::F32), (M3, Number::Fixed), (M0, Number::Fixed)] {
+            let entries = entries();
+            let first =
+                entries.iter().find(|entry| (entry.board, entry.scene) == (board, "classic")).unwrap();
+            assert_eq!((first.number, first.mode, first.small), (number, Mode::Exact, false));
+        }
+    }
+}
