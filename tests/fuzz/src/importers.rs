@@ -76,9 +76,15 @@ impl Files {
         Ok(())
     }
 
-    /// Adds the gallery's scenes to those whose bytes are changed.
-    pub(crate) fn add_gallery_to(&self, corpus: &mut Corpus) -> io::Result<()> {
+    /// Adds the gallery's scenes to those whose bytes are changed, and those that once changed with
+    /// acceleration.
+    pub(crate) fn add_scenes_to(&self, corpus: &mut Corpus) -> io::Result<()> {
         let arena = Bump::new();
+        for path in sorted(&repository().join("tests/scenes/acceleration"))? {
+            if path.extension().is_some_and(|end| end == "rayline") {
+                corpus.add_bytes(fs::read(path)?);
+            }
+        }
         for path in sorted(&gallery())?.iter().filter(|path| path.extension().is_some_and(|end| end == "ron"))
         {
             let loaded = LoadedScene::open(path, &arena).map_err(io::Error::other)?;
@@ -90,7 +96,7 @@ impl Files {
     /// Chooses a file and changes it.
     pub(crate) fn change(&mut self, choices: &mut Choices<'_>) {
         // Bytes of scenes have a search of their own.
-        let chosen = choices.one_of([0, 1, 2, 3, 2, 3, 0, 4]);
+        let chosen = choices.one_of([0, 1, 2, 3, 2, 3, 0, 1]);
         let present = |texts: &Vec<_>| !texts.is_empty();
         let all = FORMATS.iter().zip(&self.texts).filter(|(_, texts)| present(texts));
         let Some((format, texts)) = all.clone().nth(chosen % all.count().max(1)) else { return };

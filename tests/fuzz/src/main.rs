@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::{Parser, Subcommand};
-use rayline_fuzz::{Search, Target, Until, replay};
+use rayline_fuzz::{Counts, Found, Search, Target, Until, replay};
 
 /// Searches for scenes whose picture changes with acceleration, and for panics.
 #[derive(Debug, Parser)]
@@ -78,26 +78,39 @@ fn search(targets: &[Target], options: &Options) -> Result<bool, String> {
     let mut holds = true;
     for target in targets {
         let mut search = Search::new(*target, &options.seeds).map_err(|error| error.to_string())?;
-        let until = Until {
-            time: Duration::from_secs_f64(options.minutes.max(0.0) * 60.0 / targets.len() as f64),
-            executions: options.executions,
-            findings: options.findings,
-        };
-        let counts = search.run(options.seed, until, |found| {
-            let (target, seed, finding) = (found.target, found.seed, &found.finding);
-            println!("{} of {target}, seed {seed}: {finding} ({})", finding.word(), found.contents);
-            match found.write(&options.out) {
-                Ok(path) if found.scene.is_some() => {
-                    println!("    cargo run -p rayline-fuzz -- replay {}", path.display());
-                }
-                Ok(path) => println!("    cargo run -- check {}", path.display()),
-                Err(error) => println!("    cannot write to {}: {error}", options.out.display()),
-            }
-        });
+        let time = Duration::from_secs_f64(options.minutes.max(0.0) * 60.0 / targets.len() as f64);
+        let mut counts = Counts::default();
+        // A part after the other, so that somebody who waits sees how far it is.
+        while counts.time < time
+            && counts.executions < options.executions
+            && counts.findings < options.findings
+        {
+            let until = Until {
+                time: (time - counts.time).min(Duration::from_secs(60)),
+                executions: options.executions - counts.executions,
+                findings: options.findings - counts.findings,
+            };
+            let seed = options.seed.wrapping_add(counts.executions);
+            counts.add(&search.run(seed, until, |found| report(found, options)));
+            eprintln!("{} minutes: {} executions", counts.time.as_secs() / 60, counts.executions);
+        }
         println!("{}: {counts}", target.name());
         holds &= counts.findings == 0;
     }
     Ok(holds)
+}
+
+/// Writes a finding to a file, and prints the command that replays it.
+fn report(found: &Found, options: &Options) {
+    let (target, seed, finding) = (found.target, found.seed, &found.finding);
+    println!("{} of {target}, seed {seed}: {finding} ({})", finding.word(), found.contents);
+    match found.write(&options.out) {
+        Ok(path) if found.scene.is_some() => {
+            println!("    cargo run -p rayline-fuzz -- replay {}", path.display());
+        }
+        Ok(path) => println!("    cargo run -- check {}", path.display()),
+        Err(error) => println!("    cannot write to {}: {error}", options.out.display()),
+    }
 }
 
 /// Replays these files; tells whether everything held.

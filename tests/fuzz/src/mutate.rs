@@ -120,33 +120,33 @@ const WORDS: [&str; 24] = [
 #[cfg(feature = "importers")]
 pub(crate) fn text(choices: &mut Choices<'_>, text: &mut Vec<u8>, others: &[Vec<u8>]) {
     for _ in 0..choices.one_of([1, 1, 2, 1, 3, 4]) {
-        match choices.below(12) {
+        match choices.below(16) {
             // Most texts are read on only if they keep their grammar.
-            0..=5 => {
+            0..=9 => {
                 let number = number_from(text, choices.below(text.len() + 1));
-                let word = match choices.below(3) {
+                let word = match choices.below(8) {
                     0 => choices.one_of(WORDS).to_owned(),
-                    1 => choices.one_of(NUMBERS).to_string(),
+                    1..=2 => choices.one_of(NUMBERS).to_string(),
                     _ => choices.coordinate().to_string(),
                 };
                 drop(text.splice(number, word.bytes()));
             }
-            6 => {
+            10 => {
                 let line = line_at(text, choices.below(text.len() + 1));
                 drop(text.drain(line));
             }
-            7 => {
+            11 => {
                 let line = line_at(text, choices.below(text.len() + 1));
                 let copy: Vec<u8> = text.get(line).unwrap_or_default().to_vec();
                 let to = line_at(text, choices.below(text.len() + 1)).start;
                 drop(text.splice(to..to, copy));
             }
-            8 => {
+            12 => {
                 let at = choices.below(text.len() + 1);
                 let open = choices.one_of(["[", "(", "{\"a\":", "[[", "\"", "\\"]);
                 drop(text.splice(at..at, open.repeat(choices.one_of([1, 2, 200, 5000])).into_bytes()));
             }
-            9 => splice(choices, text, others),
+            13 => splice(choices, text, others),
             _ => bytes(choices, text, others),
         }
     }

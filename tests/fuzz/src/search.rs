@@ -86,6 +86,21 @@ pub struct Counts {
     pub slowest: (Duration, u64),
 }
 
+impl Counts {
+    /// Adds what the same search did next.
+    pub fn add(&mut self, next: &Self) {
+        self.executions += next.executions;
+        self.drawn.iter_mut().zip(next.drawn).for_each(|(sum, next)| *sum += next);
+        self.refused += next.refused;
+        self.unreadable += next.unreadable;
+        self.findings += next.findings;
+        self.realtime += next.realtime;
+        self.time += next.time;
+        self.own_time += next.own_time;
+        self.slowest = self.slowest.max(next.slowest);
+    }
+}
+
 impl fmt::Display for Counts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
@@ -187,6 +202,7 @@ const SLOW: Duration = Duration::from_secs(20);
 /// A search with one target.
 pub struct Search {
     target: Target,
+    watch: Watch,
     bench: Bench,
     arena: Bump,
     corpus: Corpus,
@@ -231,6 +247,7 @@ impl Search {
     pub fn new(target: Target, seeds: &[PathBuf]) -> io::Result<Self> {
         let mut search = Self {
             target,
+            watch: Watch::new(target.name()),
             bench: Bench::default(),
             arena: Bump::new(),
             corpus: Corpus::new(),
@@ -239,7 +256,7 @@ impl Search {
         };
         #[cfg(feature = "importers")]
         if target == Target::SceneBytes {
-            search.files.add_gallery_to(&mut search.corpus)?;
+            search.files.add_scenes_to(&mut search.corpus)?;
         }
         for directory in seeds {
             let mut paths: Vec<_> =
@@ -262,13 +279,12 @@ impl Search {
     pub fn run(&mut self, seed: u64, until: Until, mut report: impl FnMut(&Found)) -> Counts {
         let start = Instant::now();
         let mut counts = Counts::default();
-        let watch = Watch::new(self.target.name());
         while start.elapsed() < until.time
             && counts.executions < until.executions
             && counts.findings < until.findings
         {
             let seed = seed.wrapping_add(counts.executions);
-            watch.begin(seed);
+            self.watch.begin(seed);
             let before = ThreadTime::now();
             let outcome = self.execute(choices_of(seed));
             let took = before.elapsed();
@@ -286,13 +302,13 @@ impl Search {
                 Ok(Outcome::Refused) => counts.refused += 1,
                 Ok(Outcome::NoScene) => counts.unreadable += 1,
                 Err(finding) => {
-                    watch.begin(u64::MAX);
+                    self.watch.begin(u64::MAX);
                     counts.findings += 1;
                     report(&self.found(seed, finding));
                 }
             }
         }
-        watch.begin(u64::MAX);
+        self.watch.begin(u64::MAX);
         counts.time = start.elapsed();
         counts
     }
