@@ -72,18 +72,19 @@ impl Case {
             Number::Fixed,
             Number::F64,
         ]);
+        let bounces = choices.one_of([0, 1, 2, 3, 6, 16]);
+        let rays_per_pixel = choices.one_of([512, 64, 4096, 64, 7, 64, 512, 1]);
+        // With many bounces and many rays, a pixel may take as long as a picture.
+        let is_long = bounces > 3 && rays_per_pixel > 64;
         let [width, height] = match choices.below(12) {
+            _ if is_long => [choices.between(1, 4), choices.between(1, 3)],
             0 => [choices.between(1, 40), choices.between(1, 4)],
             1 => [choices.between(1, 3), choices.between(1, 30)],
             _ => [choices.between(7, 20), choices.between(7, 16)],
         };
-        let bounces = choices.one_of([0, 1, 2, 3, 6, 16]);
-        let rays_per_pixel = choices.one_of([512, 64, 4096, 64, 7, 64, 512, 1]);
-        // Both many bounces and many rays may take seconds.
-        let is_long = bounces > 3 && rays_per_pixel > 64 && !choices.chance(15);
         let settings = Settings {
             bounces,
-            rays_per_pixel: if is_long { 64 } else { rays_per_pixel },
+            rays_per_pixel,
             cutoff: choices.one_of([0.0, 1.0 / 256.0, 0.1]),
             samples_per_pixel: if choices.chance(4) { choices.between(2, 3) as u16 } else { 1 },
             ..Settings::new(width as u32, height as u32)
