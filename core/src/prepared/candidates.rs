@@ -153,6 +153,12 @@ impl<'m, R: Real> Candidates<'m, R> {
         let leaving = arena.store_with(objects.len(), |index| {
             let outward = but_itself(all, index);
             let inward = match objects.get(index).map(|object| object.shape.form()) {
+                // A ray that goes into a ball no wider than the ray offset begins outside of it.
+                Some(Form::Ball { center, radius })
+                    if !(radius > R::offset(center.magnitude() + radius) * R::from_u16(8)) =>
+                {
+                    all
+                }
                 Some(Form::Ball { .. }) => among(objects, index, |around, other| around.reaches(other)),
                 _ => outward,
             };

@@ -10,8 +10,8 @@ use embedded_graphics::pixelcolor::{PixelColor, raw::RawU24};
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Light16, PreparedScene, Quantizer, RayCounts, Real, Realtime, RealtimeBuffer,
-    RealtimeFrame, Renderer, Sample, Scene, Settings,
+    DisplayColor, Frame, Light16, PreparedScene, Quantizer, RayCounts, Real, Realtime, RealtimeBuffer,
+    Renderer, Sample, Scene, Settings,
 };
 
 use crate::case::Portions;
@@ -176,7 +176,7 @@ fn draw<R: Real>(
             buffer.clear();
             buffer.resize(width as usize * lines.max(1) as usize, Light::NONE);
             let mut canvas = Canvas { width, pixels: picture, is_twice: false };
-            let mut frame = renderer.frame(0..height, buffer).map_err(broken)?;
+            let mut frame = renderer.frame(0..height, &mut buffer[..]).map_err(broken)?;
             while !frame.step(&mut canvas, rays).map_err(broken)?.is_done() {}
             if canvas.is_twice {
                 return Err(Stop::Broken("a pixel was sent twice".to_owned()));
@@ -210,8 +210,7 @@ pub(crate) fn realtime<R: Real>(
     colors.resize(quality.colors(width as u16), Light::NONE);
     samples.clear();
     samples.resize(quality.samples(width as u16), Sample::BLANK);
-    let buffer = RealtimeBuffer { colors, samples };
-    let mut frame = renderer.realtime_frame(0..height, quality, buffer).map_err(broken)?;
+    let mut frame = renderer.frame(0..height, quality.lend(colors, samples)).map_err(broken)?;
     let mut counts = RayCounts::default();
     let [at_once, in_steps] = pictures;
     let mut canvas = Canvas { width, pixels: at_once, is_twice: false };
@@ -245,7 +244,7 @@ pub(crate) fn realtime<R: Real>(
 /// Draws a picture in realtime quality in bands that do not begin where cells do, the lowest first, and in
 /// steps, each of which may take `beyond` rays more than its budget.
 fn draw_bands<R: Real>(
-    frame: &mut RealtimeFrame<'_, '_, '_, R, Shape<'_>, Light>,
+    frame: &mut Frame<'_, '_, R, Shape<'_>, RealtimeBuffer<'_, Light>>,
     height: u32,
     beyond: u32,
     canvas: &mut Canvas<'_>,

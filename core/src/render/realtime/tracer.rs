@@ -156,6 +156,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource for Tracer<
             if path == b.path() {
                 return b.untraced();
             }
+            if !self.may_trace() {
+                return a.untraced();
+            }
         }
         self.trace_for(Purpose::Marks, x, y)
     }
