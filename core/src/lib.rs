@@ -38,52 +38,55 @@
 //!
 //! | step | what it is | where |
 //! |---|---|---|
-//! | [`Scene`] | what to draw, in `f32`: a `static` in flash, or lent by a [`SceneBuf`] | [`shape`], [`Material`], [`Light`], [`Camera`], [`Background`] |
-//! | [`PreparedScene`] | the same, checked, in the kernel's number system, in memory that the caller lends | `prepared` |
-//! | radiance | how much light comes along a ray | `integrator` |
-//! | [`Renderer`] | any line of the picture into a slice or a display | `render` |
+//! | [`Scene`] | what to draw, in `f32`, in flash or in a [`SceneBuf`] | [`shape`], [`Material`], [`Light`] |
+//! | [`PreparedScene`] | the scene, checked and converted, in lent memory | `prepared` |
+//! | radiance | the light that comes along a ray | `integrator` |
+//! | [`Renderer`] | any line of the picture, into a slice or a display | `render` |
 //!
-//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `fresh`, `read`, `hierarchy`, `color`,
-//! `falloff`, `share`, `surface`, `texture`, `material`, `shape`, `light`, `camera`, `background`, `scene`, `prepared`, `probe`,
-//! `sampler`, `integrator`, `render`, `builtin`, `bake`.
+//! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`,
+//! `color`, `falloff`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `camera`,
+//! `background`, `scene`, `prepared`, `probe`, `sampler`, `integrator`, `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
-//! A scene is described in `f32` and prepared for one of these; `R` in signatures is always that ([`Real`]).
+//! A scene is described in `f32` and prepared for one number system, the `R` of signatures ([`Real`]).
 //!
 //! | type | for |
 //! |---|---|
 //! | `f32` | chips with an FPU, and the desktop |
-//! | [`Fixed`](math::Fixed) | chips without: ten times as fast there as `f32` in software; its page tells what it asks of a scene |
-//! | `f64` | the reference that the others are held to |
+//! | [`Fixed`](math::Fixed) | chips without: ten times as fast there as `f32` in software |
+//! | `f64` | the reference, with which pictures of the others are compared |
 //!
 //! # Exact and realtime
 //!
-//! [`Renderer::draw`] draws exactly if it is lent a line of colors: it traces every pixel. Acceleration never changes a byte:
-//! objects, and their shadows on the floor, have outlines in the picture, so that each line knows the objects that it can
-//! show; each light knows the objects that can shade a surface; and more than 32 objects lie in a hierarchy of boxes. In
-//! floating point, neighboring pixels go through the hierarchy together.
+//! [`Renderer::draw`] draws exactly if it is lent a line of colors: it traces every pixel. Acceleration never
+//! changes a byte: objects, and their shadows on the floor, have outlines in the picture, so that each line
+//! knows the objects that it can show; each light knows the objects that can shade a surface; and more than
+//! 32 objects lie in a hierarchy of boxes. In floating point, neighboring pixels go through the hierarchy
+//! together.
 //!
-//! If it is lent [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ, and interpolates the
-//! rest. [`Realtime`] says what this gains and what can be lost.
+//! If it is lent [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ, and
+//! interpolates the rest. [`Realtime`] says what this gains and what can be lost.
 //!
 //! # Conventions
 //!
-//! Coordinates are right-handed, in any unit. Angles are in radians. Colors are linear light with the primaries
-//! of sRGB. Pixel (0, 0) is at the upper left and has its center at (0.5, 0.5). A surface has two sides; its
-//! normal says which is the front.
+//! Coordinates are right-handed, in any unit. Angles are in radians. Colors are linear light with the
+//! primaries of sRGB. Pixel (0, 0) is at the upper left and has its center at (0.5, 0.5). A surface has two
+//! sides; its normal says which is the front.
 //!
 //! # What always holds
 //!
 //! - No allocation, no recursion, no panic between a prepared scene and the display.
-//! - The same scene and settings give the same bytes on every processor, unless the feature `micromath` is on.
+//! - The same scene and settings give the same bytes on every processor, unless the feature `micromath` is
+//!   on.
 //! - After [`PreparedScene::new`], only the display can fail.
-//! - A pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted ([`RayCounts`]).
+//! - A pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
+//!   ([`RayCounts`]).
 //!
 //! # Features
 //!
-//! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and stack.
-//! [`Scene::features`] lists those that a scene needs.
+//! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and
+//! stack. [`Scene::features`] lists those that a scene needs.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 

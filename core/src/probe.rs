@@ -26,7 +26,8 @@ pub enum Cut {
     Throughput,
     /// The pixel had spent its [`Settings::rays_per_pixel`](crate::Settings).
     Rays,
-    /// A shadow ray met more than [`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS) transparent surfaces.
+    /// A shadow ray met more than [`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS) transparent
+    /// surfaces.
     ShadowLayers,
 }
 
@@ -41,8 +42,8 @@ pub enum Event<R> {
         ray: Ray<R>,
         /// Bounces since the camera.
         bounces: u8,
-        /// Share of the light at its origin that reaches the pixel: the largest of the three channels. Absorption along
-        /// the ray itself is not in it.
+        /// Share of the light at its origin that reaches the pixel: the largest of the three channels.
+        /// Absorption along the ray itself is not in it.
         throughput: R,
     },
     /// The ray met an object.
@@ -94,13 +95,14 @@ pub trait Probe<R> {
     /// Receives one event.
     fn record(&mut self, event: Event<R>);
 
-    /// Whether the probe uses events. If not, pixels that show nothing but the background may be skipped without one.
+    /// Whether the probe uses events. If not, pixels that show nothing but the background may be skipped
+    /// without one.
     fn is_enabled(&self) -> bool {
         true
     }
 
-    /// Whether events must come pixel after pixel. If not, neighboring pixels may be traced at once: the events of each
-    /// pixel come in order, but mixed with those of others.
+    /// Whether events must come pixel after pixel. If not, neighboring pixels may be traced at once: the
+    /// events of each pixel come in order, but mixed with those of others.
     fn needs_order(&self) -> bool {
         true
     }

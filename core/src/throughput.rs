@@ -5,8 +5,8 @@ use core::ops::Mul;
 use crate::color::LinearRgb;
 use crate::math::Real;
 
-/// Light is colored on its way only by the feature `optics`. Without it one channel stands for all three, which
-/// keeps rays small; gray light has the same bytes with and without.
+/// Light is colored on its way only by the feature `optics`. Without it one channel stands for all three,
+/// which keeps rays small; gray light has the same bytes with and without.
 const CHANNELS: usize = if cfg!(feature = "optics") { 3 } else { 1 };
 
 /// The share of light that is left on its way, 0 to 1 in each channel.

@@ -3,13 +3,14 @@
 //! The way of one camera ray ([`radiance`]):
 //!
 //! 1. [`Path`] holds the ray at hand, the light that was found so far, and a stack of rays that wait.
-//! 2. The scene says what the ray meets ([`PreparedScene::closest_from`]): nothing, so that it sees the background, or
-//!    a hit.
-//! 3. [`ShadedHit`] is that hit with the color and the normal to shade with. It adds up ambient light and the light of
-//!    each lamp that a shadow ray reaches ([`shadow_rays`]).
-//! 4. A mirror or glass sends on a reflected and a refracted ray. The reflected ray is next, the refracted ray waits. A
-//!    waiting ray is only ever followed by rays of one bounce more, so at most one ray waits for each bounce, and
-//!    [`MAX_BOUNCES`](crate::limits::MAX_BOUNCES) places are enough. The order of rays, and so of sums, is fixed.
+//! 2. The scene says what the ray meets ([`PreparedScene::closest_from`]): nothing, so that it sees the
+//!    background, or a hit.
+//! 3. [`ShadedHit`] is that hit with the color and the normal to shade with. It adds up ambient light and the
+//!    light of each lamp that a shadow ray reaches ([`shadow_rays`]).
+//! 4. A mirror or glass sends on a reflected and a refracted ray. The reflected ray is next, the refracted
+//!    ray waits. A waiting ray is only ever followed by rays of one bounce more, so at most one ray waits for
+//!    each bounce, and [`MAX_BOUNCES`](crate::limits::MAX_BOUNCES) places are enough. The order of rays, and
+//!    so of sums, is fixed.
 //!
 //! [`group`] traces several neighboring pixels through the same steps at once.
 

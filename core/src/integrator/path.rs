@@ -43,8 +43,8 @@ impl<R: Real> Path<R> {
         Self { light: LinearRgb::BLACK, next }
     }
 
-    /// Follows the ray at hand and the waiting ones until none is left, or the budget of rays is spent. `blockers` are
-    /// known for the ray at hand only.
+    /// Follows the ray at hand and the waiting ones until none is left, or the budget of rays is spent.
+    /// `blockers` are known for the ray at hand only.
     // In a build with groups there are two callers, and one copy of the code is enough.
     #[cfg_attr(not(feature = "hierarchy"), inline(always))]
     pub(super) fn finish<S: Geometry, P: Probe<R>>(
@@ -77,8 +77,8 @@ impl<R: Real> Path<R> {
         true
     }
 
-    /// Adds the light from where the ray at hand ends, at a hit or at the background, and takes the next ray; `false` if
-    /// none is left.
+    /// Adds the light from where the ray at hand ends, at a hit or at the background, and takes the next ray;
+    /// `false` if none is left.
     #[inline(always)]
     pub(super) fn arrive<S: Geometry, P: Probe<R>>(
         &mut self,
@@ -120,7 +120,8 @@ impl<R: Real> Path<R> {
     /// Adds a share of the light from where the ray at hand ends.
     #[inline(always)]
     fn receive(&mut self, throughput: Throughput<R>, light: LinearRgb<R>) {
-        // All of a camera ray's light reaches the pixel. In floating point a product takes no longer than this test.
+        // All of a camera ray's light reaches the pixel. In floating point a product takes no longer than
+        // this test.
         let is_first = R::IS_FIXED_POINT && self.next.kind == RayKind::Camera;
         self.light = if is_first { light } else { self.light + throughput.of(light) };
     }
@@ -179,7 +180,8 @@ fn followed<R: Real, S: Geometry, P: Probe<R>>(
     Some(throughput)
 }
 
-/// Takes the ray that waited last; `false` if there is none. Not by an `Option`, which would be copied byte by byte.
+/// Takes the ray that waited last; `false` if there is none. Not by an `Option`, which would be copied byte
+/// by byte.
 #[inline(always)]
 fn take<R: Real>(waiting: &mut Waiting<R>, next: &mut PendingRay<R>) -> bool {
     let Some(last) = waiting.last() else { return false };

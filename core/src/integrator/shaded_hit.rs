@@ -27,8 +27,8 @@ pub(super) struct ShadedHit<'s, R: Real> {
     cosine: R,
     /// Direction of the reflected ray; for a matte material without a probe, any direction.
     pub(super) mirrored: Vec3<R>,
-    /// Whether the ray came from the side of the geometric normal, where that is known without a product: in fixed
-    /// point, where products are slow, and if the normal to shade with is the geometric one.
+    /// Whether the ray came from the side of the geometric normal, where that is known without a product: in
+    /// fixed point, where products are slow, and if the normal to shade with is the geometric one.
     is_outside: Option<bool>,
 }
 
@@ -92,8 +92,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         Self { hit, material, color, incoming, normal, cosine, mirrored, is_outside }
     }
 
-    /// The side of the surface to which a ray of this direction leaves it: one that goes `through` the surface, or one
-    /// that stays on the side of the incoming ray.
+    /// The side of the surface to which a ray of this direction leaves it: one that goes `through` the
+    /// surface, or one that stays on the side of the incoming ray.
     #[inline(always)]
     pub(super) fn departure(&self, direction: Vec3<R>, through: bool) -> Departure {
         match self.is_outside {
@@ -142,8 +142,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             return ambient;
         }
         let mut sum = LampLight::NONE;
-        // Mirrors and glass show a light only as a highlight, in a small part of their surface. In floating point the
-        // test takes as long as what it saves; an M0 takes 0.96 times the instructions.
+        // Mirrors and glass show a light only as a highlight, in a small part of their surface. In floating
+        // point the test takes as long as what it saves; an M0 takes 0.96 times the instructions.
         let is_mirror = R::IS_FIXED_POINT && !diffuses && self.material.optics().is_none();
         for (index, light) in trace.scene.lights.iter().enumerate() {
             if is_mirror && !trace.scene.may_have_highlight(self.hit.object, index, self.mirrored) {
@@ -239,7 +239,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         scattered + specular * self.material.specular
     }
 
-    /// The shares of light that are reflected and refracted, and the direction of the refracted ray, if there is one.
+    /// The shares of light that are reflected and refracted, and the direction of the refracted ray, if there
+    /// is one.
     #[inline(always)]
     pub(super) fn shares(&self) -> (Shares<R>, Option<Vec3<R>>) {
         let PreparedMaterial { reflectance, transmittance, .. } = *self.material;
@@ -268,11 +269,11 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         if is_entering { self.material.eta_entering } else { self.material.eta_leaving }
     }
 
-    /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing", 1989,
-    /// p. 289); `None` under total internal reflection.
+    /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",
+    /// 1989, p. 289); `None` under total internal reflection.
     ///
-    /// The geometric normal alone tells which side is inside. A material states the indices of refraction on both sides
-    /// of its surface, so that a ray need not remember which media it is in.
+    /// The geometric normal alone tells which side is inside. A material states the indices of refraction on
+    /// both sides of its surface, so that a ray need not remember which media it is in.
     fn refracted(&self) -> Option<Vec3<R>> {
         let eta = self.eta();
         if eta == R::ONE {
@@ -284,8 +285,9 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             return None;
         }
         let refracted = self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt());
-        // Keep directions unit vectors: acceleration relies on it. A ray that leaves the denser side multiplies the
-        // error of the incoming length by the square of the ratio; a ray that enters makes the error smaller.
+        // Keep directions unit vectors: acceleration relies on it. A ray that leaves the denser side
+        // multiplies the error of the incoming length by the square of the ratio; a ray that enters makes the
+        // error smaller.
         let is_unit = eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
         if is_unit { Some(refracted) } else { refracted.normalized() }
     }

@@ -6,7 +6,8 @@ use crate::prepared::{Among, ObjectSet, PreparedScene, Through};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
-/// The objects that can shade one place of one object, for each light of a scene of up to [`OUTLINED_LIGHTS`].
+/// The objects that can shade one place of one object, for each light of a scene of up to
+/// [`OUTLINED_LIGHTS`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Blockers {
     /// Position of the object that is shaded.

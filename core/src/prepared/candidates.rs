@@ -1,13 +1,14 @@
 //! Which objects can matter where: sets that are worked out once, so that rays test only what they can meet.
 //!
-//! The idea is that of the light buffer (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator",
-//! IEEE CG&A 1986), with the receiving object in place of the direction: for each object and each light, the
-//! objects that reach into the hull of both, since nothing else can stand between. And for each convex object,
-//! the objects that reach into it: what a ray inside can meet before it comes out. Sets are words of 32 bits, so
-//! scenes of up to 32 objects have them; they cost 4 bytes for each object and light.
+//! The idea is that of the light buffer (Haines and Greenberg, "The Light Buffer: A Shadow-Testing
+//! Accelerator", IEEE CG&A 1986), with the receiving object in place of the direction: for each object and
+//! each light, the objects that reach into the hull of both, since nothing else can stand between. And for
+//! each convex object, the objects that reach into it: what a ray inside can meet before it comes out. Sets
+//! are words of 32 bits, so scenes of up to 32 objects have them; they cost 4 bytes for each object and
+//! light.
 //!
-//! All tests are on bounding balls, with room for rounding, so that a set holds too much rather than too little
-//! and a picture has the same bytes with and without.
+//! All tests are on bounding balls, with room for rounding, so that a set holds too much rather than too
+//! little and a picture has the same bytes with and without.
 
 use super::{ObjectSet, PreparedObject};
 use crate::arena::Arena;
@@ -35,13 +36,14 @@ impl Departure {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Candidates<'m, R: Real> {
     all: ObjectSet,
-    /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come out.
+    /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come
+    /// out.
     leaving: &'m [[ObjectSet; 2]],
     /// Per object and light.
     pairs: &'m [Pair<R>],
     lights: usize,
-    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, [`SeenBall`]s hold, and outlines of
-    /// shadows. Not much is seen of what is farther off, on floors without end.
+    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, [`SeenBall`]s
+    /// hold, and outlines of shadows. Not much is seen of what is farther off, on floors without end.
     reach: R,
 }
 
@@ -54,14 +56,17 @@ struct Pair<R: Real> {
     ball: SeenBall<R>,
 }
 
-/// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where it goes.
+/// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where
+/// it goes.
 #[derive(Clone, Copy, Debug)]
 struct SeenBall<R: Real> {
     /// Unit vector toward the middle; nothing, where nothing can be told.
     toward_center: Vec3<R>,
-    /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less opposite passes the ball by.
+    /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less
+    /// opposite passes the ball by.
     least_opposite: R,
-    /// Minus the cosine of the largest angle between the way from the light and a mirrored direction with a highlight.
+    /// Minus the cosine of the largest angle between the way from the light and a mirrored direction with a
+    /// highlight.
     least_glinting: R,
 }
 
@@ -85,7 +90,8 @@ impl<R: Real> SeenBall<R> {
         }
         let (toward_center, distance) = toward_center.unit_and_length();
         let (cosine, sine) = (tangent_squared.sqrt() / distance, radius / distance);
-        // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight fades out.
+        // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight
+        // fades out.
         let fading = shininess.least().to_setup();
         let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
         let least_glinting = sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5);
@@ -109,7 +115,8 @@ impl<R: Real> SeenBall<R> {
     }
 }
 
-/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within `reach`, and goes a little astray.
+/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within
+/// `reach`, and goes a little astray.
 #[inline(never)]
 fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
@@ -223,14 +230,15 @@ impl<'m, R: Real> Candidates<'m, R> {
         beside(self.reach, light)
     }
 
-    /// Whether hits of this [`Surface::magnitude`](crate::Surface::magnitude) are near enough for [`beside`](Self::beside), and
-    /// so for [`not_passed_by`](Self::not_passed_by).
+    /// Whether hits of this [`Surface::magnitude`](crate::Surface::magnitude) are near enough for
+    /// [`beside`](Self::beside), and so for [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
     }
 
-    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this direction.
+    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this
+    /// direction.
     #[inline(always)]
     pub(super) fn may_have_highlight(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
         self.pair(object, light).is_none_or(|pair| pair.ball.may_have_highlight(mirrored))
@@ -241,8 +249,9 @@ impl<'m, R: Real> Candidates<'m, R> {
         self.pairs.get(object.wrapping_mul(self.lights).wrapping_add(light))
     }
 
-    /// Those objects, from the first on that a shadow ray of this direction, toward this light, does not surely miss. What comes after it
-    /// is looked at in fixed point alone: in floating point it takes as long to test it.
+    /// Those objects, from the first on that a shadow ray of this direction, toward this light, does not
+    /// surely miss. What comes after it is looked at in fixed point alone: in floating point it takes as long
+    /// to test it.
     #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
         let is_passed =

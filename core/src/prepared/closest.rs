@@ -7,8 +7,8 @@ use crate::material::PreparedMaterial;
 use crate::math::{FourRays, Interval, Ray, Real, choose};
 use crate::shape::{Form, Geometry, Intersect};
 
-/// Distance to the object that a ray meets first, and the object's position. [`NO_OBJECT`]: the ray meets none.
-/// Half the size of an `Option`, because four of them are computed at once.
+/// Distance to the object that a ray meets first, and the object's position. [`NO_OBJECT`]: the ray meets
+/// none. Half the size of an `Option`, because four of them are computed at once.
 pub(crate) type Closest<R> = (R, u32);
 
 /// In place of an object's position.
@@ -34,8 +34,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// Distance and position of the first object ahead of a ray: a camera ray that can only meet `among`, or a
-    /// ray that leaves a surface and was given the set of [`leaving`](Self::leaving).
+    /// Distance and position of the first object ahead of a ray: a camera ray that can only meet `among`, or
+    /// a ray that leaves a surface and was given the set of [`leaving`](Self::leaving).
     #[inline(always)]
     pub(crate) fn closest_from(&self, ray: &Ray<R>, from: Departure, among: ObjectSet) -> Option<(R, usize)> {
         if self.candidates().is_none() {
@@ -55,8 +55,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         closest
     }
 
-    /// Distances and positions of the first objects that four rays meet among listed ones, for processors that
-    /// compute four numbers at once.
+    /// Distances and positions of the first objects that four rays meet among listed ones, for processors
+    /// that compute four numbers at once.
     #[inline(always)]
     pub(crate) fn closest_of_four(&self, rays: &FourRays<R>, list: &[u16]) -> [Closest<R>; 4] {
         let (mut distances, mut closest) = ([R::FARTHEST; 4], [NO_OBJECT; 4]);
@@ -157,7 +157,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         closest
     }
 
-    /// [`closest`](Self::closest) among all objects, which come in the order in which the ray meets their boxes.
+    /// [`closest`](Self::closest) among all objects, which come in the order in which the ray meets their
+    /// boxes.
     #[inline(never)]
     fn closest_in_hierarchy(
         &self,

@@ -24,8 +24,9 @@ impl Scene<'_> {
         prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), more)
     }
 
-    /// How many of those bytes the background and single shapes, materials and lights take beyond what each of its kind does: the last argument of
-    /// [`prepared_bytes`](crate::prepared_bytes), where the scene is prepared with a set of fewer shapes.
+    /// How many of those bytes the background and single shapes, materials and lights take beyond what each
+    /// of its kind does: the last argument of [`prepared_bytes`](crate::prepared_bytes), where the scene is
+    /// prepared with a set of fewer shapes.
     pub const fn part_bytes<R: Real>(&self) -> usize {
         self.parts_bytes::<R>(false)
     }
@@ -59,10 +60,11 @@ impl Scene<'_> {
     }
 }
 
-/// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and the shapes `S`: for so many
-/// objects, materials and lights, and for `more`, what single ones take beyond that: [`Scene::part_bytes`](crate::Scene::part_bytes), or
-/// the sum of [`Geometry::bytes`] over all objects where nothing else takes more.
-/// The module [`shape`](crate::shape#how-much-memory-to-lend) tells what takes more, with an example.
+/// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and
+/// the shapes `S`: for so many objects, materials and lights, and for `more`, what single ones take beyond
+/// that: [`Scene::part_bytes`](crate::Scene::part_bytes), or the sum of [`Geometry::bytes`] over all objects
+/// where nothing else takes more. The module [`shape`](crate::shape#how-much-memory-to-lend) tells what takes
+/// more, with an example.
 ///
 /// ```
 /// use rayline::{Workspace, prepared_bytes, shape::Sphere};

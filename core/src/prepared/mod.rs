@@ -144,16 +144,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The same scene without anything that makes rendering faster: the same bytes, later. For measuring what it
-    /// gains, and for showing that it changes nothing.
+    /// The same scene without anything that makes rendering faster: the same bytes, later. For measuring what
+    /// it gains, and for showing that it changes nothing.
     pub fn without_acceleration(self) -> Self {
         Self { candidates: None, hierarchy: None, ..self }
     }
 
     /// Looks at the same scene from elsewhere.
     ///
-    /// In fixed point the scene was scaled for the eye that it was prepared with. An eye that is no farther from the origin is
-    /// always near enough; how far away others may be, [`Fixed`](crate::math::Fixed) tells.
+    /// In fixed point the scene was scaled for the eye that it was prepared with. An eye that is no farther
+    /// from the origin is always near enough; how far away others may be, [`Fixed`](crate::math::Fixed)
+    /// tells.
     ///
     /// # Errors
     /// What is wrong with the camera; the old one stays.
@@ -177,7 +178,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         !R::IS_FIXED_POINT || self.objects.iter().all(|object| is_near(&object.shape))
     }
 
-    /// How many units of rays, hits and events one unit of the scene is: a power of two, and 1 in floating point.
+    /// How many units of rays, hits and events one unit of the scene is: a power of two, and 1 in floating
+    /// point.
     ///
     /// Fixed point has little range, so the scene is scaled into it. Pictures show nothing of that.
     pub fn scale(&self) -> f32 {
@@ -194,7 +196,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         &self.camera
     }
 
-    /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses them.
+    /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses
+    /// them.
     #[inline(always)]
     fn candidates(&self) -> Option<&Candidates<'m, R>> {
         if cfg!(feature = "candidates") { self.candidates.as_ref() } else { None }

@@ -47,8 +47,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
     }
 
-    /// What is left of a ray's throughput after a `length`, or `None`: at the background. The material of the surface
-    /// that the ray left absorbs light on either side of it, and may let reflections fade with distance.
+    /// What is left of a ray's throughput after a `length`, or `None`: at the background. The material of the
+    /// surface that the ray left absorbs light on either side of it, and may let reflections fade with
+    /// distance.
     #[inline(always)]
     pub(crate) fn dimmed(
         &self,

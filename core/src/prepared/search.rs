@@ -1,4 +1,5 @@
-//! Searches for objects in a part of space: realtime quality looks there for things between the pixels that it traces.
+//! Searches for objects in a part of space: realtime quality looks there for things between the pixels that
+//! it traces.
 
 use super::{ObjectSet, PreparedScene};
 use crate::hierarchy::{Hierarchy, WIDE, Wedge};
@@ -17,7 +18,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         (0..self.objects.len()).any(holds)
     }
 
-    /// Whether `holds` is true for any of the objects `among`; without a set, for any object that may reach into a wedge.
+    /// Whether `holds` is true for any of the objects `among`; without a set, for any object that may reach
+    /// into a wedge.
     pub(crate) fn any_between(
         &self,
         wedge: &Wedge<R>,
@@ -27,8 +29,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.any_of(among, holds, |hierarchy, holds| hierarchy.any_between(wedge, holds))
     }
 
-    /// Whether `holds` is true for any of the objects `among`; without a set, for any object that may come near to a ray
-    /// before its end at `max`: as near as `beside` says of the distance where the ray ends.
+    /// Whether `holds` is true for any of the objects `among`; without a set, for any object that may come
+    /// near to a ray before its end at `max`: as near as `beside` says of the distance where the ray ends.
     pub(crate) fn any_beside(
         &self,
         (ray, max): (&Ray<R>, R),
@@ -42,7 +44,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// Whether `holds` is true for any object of a set, or of those that `find` finds in the hierarchy, or of all.
+    /// Whether `holds` is true for any object of a set, or of those that `find` finds in the hierarchy, or of
+    /// all.
     fn any_of<T: FnMut(usize) -> bool>(
         &self,
         among: Option<ObjectSet>,

@@ -40,8 +40,8 @@ impl<R: Real> Through<Throughput<R>> {
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The share of light that gets through from a light at `distance` along `ray`.
     ///
-    /// Each surface in between multiplies the light by its transmittance and its color. What lies behind the light
-    /// has no effect.
+    /// Each surface in between multiplies the light by its transmittance and its color. What lies behind the
+    /// light has no effect.
     pub fn light_through(&self, ray: &Ray<R>, distance: R) -> Through<LinearRgb<R>> {
         match self.light_through_among(ray, distance, Among::All) {
             Through::All => Through::All,
@@ -65,9 +65,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// [`light_through`](Self::light_through) for one of several neighboring rays to a light. The object that blocked the
-    /// `last` of them is tested first, because it often blocks the next one too (Haines and Greenberg, "The Light
-    /// Buffer", IEEE CG&A 1986).
+    /// [`light_through`](Self::light_through) for one of several neighboring rays to a light. The object that
+    /// blocked the `last` of them is tested first, because it often blocks the next one too (Haines and
+    /// Greenberg, "The Light Buffer", IEEE CG&A 1986).
     #[inline(always)]
     pub(crate) fn light_through_after(
         &self,
@@ -76,7 +76,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         among: Among<'_>,
         last: &mut u32,
     ) -> Through<Throughput<R>> {
-        // Most often nothing, or something opaque, is in the way: then the order of the tests does not matter.
+        // Most often nothing, or something opaque, is in the way: then the order of the tests does not
+        // matter.
         let range = Interval { min: R::ZERO, max: distance };
         let mut is_clear = true;
         let mut blocks = |index: usize| match self.is_opaque_in_the_way(index, ray, range) {
@@ -151,8 +152,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The objects among `those` that can be in the way from a surface to a light in the unit direction `toward`;
-    /// all objects, where the scene has no sets of candidates.
+    /// The objects among `those` that can be in the way from a surface to a light in the unit direction
+    /// `toward`; all objects, where the scene has no sets of candidates.
     #[inline(always)]
     pub(crate) fn between(
         &self,
@@ -177,8 +178,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// Center and radius of a ball around an object: every shadow ray that meets the object meets the ball, also
-    /// if it is moved by as much as shadow rays to this light are moved by rounding.
+    /// Center and radius of a ball around an object: every shadow ray that meets the object meets the ball,
+    /// also if it is moved by as much as shadow rays to this light are moved by rounding.
     pub(crate) fn ball_of_shadow(
         &self,
         object: usize,
@@ -188,7 +189,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some((ball.center, ball.radius + candidates.beside(light)))
     }
 
-    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this direction.
+    /// Whether an object may have a highlight of a light at a place where rays are mirrored into this
+    /// direction.
     #[inline(always)]
     pub(crate) fn may_have_highlight(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
         self.candidates().is_none_or(|candidates| candidates.may_have_highlight(object, light, mirrored))
@@ -202,9 +204,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(!(material.transmittance > R::ZERO))
     }
 
-    /// The light that gets through transparent surfaces: the first, and those that `next` finds in the rest of the ray.
-    /// Their shares are multiplied in the order of the ray, so that rounding does not depend on what is known of the ray.
-    /// A ray meets a shape with an inside twice.
+    /// The light that gets through transparent surfaces: the first, and those that `next` finds in the rest
+    /// of the ray. Their shares are multiplied in the order of the ray, so that rounding does not depend on
+    /// what is known of the ray. A ray meets a shape with an inside twice.
     fn light_through_layers(
         &self,
         ray: &Ray<R>,
@@ -222,8 +224,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if layer.is_none() { Through::Some(through) } else { Through::TooManyLayers }
     }
 
-    /// What is left of `light` behind a surface of an object. The ray meets the surface at the end of `part`, and the
-    /// surface before it at the beginning.
+    /// What is left of `light` behind a surface of an object. The ray meets the surface at the end of `part`,
+    /// and the surface before it at the beginning.
     #[inline(always)]
     fn behind(&self, light: Throughput<R>, object: usize, ray: &Ray<R>, part: Interval<R>) -> Throughput<R> {
         let Some(PreparedObject { shape, material }) = self.objects.get(object) else {

@@ -40,9 +40,9 @@ pub use frame::{Frame, Progress};
 pub use interleave::Interleave;
 pub use pattern::Pattern;
 pub use quality::Quality;
-pub use quantize::{Dither, Light16, Quantizer, Transfer};
+pub use quantize::{Light16, Quantizer};
 pub use realtime::{Grid, Realtime, RealtimeBuffer, Sample};
-pub use settings::Settings;
+pub use settings::{Dither, Settings, Transfer};
 pub use tone::Tone;
 
 use core::ops::Range;

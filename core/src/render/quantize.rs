@@ -1,29 +1,8 @@
 //! From linear light to the levels of a display, in integers: the same bytes on every processor.
 
-use super::Settings;
+use super::settings::{Dither, Settings, Transfer};
 use crate::color::LinearRgb;
 use crate::math::Real;
-
-/// The curve from light to the codes of a display.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Transfer {
-    /// The curve of IEC 61966-2-1, which displays expect.
-    #[default]
-    Srgb,
-    /// Codes proportional to light: for comparisons, and for dithering to black and white.
-    Linear,
-}
-
-/// The rounding of light to the levels of a display.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Dither {
-    /// To the nearest level.
-    #[default]
-    None,
-    /// Up or down by an 8×8 threshold matrix, so that areas keep their mean (Bayer, "An Optimum Method for
-    /// Two-Level Rendition of Continuous-Tone Pictures", 1973).
-    Ordered,
-}
 
 /// Light at a pixel, clamped to the range of a display: in each channel, 0 is black and 65536 is full
 /// light.

@@ -1,6 +1,6 @@
 //! How a picture is rendered.
 
-use super::{Dither, SettingsError, Transfer};
+use super::SettingsError;
 use crate::limits::{MAX_BOUNCES, MAX_SIDE};
 
 /// How a picture is rendered.
@@ -67,4 +67,25 @@ impl Settings {
         }
         Ok((side(self.width)?, side(self.height)?))
     }
+}
+
+/// The curve from light to the codes of a display.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Transfer {
+    /// The curve of IEC 61966-2-1, which displays expect.
+    #[default]
+    Srgb,
+    /// Codes proportional to light: for comparisons, and for dithering to black and white.
+    Linear,
+}
+
+/// The rounding of light to the levels of a display.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Dither {
+    /// To the nearest level.
+    #[default]
+    None,
+    /// Up or down by an 8×8 threshold matrix, so that areas keep their mean (Bayer, "An Optimum Method for
+    /// Two-Level Rendition of Continuous-Tone Pictures", 1973).
+    Ordered,
 }

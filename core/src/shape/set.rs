@@ -87,8 +87,8 @@ macro_rules! shape_set {
         impl<$($life: 'm,)? 'm, R: $crate::math::Real> $crate::shape::Intersect<R>
             for $Prepared<$($life,)? 'm, R>
         {
-            // Forced, as in the tests of spheres, planes and polygons: without it `classic` takes 1.12 times the
-            // instructions on a Cortex-M4F in exact quality, and 1.06 times in realtime quality.
+            // Forced, as in the tests of spheres, planes and polygons: without it `classic` takes 1.12 times
+            // the instructions on a Cortex-M4F in exact quality, and 1.06 times in realtime quality.
             #[inline(always)]
             fn intersect(
                 &self,

@@ -1,16 +1,18 @@
 //! Neighboring pixels in step: objects that several rays can meet are looked up once.
 //!
-//! A group of pixels is traced in step: all camera rays, then all shadow rays of their hits, then all reflected rays,
-//! and so on. Rays of neighbors that leave the same surface make a [`Beam`]. Points of neighbors on one object make a
-//! beam toward each light ([`Ways`]). The beam goes through the hierarchy instead of its rays, and each ray then tests
-//! the few objects that the beam can meet: most often none, on the way to a light (Reshetov, Soupikov and Hurley,
-//! "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005; the beams are the shafts of Haines and Wallace, 1991). A beam
-//! that can meet many objects is given up: its rays go through the hierarchy one by one.
+//! A group of pixels is traced in step: all camera rays, then all shadow rays of their hits, then all
+//! reflected rays, and so on. Rays of neighbors that leave the same surface make a [`Beam`]. Points of
+//! neighbors on one object make a beam toward each light ([`Ways`]). The beam goes through the hierarchy
+//! instead of its rays, and each ray then tests the few objects that the beam can meet: most often none, on
+//! the way to a light (Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005; the
+//! beams are the shafts of Haines and Wallace, 1991). A beam that can meet many objects is given up: its rays
+//! go through the hierarchy one by one.
 //!
-//! Each ray meets the same objects as alone, and the light of each pixel is added in the same order, so no byte differs.
+//! Each ray meets the same objects as alone, and the light of each pixel is added in the same order, so no
+//! byte differs.
 //!
-//! A refracted ray waits until the reflected one is done. A pixel with waiting rays is finished alone, so one stack
-//! serves all pixels. Measurements and rejected variants: docs/experiments.md.
+//! A refracted ray waits until the reflected one is done. A pixel with waiting rays is finished alone, so one
+//! stack serves all pixels. Measurements and rejected variants: docs/experiments.md.
 
 mod lane;
 mod ways;
@@ -120,7 +122,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     /// Finds the hits of rays that can only meet listed objects, four rays at a time.
     #[inline(always)]
     fn meet_by_four(&self, run: &mut [Lane<'m, R>], list: &[u16]) {
-        // Write the hits one after the other at the end: where four are written at once, each waits for the one before.
+        // Write the hits one after the other at the end: where four are written at once, each waits for the
+        // one before.
         let mut closest: Vec<Closest<R>, WIDTH> = Vec::new();
         for lanes in run.chunks(4) {
             if lanes.len() < FEWEST_OF_FOUR {

@@ -29,7 +29,8 @@ enum Way {
 /// The ways from some points of one object to the lights.
 pub(super) struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
     group: &'t mut PixelGroup<'p, 'm, R, S>,
-    /// A box around the points, and the largest number that they were computed from; `None` if they are too few for a beam.
+    /// A box around the points, and the largest number that they were computed from; `None` if they are too
+    /// few for a beam.
     points: Option<(Aabb<R>, R)>,
     /// The object, if no ray that leaves it outward meets it again.
     receiver: Option<usize>,

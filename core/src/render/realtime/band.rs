@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::RealtimeBuffer;
 use super::budget::{Budget, Detail, Spent};
+use super::buffer::RealtimeBuffer;
 use super::cell::{Cell, Corners};
 use super::marks::FAINT;
 use super::paint::Paint;

@@ -55,6 +55,7 @@
 
 mod band;
 mod budget;
+mod buffer;
 mod cell;
 mod edge;
 mod grid;
@@ -73,7 +74,7 @@ mod tolerance;
 mod tracer;
 mod verify;
 
+pub use buffer::RealtimeBuffer;
 pub use grid::Grid;
-pub use painter::RealtimeBuffer;
 pub use quality::Realtime;
 pub use sample::Sample;

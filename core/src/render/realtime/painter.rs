@@ -1,35 +1,15 @@
-//! Realtime quality as a frame sees it: memory that is lent, and a painter of bands.
+//! Realtime quality as a frame uses it: a painter of bands.
 
 use core::ops::Range;
 
 use super::band::{Band, BandPainter};
-use super::quality::Realtime;
-use super::sample::Sample;
+use super::buffer::RealtimeBuffer;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::render::painter::{Painter, Traced};
 use crate::render::quality::Sealed;
 use crate::render::{DisplayColor, LineError, Quality, Renderer};
 use crate::shape::Geometry;
-
-/// Realtime quality, with the memory that it takes: see [`Realtime::lend`].
-#[derive(Debug)]
-pub struct RealtimeBuffer<'b, C> {
-    /// How much the picture may differ from the exact one.
-    pub quality: Realtime,
-    /// A band of lines: [`Realtime::colors`] pixels.
-    pub colors: &'b mut [C],
-    /// A row of samples: [`Realtime::samples`].
-    pub samples: &'b mut [Sample],
-}
-
-impl Realtime {
-    /// This quality with memory to draw in, for [`Renderer::draw`] and [`Renderer::frame`]. The memory holds
-    /// [`colors`](Self::colors) pixels and [`samples`](Self::samples) samples.
-    pub fn lend<'b, C>(self, colors: &'b mut [C], samples: &'b mut [Sample]) -> RealtimeBuffer<'b, C> {
-        RealtimeBuffer { quality: self, colors, samples }
-    }
-}
 
 impl<C: DisplayColor> Sealed for RealtimeBuffer<'_, C> {}
 
