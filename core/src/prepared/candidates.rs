@@ -1,14 +1,16 @@
-//! Which objects can matter where: sets that are worked out once, so that rays test only what they can meet.
+//! The candidates of rays: sets of the objects that a ray from a known place can meet, computed when the
+//! scene is prepared.
 //!
-//! The idea is that of the light buffer (Haines and Greenberg, "The Light Buffer: A Shadow-Testing
-//! Accelerator", IEEE CG&A 1986), with the receiving object in place of the direction: for each object and
-//! each light, the objects that reach into the hull of both, since nothing else can stand between. And for
-//! each convex object, the objects that reach into it: what a ray inside can meet before it comes out. Sets
-//! are words of 32 bits, so scenes of up to 32 objects have them; they cost 4 bytes for each object and
-//! light.
+//! There are three kinds of sets:
+//! - for each object and each light, the objects that can stand between them: those that reach into the space
+//!   around both (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 1986,
+//!   with the receiving object in place of the direction);
+//! - for each ball, the objects that reach into it: a ray inside can meet no other before it comes out;
+//! - for each other object, all objects, without the object itself if it is flat.
 //!
-//! All tests are on bounding balls, with room for rounding, so that a set holds too much rather than too
-//! little and a picture has the same bytes with and without.
+//! A set is a word of 32 bits, so only scenes of up to 32 objects have sets. All tests compare bounding
+//! balls, with room for rounding and for the ray offset: a set may hold too many objects, but never too few,
+//! and pictures have the same bytes with and without sets.
 
 use super::{ObjectSet, PreparedObject};
 use crate::arena::Arena;
@@ -36,42 +38,43 @@ impl Departure {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Candidates<'m, R: Real> {
     all: ObjectSet,
-    /// Per object: what rays can meet that leave it inward and outward; inward from a ball, before they come
-    /// out.
+    /// For each object, the candidates of rays that leave it inward and outward. Inward from a ball, they
+    /// hold up to the place where the ray comes out.
     leaving: &'m [[ObjectSet; 2]],
-    /// Per object and light.
+    /// One for each object and light.
     pairs: &'m [Pair<R>],
     lights: usize,
-    /// Fifteen times the largest coordinate of any object that has bounds: for hits within, [`SeenBall`]s
-    /// hold, and outlines of shadows. Not much is seen of what is farther off, on floors without end.
+    /// Fifteen times the largest coordinate of an object with bounds. [`SeenBall`] and the outlines of
+    /// shadows are valid for hits within this distance of the origin; hits beyond it lie far out on infinite
+    /// planes.
     reach: R,
 }
 
-/// What is known of an object and a light.
+/// An object and a light.
 #[derive(Clone, Copy, Debug)]
 struct Pair<R: Real> {
-    /// What can stand between them.
+    /// The objects that can stand between them.
     between: ObjectSet,
-    /// What tells fast that a ball is not in the way of others, or shows no highlight.
+    /// The object as the light sees it, if it is a ball.
     ball: SeenBall<R>,
 }
 
-/// A ball as a point light sees it: within a circle in the sky. A shadow ray comes from the opposite of where
-/// it goes.
+/// A ball as a point light sees it: a circle of directions. A shadow ray toward the light can meet the ball
+/// only if the opposite of its direction lies in the circle.
 #[derive(Clone, Copy, Debug)]
 struct SeenBall<R: Real> {
-    /// Unit vector toward the middle; nothing, where nothing can be told.
+    /// Unit vector from the light toward the center; 0 if the object is no ball or the light lies inside it.
     toward_center: Vec3<R>,
-    /// The cosine of the circle's radius, less some for rounding, negative: a shadow ray that is less
-    /// opposite passes the ball by.
+    /// Minus the cosine of the circle's radius, with room for rounding: a shadow ray whose direction has a
+    /// larger product with `toward_center` misses the ball.
     least_opposite: R,
-    /// Minus the cosine of the largest angle between the way from the light and a mirrored direction with a
-    /// highlight.
+    /// As `least_opposite`, for the radius plus the angle at which a highlight fades out: a mirrored ray
+    /// whose direction has a larger product with `toward_center` shows no highlight.
     least_glinting: R,
 }
 
 impl<R: Real> SeenBall<R> {
-    /// Nothing is opposite to no direction.
+    /// Rules nothing out: the product with the vector 0 is 0.
     const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE, least_glinting: R::ONE };
 
     #[inline(never)]
@@ -102,7 +105,7 @@ impl<R: Real> SeenBall<R> {
         }
     }
 
-    /// Whether a shadow ray of this direction, toward the light, surely misses the ball.
+    /// Whether a shadow ray of this direction surely misses the ball.
     #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_bounds(toward_light).0 > self.least_opposite
@@ -115,14 +118,14 @@ impl<R: Real> SeenBall<R> {
     }
 }
 
-/// By how much a shadow ray may pass by where it is said to go: it begins a little beside a hit within
-/// `reach`, and goes a little astray.
+/// The largest distance between a shadow ray and the straight way from a hit within `reach` to a light: the
+/// ray begins off the surface by the ray offset, and its direction is rounded.
 #[inline(never)]
 fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
             let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
-            // A light and a hit are no farther apart than √3 times what they can be along an axis.
+            // The distance is at most √3 times the sum of the two largest coordinates.
             (R::from_setup(reach.larger(far)), (reach + far) * R::Setup::from_f32(1.74))
         }
         _ => (reach, R::Setup::ZERO),
@@ -131,12 +134,12 @@ fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
 }
 
 impl<'m, R: Real> Candidates<'m, R> {
-    /// How many objects the sets are stored of: none where a scene has too many.
+    /// The number of objects with sets: none in a scene of too many.
     const fn stored(objects: usize) -> usize {
         if objects > ObjectSet::CAPACITY { 0 } else { objects }
     }
 
-    /// How many bytes the sets of a scene take.
+    /// The bytes that the sets of a scene take.
     pub(super) const fn bytes(objects: usize, lights: usize) -> usize {
         let objects = Self::stored(objects);
         // 32 objects and 65535 lights are far from overflowing.
@@ -144,7 +147,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         Arena::bytes::<[ObjectSet; 2]>(objects).saturating_add(Arena::bytes::<Pair<R>>(pairs))
     }
 
-    /// Works out the sets, unless the scene has too many objects.
+    /// Computes the sets, unless the scene has too many objects.
     pub(super) fn new<P: Intersect<R>>(
         objects: &[PreparedObject<'_, R, P>],
         lights: &[PreparedLight<R>],
@@ -160,7 +163,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         let leaving = arena.store_with(objects.len(), |index| {
             let outward = but_itself(all, index);
             let inward = match objects.get(index).map(|object| object.shape.form()) {
-                // A ray that goes into a ball no wider than the ray offset begins outside of it.
+                // A ray that goes into a ball smaller than the ray offset begins outside of it.
                 Some(Form::Ball { center, radius })
                     if !(radius > R::offset(center.magnitude() + radius) * R::from_u16(8)) =>
                 {
@@ -173,7 +176,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         })?;
         let bounds = objects.iter().filter_map(|object| object.shape.bounds());
         let largest = bounds.fold(R::ZERO, |largest, bounds| largest.larger(bounds.magnitude()));
-        // In fixed point objects lie within 8 units, and 120 is still a number.
+        // In fixed point objects lie within 8 units, so that 15 times as much is in range.
         let reach = largest * R::from_u16(15);
         let pairs = arena.store_with(objects.len() * lights.len(), |index| {
             let receiver = index.checked_div(lights.len()).unwrap_or(0);
@@ -192,12 +195,13 @@ impl<'m, R: Real> Candidates<'m, R> {
         Ok(Some(Self { all, leaving, pairs, lights: lights.len(), reach }))
     }
 
-    /// What a ray can meet that comes from far away.
+    /// All objects: the candidates of a ray from far away.
     pub(crate) fn all(&self) -> ObjectSet {
         self.all
     }
 
-    /// What a ray can meet that leaves a surface; for one that goes into a ball, before it comes out again.
+    /// The candidates of a ray that leaves a surface; for a ray into a ball, up to the place where it comes
+    /// out.
     #[inline(always)]
     pub(crate) fn leaving(&self, from: Departure) -> ObjectSet {
         match self.leaving.get(from.object) {
@@ -212,26 +216,27 @@ impl<'m, R: Real> Candidates<'m, R> {
         }
     }
 
-    /// Whether a ray goes into a ball, so that [`leaving`](Self::leaving) holds only as long as it is inside.
+    /// Whether a ray goes into a ball, so that [`leaving`](Self::leaving) is valid only inside it.
     pub(crate) fn comes_out_again(&self, from: Departure) -> bool {
-        // Of all objects, only a ball has other sets for its two sides.
+        // Only balls have different sets on their two sides.
         !from.outward && self.leaving.get(from.object).is_some_and(|[inward, outward]| inward != outward)
     }
 
-    /// What can stand between a surface and a light.
+    /// The objects that can stand between a surface and a light.
     #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {
         let set = self.pair(from.object, light).map_or(self.all, |pair| pair.between);
         if from.outward { set } else { set.with(from.object) }
     }
 
-    /// By how much shadow rays of hits that are near enough may pass by where they are said to go.
+    /// The largest distance between a shadow ray and the straight way to the light, for hits that
+    /// [are near](Self::are_near).
     pub(super) fn beside(&self, light: &Source<R>) -> R::Setup {
         beside(self.reach, light)
     }
 
-    /// Whether hits of this [`Surface::magnitude`](crate::Surface::magnitude) are near enough for
-    /// [`beside`](Self::beside), and so for [`not_passed_by`](Self::not_passed_by).
+    /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
+    /// [`beside`](Self::beside) and [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
@@ -249,9 +254,8 @@ impl<'m, R: Real> Candidates<'m, R> {
         self.pairs.get(object.wrapping_mul(self.lights).wrapping_add(light))
     }
 
-    /// Those objects, from the first on that a shadow ray of this direction, toward this light, does not
-    /// surely miss. What comes after it is looked at in fixed point alone: in floating point it takes as long
-    /// to test it.
+    /// The set without balls that a shadow ray of this direction surely misses. In floating point only the
+    /// balls before the first other object are left out: the test takes as long as an intersection there.
     #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
         let is_passed =
@@ -272,32 +276,32 @@ impl<'m, R: Real> Candidates<'m, R> {
     }
 }
 
-/// The receiver, the objects that pass the test with the ball around it, and all that have no ball.
+/// The receiver, and the objects for which `can_matter` is true of the ball around the receiver.
 fn among<R: Real, P: Intersect<R>>(
     objects: &[PreparedObject<'_, R, P>],
     receiver: usize,
-    can_matter: impl Fn(&Ball<R>, &Body<R>) -> bool,
+    can_matter: impl Fn(&Ball<R>, &Blocker<R>) -> bool,
 ) -> ObjectSet {
     let Some(around) = objects.get(receiver).and_then(Ball::around) else {
         return ObjectSet::first(objects.len());
     };
     let mut set = ObjectSet::NONE;
     for (index, object) in objects.iter().enumerate() {
-        let body = Body { ball: Ball::around(object), form: object.shape.form() };
-        if index == receiver || can_matter(&around, &body) {
+        let blocker = Blocker { ball: Ball::around(object), form: object.shape.form() };
+        if index == receiver || can_matter(&around, &blocker) {
             set = set.with(index);
         }
     }
     set
 }
 
-/// What is known of an object that might be in the way.
-struct Body<R: Real> {
+/// An object that may be in the way.
+struct Blocker<R: Real> {
     ball: Option<Ball<R>>,
     form: Form<R>,
 }
 
-/// A ball around everything that a ray can meet of an object, with room for rounding.
+/// A ball around an object: every hit lies inside, with room for rounding.
 #[derive(Clone, Copy)]
 pub(super) struct Ball<R: Real> {
     pub(super) center: Vec3<R::Setup>,
@@ -324,7 +328,7 @@ impl<R: Real> Ball<R> {
     }
 
     /// Whether any of `other` may lie inside.
-    fn reaches(&self, other: &Body<R>) -> bool {
+    fn reaches(&self, other: &Blocker<R>) -> bool {
         if let Form::Flat { normal, distance } = other.form
             && (normal.to_setup().dot(self.center) - distance.to_setup()).abs() > self.radius
         {
@@ -335,7 +339,7 @@ impl<R: Real> Ball<R> {
 
     /// Whether any of `other` may stand between a point inside and the light.
     #[inline(never)]
-    fn is_shaded_by(&self, other: &Body<R>, light: &Source<R>) -> bool {
+    fn is_shaded_by(&self, other: &Blocker<R>, light: &Source<R>) -> bool {
         // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset.
         let largest = R::from_setup(self.center.magnitude() + self.radius);
         let astray = beside(largest, light);
