@@ -93,11 +93,15 @@ impl<R: Real> SeenBall<R> {
         }
         let (toward_center, distance) = toward_center.unit_and_length();
         let (cosine, sine) = (tangent_squared.sqrt() / distance, radius / distance);
-        // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight
-        // fades out.
-        let fading = shininess.least().to_setup();
-        let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
-        let least_glinting = sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5);
+        // Only fixed point uses it, see `ShadedHit::local_light`.
+        let mut least_glinting = R::Setup::ONE;
+        if R::IS_FIXED_POINT {
+            // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight
+            // fades out.
+            let fading = shininess.least().to_setup();
+            let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
+            least_glinting = sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5);
+        }
         Self {
             toward_center: Vec3::from_setup(toward_center),
             least_opposite: R::from_setup(-cosine),

@@ -61,7 +61,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     ) -> Through<Throughput<R>> {
         match among {
             Among::Few(set) => self.light_through_few(ray, distance, set),
-            _ => self.light_through_many(ray, distance, among),
+            // A list holds all objects that the ray can meet, so testing all objects gives the same answer.
+            Among::All | Among::Listed(_) => self.light_through_all(ray, distance),
         }
     }
 
@@ -107,16 +108,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (true, _) => Through::Nothing,
             (false, true) => Through::All,
             (false, false) => {
-                let next = |range| self.closest(ray, range, among);
+                // Surfaces at the same distance count in the order of the scene. A list may have another order.
+                let next = |range| self.closest(ray, range, Among::All);
                 self.light_through_layers(ray, range, next(range), next)
             }
         }
     }
 
-    /// [`light_through`](Self::light_through) for a ray of which no neighbor is known.
+    /// [`light_through`](Self::light_through) for a ray that can meet any object.
     #[inline(never)]
-    fn light_through_many(&self, ray: &Ray<R>, distance: R, among: Among<'_>) -> Through<Throughput<R>> {
-        self.light_through_after(ray, distance, among, &mut { NO_OBJECT })
+    fn light_through_all(&self, ray: &Ray<R>, distance: R) -> Through<Throughput<R>> {
+        self.light_through_after(ray, distance, Among::All, &mut { NO_OBJECT })
     }
 
     /// [`light_through`](Self::light_through) for a ray that can only meet the objects of a set.
@@ -139,17 +141,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             layers = layers.with(index);
         }
         let Some((_, index)) = met else { return Through::All };
-        if layers != ObjectSet::NONE.with(index) {
-            let among = Among::Few(layers);
-            return self.light_through_layers(ray, range, self.closest(ray, range, among), |range| {
-                self.closest(ray, range, among)
-            });
-        }
-        // Most often one glass object is in the way.
-        self.light_through_layers(ray, range, met, |range| {
-            let t = self.objects.get(index)?.shape.intersect(ray, range)?;
-            Some((t, index))
-        })
+        // Most often one glass object is in the way, of which the first hit is known already.
+        let is_one = layers == ObjectSet::NONE.with(index);
+        let next = |range| {
+            if !is_one {
+                return self.closest(ray, range, Among::Few(layers));
+            }
+            Some((self.objects.get(index)?.shape.intersect(ray, range)?, index))
+        };
+        self.light_through_layers(ray, range, if is_one { met } else { next(range) }, next)
     }
 
     /// The objects among `those` that can be in the way from a surface to a light in the unit direction

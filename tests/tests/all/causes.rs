@@ -107,7 +107,7 @@ fn a_cones_and_cylinders_seen_by_the_camera() {
     assert_same::<f32>(
         "a-f32-16x10-b2-r4096-c256.rayline",
         settings(16, 10, 2, 4096, EVERY_256TH),
-        Some(((7, 5), [227, 126, 86])),
+        Some(((7, 5), [65, 114, 65])),
     );
     assert_same::<f32>(
         "a1-01-f32-8x12-b0-r512-c0.rayline",

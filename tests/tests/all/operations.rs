@@ -29,8 +29,9 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
 /// Prints a table: `cargo test --release -p rayline-tests operations -- --nocapture`.
 #[test]
 fn arithmetic_per_pixel_does_not_grow() {
+    // Within 1 % of what the first hand-tuned kernel took for `classic`; plain code may take 3 % more.
     let most = [
-        ("classic", 179.0, 62.0),
+        ("classic", 181.0, 62.0),
         ("whitted", 605.0, 156.0),
         ("flake", 850.0, 699.0),
         ("prism", 1575.0, 575.0),
