@@ -174,7 +174,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     #[inline(always)]
     fn ambient_light<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> LinearRgb<R> {
         let mut ambient = LinearRgb::BLACK;
-        if self.material.ambient > R::ZERO {
+        // Products are slow in fixed point.
+        if !R::IS_FIXED_POINT || self.material.ambient > R::ZERO {
             ambient = self.color * self.material.ambient;
             if let Some(light) = scene.ambient() {
                 ambient = light * ambient;
@@ -195,7 +196,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         if shines {
             let cosine = match self.material.optics() {
                 Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
-                None if !shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
+                // In floating point the bound is the product itself.
+                None if R::IS_FIXED_POINT && !shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
                 None => self.mirrored.dot(toward),
             };
             highlight_cosine = shininess.is_visible(cosine).then_some(cosine);

@@ -115,11 +115,11 @@ fn digests_are_golden() {
 }
 
 const GOLDEN: [(&str, &str); 5] = [
-    ("classic", "0xdd74147b2b3c678e"),
-    ("whitted", "0x111179e2bd0e33c0"),
+    ("classic", "0xe9ef75b827c1420d"),
+    ("whitted", "0x204188fc546c9413"),
     ("flake", "0xc7bf4d2168603055"),
     ("prism", "0x392fc82aaa429ac5"),
-    ("table", "0xd8cf5f02abb0b664"),
+    ("table", "0x61432c16077f4056"),
 ];
 
 #[test]
