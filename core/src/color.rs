@@ -97,7 +97,7 @@ impl<R: Real> Add for LinearRgb<R> {
     }
 }
 
-/// All channels multiplied by one share, 0 to 1, see [`Real::attenuated`].
+/// All channels multiplied by one share, 0 to 1.
 impl<R: Real> Mul<R> for LinearRgb<R> {
     type Output = Self;
     fn mul(self, share: R) -> Self {

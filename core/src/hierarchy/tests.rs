@@ -326,7 +326,7 @@ fn bundle(
     let (to_target, far) = ((target - place).normalized().unwrap(), f32::FARTHEST);
     match round % 4 {
         0 => {
-            let direction = if round % 8 == 0 { Vec3::new(1.0, 0.0, 0.0) } else { to_target };
+            let direction = if round.is_multiple_of(8) { Vec3::new(1.0, 0.0, 0.0) } else { to_target };
             let beam = Beam::toward(around, 0.0, direction);
             (beam, origins.iter().map(|origin| (Ray { origin: *origin, direction }, far)).collect())
         }
@@ -395,7 +395,7 @@ fn beams_meet_what_rays_meet<const W: usize>(leaf: usize) {
         let count_of = |found: &[bool]| found.iter().filter(|found| **found).count();
         let all_in = |found: &[bool]| any.iter().zip(found).all(|(any, found)| *found || !any);
         assert!(all_in(&gathered), "{round}");
-        if round % 4 == 0 {
+        if round.is_multiple_of(4) {
             // Parallel rays: they are as far beside the first one as their origins are.
             let (ray, max) = rays[0];
             let reach = origins.iter().map(|origin| (*origin - ray.origin).length()).fold(0.0, f32::max);
