@@ -29,12 +29,13 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
 /// Prints a table: `cargo test --release -p rayline-tests operations -- --nocapture`.
 #[test]
 fn arithmetic_per_pixel_does_not_grow() {
-    // Within 1 % of what the first hand-tuned kernel took for `classic`; plain code may take 3 % more.
+    // What the hand-tuned kernel took, and the 3 % more that plain code may take. In `prism`, a cone and a cylinder
+    // take 1 % of all operations for a discriminant without cancellation.
     let most = [
-        ("classic", 181.0, 62.0),
-        ("whitted", 605.0, 156.0),
-        ("flake", 850.0, 699.0),
-        ("prism", 1575.0, 575.0),
+        ("classic", 179.0 * 1.03, 62.0 * 1.03),
+        ("whitted", 605.0 * 1.03, 156.0 * 1.03),
+        ("flake", 850.0 * 1.03, 699.0 * 1.03),
+        ("prism", 1575.0 * 1.04, 575.0 * 1.04),
     ];
     println!(
         "| scene | mode | sums | products | quotients and roots | comparisons | in all |\n\
