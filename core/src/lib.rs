@@ -79,7 +79,7 @@
 //! - No allocation, no recursion, no panic between a prepared scene and the display.
 //! - The same scene and settings give the same bytes on every processor, unless the feature `micromath` is
 //!   on.
-//! - After [`PreparedScene::new`], only the display can fail.
+//! - Once scene, settings and buffers are accepted, only the display can fail.
 //! - A pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
 //!   ([`RayCounts`]).
 //!
