@@ -10,7 +10,7 @@ use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
-use crate::prepared::candidates::Departure;
+use crate::prepared::Departure;
 use crate::prepared::{Hit, ObjectSet};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;

@@ -1,8 +1,8 @@
 //! A ray that is still to be traced.
 
 use crate::math::Ray;
+use crate::prepared::Departure;
 use crate::prepared::ObjectSet;
-use crate::prepared::candidates::Departure;
 use crate::probe::RayKind;
 use crate::throughput::Throughput;
 

@@ -6,7 +6,7 @@ use crate::color::LinearRgb;
 use crate::light::PreparedLight;
 use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::candidates::Departure;
+use crate::prepared::Departure;
 use crate::prepared::{Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;

@@ -12,27 +12,13 @@
 //! balls, with room for rounding and for the ray offset: a set may hold too many objects, but never too few,
 //! and pictures have the same bytes with and without sets.
 
-use super::{ObjectSet, PreparedObject};
+use super::{Departure, ObjectSet, PreparedObject};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::light::{PreparedLight, Source};
 use crate::material::Shininess;
 use crate::math::{Real, Vec3};
 use crate::shape::{Form, Intersect};
-
-/// The surface that a ray leaves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Departure {
-    /// Position of the object.
-    pub(crate) object: usize,
-    /// Whether the ray goes to the side that the geometric normal points to.
-    pub(crate) outward: bool,
-}
-
-impl Departure {
-    /// No surface.
-    pub(crate) const NONE: Self = Self { object: usize::MAX, outward: false };
-}
 
 /// The sets of a scene.
 #[derive(Clone, Copy, Debug)]

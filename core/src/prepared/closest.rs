@@ -1,7 +1,7 @@
 //! The first question of a ray: which object does it meet first?
 
-use super::candidates::{Candidates, Departure};
-use super::{Among, Hit, ObjectSet, PreparedScene};
+use super::candidates::Candidates;
+use super::{Among, Departure, Hit, ObjectSet, PreparedScene};
 use crate::hierarchy::{Hierarchy, WIDE};
 use crate::material::PreparedMaterial;
 use crate::math::{FourRays, Interval, Ray, Real, choose};

@@ -4,6 +4,7 @@
 mod among;
 pub(crate) mod candidates;
 pub(crate) mod closest;
+mod departure;
 mod error;
 mod memory;
 mod object_set;
@@ -14,13 +15,14 @@ mod shadow;
 use core::mem::MaybeUninit;
 
 pub(crate) use among::Among;
+pub(crate) use departure::Departure;
 pub use error::{Part, SceneError};
 pub use memory::prepared_bytes;
 pub(crate) use object_set::ObjectSet;
 pub(crate) use objects::Enclosure;
 pub use shadow::Through;
 
-use candidates::{Candidates, Departure};
+use candidates::Candidates;
 use objects::PreparedObject;
 
 use crate::arena::Arena;

@@ -1,7 +1,7 @@
 //! The objects of a scene: what is known of each, and the hierarchy of their bounding boxes.
 
+use super::Departure;
 use super::PreparedScene;
-use super::candidates::Departure;
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};

@@ -1,6 +1,7 @@
 //! The second question of a ray: how much light gets through between two points?
 
-use super::candidates::{Ball, Departure};
+use super::Departure;
+use super::candidates::Ball;
 use super::closest::NO_OBJECT;
 use super::objects::PreparedObject;
 use super::{Among, ObjectSet, PreparedScene};

@@ -1,8 +1,8 @@
 //! No two files, and no two folders, of a program use each other.
 //!
-//! In each folder the files and folders beside each other are compared. The folder's own `mod.rs` is left out: it
-//! declares what the folder shares, and uses the files below it. A name that `mod.rs` passes on counts as a use of the
-//! file that defines it.
+//! In each folder the files and folders beside each other are compared. The folder's own `mod.rs` is left
+//! out: it declares what the folder shares, and uses the files below it. A name that `mod.rs` has from one of
+//! them counts as a use of the file that defines it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -82,11 +82,8 @@ fn file(sources: &Sources, path: &[String]) -> Option<Vec<String>> {
     let depth = (0..=path.len()).rev().find(|depth| sources.contains_key(&path[..*depth]))?;
     let (module, rest) = path.split_at(depth);
     let Some(name) = rest.first() else { return Some(module.to_vec()) };
-    // A name that the folder passes on leads to one of its files.
+    // A name that the folder has from one of its files leads to that file.
     for line in sources[module].split(';').filter_map(|line| line.trim().split_once("use ")) {
-        if !line.0.trim().starts_with("pub") {
-            continue;
-        }
         let mut passed = Vec::new();
         expand(line.1.trim(), &[], &mut passed);
         for inner in passed.iter().filter(|inner| inner.last() == Some(name) && inner.len() > 1) {
@@ -190,6 +187,8 @@ fn circles_are_found() {
     let passed_on =
         [("f/mod", "pub(super) use a::{A, x};"), ("f/a", "use super::b;"), ("f/b", "use crate::f::A;")];
     assert_eq!(program(&passed_on), ["f::a", "f::b"]);
+    let inherited = [("f/mod", "use b::B;"), ("f/a", "use super::B;"), ("f/b", "use super::a::A;")];
+    assert_eq!(program(&inherited), ["f::a", "f::b"]);
     assert_eq!(
         program(&[("a", "fn f() { super::b::g() }"), ("b", "fn g() { crate::a::f() }")]),
         ["::a", "::b"]

@@ -5,7 +5,7 @@ use crate::hierarchy::Beam;
 use crate::integrator::shaded_hit::{ShadedHit, Shadows};
 use crate::light::Source;
 use crate::math::{Aabb, Real, Vec3};
-use crate::prepared::candidates::Departure;
+use crate::prepared::Departure;
 use crate::prepared::closest::NO_OBJECT;
 use crate::prepared::{Among, PreparedScene, Through};
 use crate::shape::Geometry;
