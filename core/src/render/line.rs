@@ -7,37 +7,11 @@ use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
 
-/// Traces the pixels of one line, from left to right. Knows no display: the tracer is compiled once for all
-/// colors.
-struct LineTracer<'r, 'm, R: Real, S: Geometry + 'm> {
+/// Renders the pixels of one line in a display's colors, from left to right.
+pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
     renderer: &'r Renderer<'r, 'm, R, S>,
     y: u16,
     candidates: Option<LineCandidates<'r>>,
-}
-
-impl<R: Real, S: Geometry> LineTracer<'_, '_, R, S> {
-    /// The column after pixel `x` up to which no object can be seen, if `x` sees none. `x` must not decrease.
-    #[inline(always)]
-    fn nothing_until(&mut self, x: u16) -> Option<u16> {
-        self.candidates.as_mut()?.nothing_until(x)
-    }
-
-    /// The light of pixel `x`, and the rays that it took. [`nothing_until`](Self::nothing_until) was called
-    /// for `x` before.
-    #[inline(always)]
-    fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (Light16, u32) {
-        let sight = match &mut self.candidates {
-            Some(candidates) => candidates.sight(x),
-            None => Sight::among(self.renderer.scene.all()),
-        };
-        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
-        (Light16::new(light), rays)
-    }
-}
-
-/// Renders the pixels of one line in a display's colors, from left to right.
-pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
-    tracer: LineTracer<'r, 'm, R, S>,
     /// The color of a pixel that sees no object, if all such pixels have the same.
     background: Option<C>,
 }
@@ -52,7 +26,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
             }
             _ => None,
         };
-        Self { tracer: LineTracer { renderer, y, candidates }, background }
+        Self { renderer, y, candidates, background }
     }
 
     /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
@@ -95,7 +69,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
     /// The color of the pixels from `x` to another column, if no object can be seen there; each takes a ray.
     #[inline(always)]
     fn color_until(&mut self, x: u16, probe: &impl Probe<R>) -> Option<(C, u16)> {
-        let until = self.tracer.nothing_until(x)?;
+        let until = self.candidates.as_mut()?.nothing_until(x)?;
         self.background.filter(|_| !probe.is_enabled()).map(|color| (color, until))
     }
 
@@ -104,11 +78,16 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         self.color_until(x, &()).map_or_else(|| self.trace(x, &mut ()).0, |(color, _)| color)
     }
 
-    /// The color of pixel `x`, and the rays that it took.
+    /// The color of pixel `x`, and the rays that it took. [`color_until`](Self::color_until) was called for
+    /// `x` before.
     #[inline(always)]
     fn trace(&mut self, x: u16, probe: &mut impl Probe<R>) -> (C, u32) {
-        let (light, rays) = self.tracer.trace(x, probe);
-        let LineTracer { renderer, y, .. } = self.tracer;
-        (C::from_light(light, &Quantizer::new(&renderer.settings, x, y)), rays)
+        let sight = match &mut self.candidates {
+            Some(candidates) => candidates.sight(x),
+            None => Sight::among(self.renderer.scene.all()),
+        };
+        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
+        let quantizer = Quantizer::new(&self.renderer.settings, x, self.y);
+        (C::from_light(Light16::new(light), &quantizer), rays)
     }
 }
