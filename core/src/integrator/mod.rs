@@ -2,8 +2,8 @@
 //!
 //! The way of one camera ray ([`radiance`]):
 //!
-//! 1. [`Path`] holds the ray at hand and the light that was found so far. Rays that wait are on a stack beside
-//!    it.
+//! 1. [`Path`] holds the ray at hand and the light that was found so far. Rays that wait are on a stack
+//!    beside it.
 //! 2. The scene says what the ray meets ([`PreparedScene::closest_from`]): nothing, so that it sees the
 //!    background, or a hit.
 //! 3. [`ShadedHit`] is that hit with the color and the normal to shade with. It adds up ambient light and the

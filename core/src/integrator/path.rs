@@ -10,8 +10,7 @@ use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
 use crate::material::{PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
-use crate::prepared::Departure;
-use crate::prepared::{Hit, ObjectSet};
+use crate::prepared::{Departure, Hit, ObjectSet};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::surface::Surface;
@@ -105,7 +104,7 @@ impl<R: Real> Path<R> {
             normal = material.maps.bumped(&hit.surface, ray.direction, uv);
             material = &mapped;
         }
-        let shaded = ShadedHit::new(scene, &ray, hit, normal, (material, trace.probe.is_enabled()));
+        let shaded = ShadedHit::new(scene, &ray, hit, normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadows.begin_at(hit.object);
         let light = shaded.local_light(trace, shadows);

@@ -6,8 +6,7 @@ use crate::color::LinearRgb;
 use crate::light::PreparedLight;
 use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
-use crate::prepared::Departure;
-use crate::prepared::{Hit, PreparedScene, Through};
+use crate::prepared::{Departure, Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
 use crate::shape::Geometry;
 use crate::surface::Surface;
@@ -79,7 +78,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         ray: &Ray<R>,
         hit: &'s Hit<R>,
         normal: Vec3<R>,
-        (material, has_probe): (&'s PreparedMaterial<'s, R>, bool),
+        material: &'s PreparedMaterial<'s, R>,
+        has_probe: bool,
     ) -> Self {
         let incoming = ray.direction;
         let is_geometric = R::IS_FIXED_POINT && normal == hit.surface.normal;

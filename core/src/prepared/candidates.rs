@@ -82,8 +82,8 @@ impl<R: Real> SeenBall<R> {
         // Only fixed point uses it, see `ShadedHit::local_light`.
         let mut least_glinting = R::Setup::ONE;
         if R::IS_FIXED_POINT {
-            // The cosine of the sum of two angles: the ball's angular radius, and the one at which a highlight
-            // fades out.
+            // The cosine of the sum of two angles: the ball's angular radius, and the one at which a
+            // highlight fades out.
             let fading = shininess.least().to_setup();
             let sine_of_fading = (R::Setup::ONE - fading * fading).larger(R::Setup::ZERO).sqrt();
             least_glinting = sine_of_fading * sine - fading * cosine + R::Setup::from_f32(1e-5);

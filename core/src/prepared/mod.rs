@@ -146,8 +146,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The same scene without anything that makes rendering faster: the same bytes, later. For measuring what
-    /// it gains, and for showing that it changes nothing.
+    /// The scene without candidates and hierarchy: its pictures have the same bytes and take longer. For
+    /// measurements of acceleration, and for tests that it changes nothing.
     pub fn without_acceleration(self) -> Self {
         Self { candidates: None, hierarchy: None, ..self }
     }

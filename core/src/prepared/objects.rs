@@ -1,7 +1,6 @@
 //! The objects of a scene: what is known of each, and the hierarchy of their bounding boxes.
 
-use super::Departure;
-use super::PreparedScene;
+use super::{Departure, PreparedScene};
 use crate::arena::Arena;
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
@@ -47,8 +46,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
     }
 
-    /// What is left of a ray's throughput after a `length`, or `None`: at the background. The material of the
-    /// surface that the ray left absorbs light on either side of it, and may let reflections fade with
+    /// The throughput of a ray after a `length`; `None` stands for a ray to the background. The material of
+    /// the surface that the ray left absorbs light on either side, and may let reflections fade with
     /// distance.
     #[inline(always)]
     pub(crate) fn dimmed(

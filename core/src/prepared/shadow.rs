@@ -1,10 +1,9 @@
 //! The second question of a ray: how much light gets through between two points?
 
-use super::Departure;
 use super::candidates::Ball;
 use super::closest::NO_OBJECT;
 use super::objects::PreparedObject;
-use super::{Among, ObjectSet, PreparedScene};
+use super::{Among, Departure, ObjectSet, PreparedScene};
 use crate::color::LinearRgb;
 use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
@@ -109,7 +108,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (true, _) => Through::Nothing,
             (false, true) => Through::All,
             (false, false) => {
-                // Surfaces at the same distance count in the order of the scene. A list may have another order.
+                // Surfaces at the same distance count in the order of the scene; a list may be unordered.
                 let next = |range| self.closest(ray, range, Among::All);
                 self.light_through_layers(ray, range, next(range), next)
             }
@@ -225,8 +224,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if layer.is_none() { Through::Some(through) } else { Through::TooManyLayers }
     }
 
-    /// What is left of `light` behind a surface of an object. The ray meets the surface at the end of `part`,
-    /// and the surface before it at the beginning.
+    /// The share of `light` that is left behind a surface of an object. The ray meets the surface at the end
+    /// of `part`, and the surface before it at the beginning.
     #[inline(always)]
     fn behind(&self, light: Throughput<R>, object: usize, ray: &Ray<R>, part: Interval<R>) -> Throughput<R> {
         let Some(PreparedObject { shape, material }) = self.objects.get(object) else {

@@ -1,4 +1,4 @@
-//! What a frame needs from each quality.
+//! The interface between a frame and the tracing of one quality.
 
 use core::ops::Range;
 
@@ -35,7 +35,7 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     fn next_band(&mut self);
 }
 
-/// What one call of [`Painter::trace`] did.
+/// The result of one call of [`Painter::trace`].
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     /// The rays that it spent.

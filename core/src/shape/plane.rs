@@ -106,7 +106,8 @@ impl<R: Real> PreparedPlane<R> {
         {
             return project_onto_plane(ray.at(t), self.normal, self.distance);
         }
-        // Across an axis one coordinate is that of the plane: the same bits in 0.96 of the instructions on an M0.
+        // Across an axis one coordinate is that of the plane: the same bits in 0.96 of the instructions on an
+        // M0.
         let coordinate = |unit: R, from, along| match unit == R::ZERO {
             true => from + along * t,
             false if unit > R::ZERO => self.distance,

@@ -8,7 +8,7 @@ use super::{Form, Intersect};
 use crate::math::{Aabb, Product, Real, Vec3};
 use crate::surface::Surface;
 
-/// What realtime quality knows of a shape's outline and curvature. Every item has a default that works, so
+/// The outline and the curvature of a shape, for realtime quality. Every item has a default that works, so
 /// that an empty impl is enough: `impl<R: Real> Silhouette<R> for PreparedBowl<R> {}`.
 ///
 /// With the defaults, realtime quality may lose parts of the shape that are thinner than its grid of pixels,

@@ -11,7 +11,8 @@ include!(concat!(env!("OUT_DIR"), "/mode.rs"));
 /// Memory for the prepared scene.
 pub type Memory = Workspace<PREPARED_BYTES>;
 
-/// Lines that are drawn at once: several where pixels are traced side by side, which needs many objects and floating point.
+/// Lines that are drawn at once: several where pixels are traced side by side, which needs many objects and
+/// floating point.
 pub const LINES: usize = if cfg!(feature = "hierarchy") && IS_FLOAT { LINES_AT_ONCE } else { 1 };
 
 /// The settings of the renderer.

@@ -8,7 +8,7 @@ use rayline::math::Fixed;
 use crate::case::{Case, Number};
 use crate::pictures::{self, Light, Room, Stop, differing};
 
-/// What is used for one execution after the other, so that none allocates much.
+/// Memory that is reused by all executions, so that none allocates much.
 #[derive(Debug, Default)]
 pub struct Bench {
     room: Room,
@@ -18,7 +18,7 @@ pub struct Bench {
     realtime: [Vec<Light>; 2],
 }
 
-/// What an execution that holds did.
+/// The outcome of an execution that kept all promises.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
     /// The scene was refused, by both programs with the same words.
@@ -27,7 +27,7 @@ pub enum Held {
     Drawn,
 }
 
-/// What must not happen.
+/// A broken promise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
     /// The exact picture changes with acceleration.
@@ -47,7 +47,7 @@ pub enum Finding {
     Refusal {
         /// The words of the program with acceleration, if it refuses.
         with: Option<String>,
-        /// Those of the program without.
+        /// The refusal of the program without acceleration.
         without: Option<String>,
     },
     /// A promise was broken: the reason.
@@ -111,7 +111,7 @@ impl Bench {
     /// Draws a scene exactly with and without acceleration, and in realtime quality where the case has one.
     ///
     /// # Errors
-    /// What must not happen.
+    /// The promise that was broken.
     pub fn check(&mut self, scene: &Scene<'_>, case: &Case) -> Result<Held, Finding> {
         match case.number {
             Number::F32 => self.check_in::<f32, f32>(scene, case),

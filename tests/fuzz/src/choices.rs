@@ -15,7 +15,7 @@ pub struct Choices<'b> {
     lengths: (f32, f32),
 }
 
-/// What scenes may have.
+/// The lengths that a scene may name.
 const ANY_LENGTH: (f32, f32) = (1e-6, 1e6);
 
 impl<'b> Choices<'b> {

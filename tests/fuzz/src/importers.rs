@@ -19,7 +19,7 @@ const FORMATS: [&str; 5] = ["ron", "nff", "obj", "gltf", "rayline"];
 /// Files that are longer would take too long.
 const LONGEST: u64 = 20_000;
 
-/// What every search knows, whatever other files there are.
+/// Seeds of every search, beside the files that it finds.
 const OBJ: &str = include_str!("seeds/cube.obj");
 const MTL: &str = include_str!("seeds/cube.mtl");
 const GLTF: &str = include_str!("seeds/triangle.gltf");
@@ -133,7 +133,7 @@ impl Files {
         }
         match LoadedScene::open(&path, arena) {
             Ok(loaded) => Some(loaded.scene),
-            // What an error says must not panic either.
+            // The text of an error must not panic either.
             Err(error) => {
                 drop(error.to_string());
                 None

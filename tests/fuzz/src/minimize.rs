@@ -43,7 +43,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// What is left of a finding.
+/// A finding, with the smallest scene that still shows it.
 pub(crate) struct Smallest<'a> {
     pub(crate) parts: Parts<'a>,
     pub(crate) case: Case,

@@ -58,7 +58,7 @@ fn lend(memory: &mut Vec<MaybeUninit<u8>>, bytes: usize) -> &mut [MaybeUninit<u8
     memory
 }
 
-/// What stopped a program from drawing.
+/// The reason why a program did not draw.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Stop {
     /// The scene is refused, with this message.

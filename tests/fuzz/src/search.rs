@@ -63,7 +63,7 @@ pub struct Until {
     pub findings: u64,
 }
 
-/// What a search did.
+/// Counts of a search.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
     /// Executions that were made: the sum of the next three and of the findings.
@@ -133,7 +133,7 @@ pub struct Found {
     pub target: &'static str,
     /// The seed of the execution.
     pub seed: u64,
-    /// What is wrong, with the smaller scene.
+    /// The broken promise, with the smaller scene.
     pub finding: Finding,
     /// The kinds of shapes and lights in the smaller scene.
     pub contents: String,
@@ -167,14 +167,14 @@ impl Found {
     }
 }
 
-/// What the panic hook heard last in any thread that searches.
+/// The last panic of any thread that searches.
 static PANIC: Mutex<String> = Mutex::new(String::new());
 
 impl Bench {
     /// [`Bench::check`], where a panic is a finding.
     ///
     /// # Errors
-    /// What must not happen.
+    /// The promise that was broken.
     pub fn check_caught(&mut self, scene: &Scene<'_>, case: &Case) -> Result<Held, Finding> {
         caught(|| self.check(scene, case))
     }
@@ -316,7 +316,7 @@ impl Search {
     /// Makes one execution whose choices are these bytes: for fuzzers that choose them.
     ///
     /// # Errors
-    /// What must not happen.
+    /// The promise that was broken.
     pub fn run_bytes(&mut self, bytes: &[u8]) -> Result<(), Finding> {
         self.execute(Choices::from_bytes(bytes)).map(|_| ())
     }

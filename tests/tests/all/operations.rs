@@ -29,8 +29,8 @@ fn draw<R: Real>(scene: &Scene, settings: Settings, quality: Option<Realtime>) -
 /// Prints a table: `cargo test --release -p rayline-tests operations -- --nocapture`.
 #[test]
 fn arithmetic_per_pixel_does_not_grow() {
-    // What the hand-tuned kernel took, and the 3 % more that plain code may take. `prism` may take 4 %: it has
-    // a cone and a cylinder, whose discriminant without cancellation takes more operations.
+    // Operations of the hand-tuned kernel, and the 3 % more that plain code may take. `prism` may take 4 %:
+    // it has a cone and a cylinder, whose discriminant without cancellation takes more operations.
     let most = [
         ("classic", 179.0 * 1.03, 62.0 * 1.03),
         ("whitted", 605.0 * 1.03, 156.0 * 1.03),

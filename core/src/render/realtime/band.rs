@@ -245,7 +245,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         let side = self.quality.grid.pixels() as u32;
         band.is_left_refined = is_left_refined;
         band.left += side;
-        // What counts is the value that the band's last cell leaves.
+        // Each cell sets it; the value of the band's last cell counts.
         self.row = Some(band.top + side);
     }
 }

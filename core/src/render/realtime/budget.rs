@@ -140,9 +140,9 @@ fn part(rays: u32, lines: u32, of: u32) -> u32 {
 pub(super) struct Spent {
     /// All of them.
     pub(super) all: u32,
-    /// Those of its lower right corner, which belongs to the row of the grid below the band.
+    /// The rays of its lower right corner, which belongs to the row of the grid below the band.
     pub(super) row: u32,
-    /// Those between its corners.
+    /// The rays between its corners.
     pub(super) refined: u32,
 }
 

@@ -50,7 +50,7 @@
 //! Colors are interpolated as tones ([`DisplayColor::tone`](crate::DisplayColor::tone)): in integers, on the
 //! display's own scale and after its curve.
 //!
-//! What is lost is in the documentation of [`Realtime`]. The project's `docs/experiments.md` lists
+//! [`Realtime`] lists the details that can be lost. The project's `docs/experiments.md` lists
 //! measurements, and the ideas that were tried and rejected.
 
 mod band;

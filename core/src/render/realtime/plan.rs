@@ -8,7 +8,7 @@ use super::side::Side;
 /// The upper row of a cell, from its left corner on, if the band above has drawn it.
 pub(super) type Above<'c> = Option<&'c [Sample]>;
 
-/// What can be seen in a cell, as far as it is known before the first ray.
+/// Small things that a cell can show, as far as they are known before the first ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     /// Something thin can be seen: every pixel is traced.

@@ -1,8 +1,8 @@
-//! What is kept of one pixel while its surroundings are drawn.
+//! The record of one pixel that is kept while its surroundings are drawn.
 
 use crate::render::Tone;
 
-/// What is kept of one pixel, in 8 bytes: its tone, and digests of what its rays met. Realtime quality is
+/// The record of one pixel, in 8 bytes: its tone, and two digests of what its rays met. Realtime quality is
 /// lent a row of samples, see [`Realtime::samples`](super::Realtime::samples).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
@@ -35,7 +35,7 @@ impl Path {
     }
 }
 
-/// What lies near a pixel and could be lost by interpolation.
+/// Small things near a pixel that interpolation could lose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Near {
     /// Nothing that is known.

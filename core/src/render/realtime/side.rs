@@ -70,7 +70,7 @@ pub(super) struct SideSamples<'c> {
 }
 
 impl<'c> SideSamples<'c> {
-    /// Those of `side`, out of all samples of a cell, row after row.
+    /// The samples of `side`, out of all samples of a cell, row after row.
     #[inline]
     pub(super) fn of(cell: &'c mut [Sample], side: Side) -> Self {
         let (x, y) = side.start();

@@ -15,9 +15,9 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// The objects that pixel centers on the lines from `top` to `bottom`, both included, can show; `None` if they
-    /// are not known. Objects that may be thin are placed by their hulls, which are closer than outlines; their
-    /// places are added to `thin`.
+    /// The objects that pixel centers on the lines from `top` to `bottom`, both included, can show; `None` if
+    /// they are not known. Objects that may be thin are placed by their hulls, which are closer than
+    /// outlines; their places are added to `thin`.
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         (top, bottom): (u16, u16),

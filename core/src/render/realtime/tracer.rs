@@ -20,7 +20,7 @@ use crate::shape::Geometry;
 /// crosses the sides of a square are known to half a pixel.
 const BESIDE_EDGE: u32 = 5;
 
-/// What a traced pixel is used for.
+/// The purpose of tracing a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Purpose {
     /// Its tone alone.

@@ -40,7 +40,7 @@ fn directions_to_lights_keep_their_bounds() {
     // A light that is above the surface by no digit that counts.
     let grazing = toward_light([0, 0x7FFF, i32::MIN], [0, 1 << 24, 0]);
     assert_eq!(grazing.map(|(_, _, cosine)| cosine), Some(0));
-    // What has no digits, or all of them.
+    // Vectors of length 0, of a few units, and with the largest coordinate.
     assert_eq!(toward_light([0; 3], [1 << 24, 0, 0]), None);
     assert!(toward_light([-1; 3], [-1 << 24, 0, 0]).is_some());
     let (unit, distance, cosine) = toward_light([i32::MAX, 0, 0], [1 << 24, 0, 0]).unwrap();

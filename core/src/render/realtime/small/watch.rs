@@ -25,7 +25,7 @@ use crate::shape::{Form, Geometry, Hull};
 /// Among more objects than a set holds, only things this many times as long as wide are searched for.
 const SLENDERNESS: u16 = 8;
 
-/// What the rays of a picture are watched for.
+/// The small things that the rays of a picture are watched for.
 #[derive(Clone, Copy, Debug)]
 struct Targets<R> {
     grid: Grid,
@@ -70,7 +70,7 @@ pub(in crate::render::realtime) struct Watch<R> {
     first: Cone<R>,
     /// The cone of the rays that leave the last hit.
     cone: Cone<R>,
-    /// What has been found beside the rays of the pixel.
+    /// The things that were found beside the rays of the pixel.
     pub(in crate::render::realtime) near: Near,
     /// Whether no other point stands for a smaller part of the picture than this one.
     stands_for_least: bool,

@@ -70,7 +70,7 @@ pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
     halves::upper_product(a, b, opaque)
 }
 
-/// The same number, of which the compiler does not know where it comes from.
+/// Returns the number unchanged, and hides its origin from the compiler.
 #[inline(always)]
 fn opaque(number: u32) -> u32 {
     let same;
