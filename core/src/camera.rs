@@ -85,6 +85,11 @@ pub(crate) struct Viewport<R: Real> {
     middle: (R::Setup, R::Setup),
 }
 
+/// A row of camera rays: the part of their directions that their height in the picture adds. It is the same
+/// for all pixels of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Row<R>(Vec3<R>);
+
 /// An affine function over the picture: `middle + u · right + v · down`, where u runs from -1 at the left to
 /// 1 at the right, and v from -1 at the top to 1 at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,12 +183,18 @@ impl<R: Real> Viewport<R> {
         (unit, unit * R::Setup::from_f32((1u32 << (shift & 31)) as f32))
     }
 
-    /// The ray through a position in the picture, given in pixels and 65536ths of a pixel: pixel (0, 0) has
-    /// its center at (0.5, 0.5).
-    pub(crate) fn ray(&self, (x, right): (u16, u16), (y, down): (u16, u16)) -> Ray<R> {
+    /// The row of rays at a height in the picture, given in pixels from the top and 65536ths of a pixel.
+    #[inline(always)]
+    pub(crate) fn row(&self, (y, down): (u16, u16)) -> Row<R> {
+        Row(self.down * R::from_pixel(y, down, self.shift))
+    }
+
+    /// The ray of a row at a distance from the left, given in pixels and 65536ths of a pixel: pixel (0, 0)
+    /// has its center at (0.5, 0.5).
+    #[inline(always)]
+    pub(crate) fn ray(&self, (x, right): (u16, u16), row: Row<R>) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
-        let y = R::from_pixel(y, down, self.shift);
-        let direction = self.corner + self.right * x + self.down * y;
+        let direction = self.corner + self.right * x + row.0;
         // The length is at least 1, the distance of the picture from the eye.
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }
@@ -255,12 +266,12 @@ mod tests {
     #[test]
     fn a_right_angle_sees_as_far_up_as_forward() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
-        let top = viewport.ray((100, 0), (0, 0));
+        let top = viewport.ray((100, 0), viewport.row((0, 0)));
         assert_eq!(top.origin, Vec3::new(1.0, 2.0, 3.0));
         let half = core::f64::consts::FRAC_1_SQRT_2;
         assert!((top.direction - Vec3::new(0.0, half, -half)).length() < 1e-7);
         // Twice as wide as high: 63.4° to the right.
-        let right = viewport.ray((200, 0), (50, 0)).direction;
+        let right = viewport.ray((200, 0), viewport.row((50, 0))).direction;
         assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
     }
 
@@ -268,12 +279,14 @@ mod tests {
     fn points_are_seen_where_their_rays_go() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
         for (x, y) in [(0, 0), (31, 77), (100, 50), (199, 3)] {
-            let seen = viewport.project(viewport.ray((x, 0x8000), (y, 0x8000)).at(7.0)).unwrap();
+            let ray = viewport.ray((x, 0x8000), viewport.row((y, 0x8000)));
+            let seen = viewport.project(ray.at(7.0)).unwrap();
             let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
             assert!((seen.0 - x).abs() < 1e-4 && (seen.1 - y).abs() < 1e-4, "{seen:?}");
         }
         assert_eq!(viewport.project(viewport.eye()), None);
-        assert_eq!(viewport.project(viewport.ray((5, 0), (5, 0)).at(-7.0)), None);
+        let behind = viewport.ray((5, 0), viewport.row((5, 0))).at(-7.0);
+        assert_eq!(viewport.project(behind), None);
     }
 
     #[test]

@@ -1,23 +1,16 @@
 //! The positions of samples inside of a pixel.
 
-/// The position of a sample inside of its pixel, right and down from the upper left corner, in 65536ths of a
-/// pixel.
-///
-/// A single sample lies in the center. Several samples follow the additive recurrence R2 (Roberts, "The
-/// Unreasonable Effectiveness of Quasirandom Sequences", 2018), shifted in each pixel by a hash of pixel and
-/// seed (Cranley and Patterson, "Randomization of Number Theoretic Methods", 1976). The position is a pure
-/// function of its arguments, so lines can be rendered in any order.
-pub(crate) fn sample_position(x: u16, y: u16, sample: u16, samples: u16, seed: u32) -> (u16, u16) {
-    if samples <= 1 {
-        return (0x8000, 0x8000);
-    }
-    spread(x, y, sample, seed)
-}
+/// The center of a pixel, in 65536ths of a pixel.
+pub(crate) const CENTER: u16 = 0x8000;
 
-/// The position of one sample of several. Not inlined: else the compiler computes the hash for pixels with a
-/// single sample too.
-#[inline(never)]
-fn spread(x: u16, y: u16, sample: u16, seed: u32) -> (u16, u16) {
+/// The position of one of several samples inside of its pixel, right and down from the upper left corner, in
+/// 65536ths of a pixel. A single sample lies in the [`CENTER`].
+///
+/// The samples follow the additive recurrence R2 (Roberts, "The Unreasonable Effectiveness of Quasirandom
+/// Sequences", 2018), shifted in each pixel by a hash of pixel and seed (Cranley and Patterson,
+/// "Randomization of Number Theoretic Methods", 1976). The position is a pure function of its arguments, so
+/// lines can be rendered in any order.
+pub(crate) fn sample_position(x: u16, y: u16, sample: u16, seed: u32) -> (u16, u16) {
     let shift = hash(u32::from(y) << 16 | u32::from(x), seed);
     // The steps are 2³² divided by the plastic number, and by its square.
     let along =
@@ -39,16 +32,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_sample_is_the_center() {
-        assert_eq!(sample_position(3, 4, 0, 1, 5), (0x8000, 0x8000));
-    }
-
-    #[test]
     fn samples_cover_the_pixel_evenly() {
         for seed in 0..20 {
             let mut quadrants = [0; 4];
             for sample in 0..64 {
-                let (x, y) = sample_position(17, 4, sample, 64, seed);
+                let (x, y) = sample_position(17, 4, sample, seed);
                 quadrants[usize::from(x >> 15) * 2 + usize::from(y >> 15)] += 1;
             }
             // Independent random positions would be off by more than 4 in one quadrant of four.
@@ -58,7 +46,7 @@ mod tests {
 
     #[test]
     fn pixels_and_seeds_differ() {
-        let position = |x, y, seed| sample_position(x, y, 0, 4, seed);
+        let position = |x, y, seed| sample_position(x, y, 0, seed);
         assert_ne!(position(0, 0, 0), position(1, 0, 0));
         assert_ne!(position(0, 0, 0), position(0, 1, 0));
         assert_ne!(position(0, 0, 0), position(0, 0, 1));

@@ -52,11 +52,12 @@ impl<R: Real> Path<R> {
         mut blockers: &Blockers,
         waiting: &mut Waiting<R>,
     ) {
+        let mut hit = Hit::BLANK;
         while self.spend(trace) {
             let mut blockers = core::mem::replace(&mut blockers, &Blockers::UNKNOWN);
             let PendingRay { ray, from, among, .. } = &self.next;
-            let met = trace.scene.hit(ray, trace.scene.closest_from(ray, *from, *among));
-            let met = met.as_ref().map(|(hit, material)| (hit, *material));
+            let closest = trace.scene.closest_from(ray, *from, *among);
+            let met = trace.scene.write_hit(ray, closest, &mut hit).map(|material| (&hit, material));
             if !self.arrive(trace, met, &mut blockers, waiting) {
                 break;
             }

@@ -110,7 +110,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             (false, false) => {
                 // Surfaces at the same distance count in the order of the scene; a list may be unordered.
                 let next = |range| self.closest(ray, range, Among::All);
-                self.light_through_layers(ray, range, next(range), next)
+                self.light_through_layers(ray, range, None, next(range), next)
             }
         }
     }
@@ -141,15 +141,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             layers = layers.with(index);
         }
         let Some((_, index)) = met else { return Through::All };
+        if layers != ObjectSet::NONE.with(index) {
+            let next = |range| self.closest(ray, range, Among::Few(layers));
+            return self.light_through_layers(ray, range, None, next(range), next);
+        }
         // Most often one glass object is in the way, of which the first hit is known already.
-        let is_one = layers == ObjectSet::NONE.with(index);
-        let next = |range| {
-            if !is_one {
-                return self.closest(ray, range, Among::Few(layers));
-            }
-            Some((self.objects.get(index)?.shape.intersect(ray, range)?, index))
-        };
-        self.light_through_layers(ray, range, if is_one { met } else { next(range) }, next)
+        let Some(PreparedObject { shape, .. }) = self.objects.get(index) else { return Through::All };
+        let next = |range| Some((shape.intersect(ray, range)?, index));
+        self.light_through_layers(ray, range, shape.form().most_hits(), met, next)
     }
 
     /// The objects among `those` that can be in the way from a surface to a light in the unit direction
@@ -205,19 +204,23 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// The light that gets through transparent surfaces: the first, and those that `next` finds in the rest
-    /// of the ray. Their shares are multiplied in the order of the ray, so that rounding does not depend on
-    /// what is known of the ray. A ray meets a shape with an inside twice.
+    /// of the ray, `most` in all if that is known. Their shares are multiplied in the order of the ray, so
+    /// that rounding does not depend on what is known of the ray. A ray meets a shape with an inside twice.
     fn light_through_layers(
         &self,
         ray: &Ray<R>,
         mut range: Interval<R>,
+        most: Option<u8>,
         first: Option<(R, usize)>,
         next: impl Fn(Interval<R>) -> Option<(R, usize)>,
     ) -> Through<Throughput<R>> {
         let (mut through, mut layer) = (Throughput::even(R::ONE), first);
-        for _ in 0..MAX_SHADOW_LAYERS {
+        for met in 1..=MAX_SHADOW_LAYERS {
             let Some((t, index)) = layer else { return Through::Some(through) };
             through = self.behind(through, index, ray, Interval { max: t, ..range });
+            if most == Some(met) {
+                return Through::Some(through);
+            }
             range.min = t;
             layer = next(range);
         }

@@ -8,7 +8,7 @@ use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::Real;
 use crate::probe::Probe;
-use crate::sampler::sample_position;
+use crate::sampler::CENTER;
 use crate::shape::Geometry;
 
 /// Renders lines in groups of pixels.
@@ -63,12 +63,12 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         probe: &mut impl Probe<R>,
     ) -> u32 {
         let Renderer { settings, viewport, bounds, width, .. } = self.renderer;
-        let Settings { seed, rays_per_pixel, .. } = *settings;
+        let rays_per_pixel = settings.rays_per_pixel;
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
             let (x, y) = (x as u16, y.wrapping_add(down as u16));
-            let (right, down) = sample_position(x, y, 0, 1, seed);
-            lane.begin(viewport.ray((x, right), (y, down)), RayBudget(rays_per_pixel));
+            let row = viewport.row((y, CENTER));
+            lane.begin(viewport.ray((x, CENTER), row), RayBudget(rays_per_pixel));
         }
         self.group.trace(lanes, bounds, probe);
         let mut spent: u32 = 0;

@@ -1,7 +1,8 @@
 //! One line of the picture in exact quality, pixel after pixel.
 
 use super::line_candidates::LineCandidates;
-use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
+use super::{DisplayColor, Dither, Light16, Pixel, Quantizer, Renderer};
+use crate::camera::Row;
 use crate::integrator::Sight;
 use crate::math::Real;
 use crate::probe::Probe;
@@ -11,6 +12,8 @@ use crate::shape::Geometry;
 pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
     renderer: &'r Renderer<'r, 'm, R, S>,
     y: u16,
+    /// The rays through the centers of the pixels.
+    row: Row<R>,
     candidates: Option<LineCandidates<'r>>,
     /// The color of a pixel that sees no object, if all such pixels have the same.
     background: Option<C>,
@@ -26,7 +29,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
             }
             _ => None,
         };
-        Self { renderer, y, candidates, background }
+        Self { renderer, y, row: renderer.centers(y), candidates, background }
     }
 
     /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
@@ -86,7 +89,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
             Some(candidates) => candidates.sight(x),
             None => Sight::among(self.renderer.scene.all()),
         };
-        let (light, rays) = self.renderer.light_at(x, self.y, sight, probe);
+        let pixel = Pixel { x, y: self.y, row: self.row };
+        let (light, rays) = self.renderer.light_at(pixel, sight, probe);
         let quantizer = Quantizer::new(&self.renderer.settings, x, self.y);
         (C::from_light(Light16::new(light), &quantizer), rays)
     }

@@ -53,13 +53,13 @@ use outlines::Outlines;
 
 use embedded_graphics::draw_target::DrawTarget;
 
-use crate::camera::Viewport;
+use crate::camera::{Row, Viewport};
 use crate::color::LinearRgb;
 use crate::integrator::{Bounds, RayBudget, Sight, radiance};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
-use crate::sampler::sample_position;
+use crate::sampler::{CENTER, sample_position};
 use crate::shape::{Geometry, Shape};
 
 /// Renders any line of one picture, of a size that is fixed when the renderer is made.
@@ -78,6 +78,14 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// The places at which objects and shadows can be seen. They are known for the centers of pixels, so
     /// for one sample a pixel.
     outlines: Outlines,
+}
+
+/// A pixel, with the rays through the centers of its line.
+#[derive(Clone, Copy, Debug)]
+struct Pixel<R> {
+    x: u16,
+    y: u16,
+    row: Row<R>,
 }
 
 impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
@@ -121,12 +129,22 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// Pixels beside the picture are defined too; with [`Fixed`](crate::math::Fixed), up to 16 times its
     /// width and height.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_at(x, y, Sight::among(self.scene.all()), probe)
+        self.light_at(self.pixel_at(x, y), Sight::among(self.scene.all()), probe)
+    }
+
+    /// The pixel in this column and line.
+    fn pixel_at(&self, x: u16, y: u16) -> Pixel<R> {
+        Pixel { x, y, row: self.centers(y) }
+    }
+
+    /// The rays through the centers of a line's pixels.
+    fn centers(&self, y: u16) -> Row<R> {
+        self.viewport.row((y, CENTER))
     }
 
     /// As [`pixel`](Self::pixel), for a camera ray of which something is known.
-    fn light_at(&self, x: u16, y: u16, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_in(self.scene, &self.bounds, (x, y), sight, probe)
+    fn light_at(&self, pixel: Pixel<R>, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
+        self.light_in(self.scene, &self.bounds, pixel, sight, probe)
     }
 
     /// As [`light_at`](Self::light_at), in another scene and with other bounds.
@@ -136,19 +154,22 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         &self,
         scene: &PreparedScene<'m, R, S>,
         bounds: &Bounds<R>,
-        (x, y): (u16, u16),
+        Pixel { x, y, row }: Pixel<R>,
         sight: Sight<'_>,
         probe: &mut impl Probe<R>,
     ) -> (LinearRgb<R>, u32) {
-        let Settings { samples_per_pixel: samples, seed, rays_per_pixel, .. } = self.settings;
+        let Settings { samples_per_pixel: samples, rays_per_pixel, .. } = self.settings;
         let mut rays = RayBudget(rays_per_pixel);
         let mut light = LinearRgb::BLACK;
         // In fixed point, the sum of many samples may overflow where their mean does not.
         let weighs_first = R::IS_FIXED_POINT && samples > 1;
-        let mut sample = 0;
+        let (mut sample, mut place) = (0, (CENTER, row));
+        if samples > 1 {
+            place = self.sample_place((x, y), sample);
+        }
         loop {
-            let (right, down) = sample_position(x, y, sample, samples, seed);
-            let ray = self.viewport.ray((x, right), (y, down));
+            let (right, row) = place;
+            let ray = self.viewport.ray((x, right), row);
             let shown = radiance(scene, ray, sight, bounds, &mut rays, probe);
             if samples <= 1 {
                 return (shown, rays_per_pixel.saturating_sub(rays.0));
@@ -158,11 +179,19 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             if sample >= samples {
                 break;
             }
+            place = self.sample_place((x, y), sample);
         }
         if !weighs_first {
             light = light.scaled(self.sample_weight);
         }
         (light, rays_per_pixel.saturating_sub(rays.0))
+    }
+
+    /// The place of one of several samples of a pixel: its distance from the pixel's left side, and its row.
+    #[inline(never)]
+    fn sample_place(&self, (x, y): (u16, u16), sample: u16) -> (u16, Row<R>) {
+        let (right, down) = sample_position(x, y, sample, self.settings.seed);
+        (right, self.viewport.row((y, down)))
     }
 
     /// Renders line `y` into a slice of the picture's width.

@@ -194,10 +194,9 @@ impl<R: Real> PreparedPolygon<'_, R> {
         self.edges.iter().map(|edge| self.dropped.unflatten(edge.x, edge.y, &self.plane))
     }
 
-    /// Whether a point of the plane is inside the outline: the half-line from it toward +u crosses an odd
-    /// number of edges. A vertex belongs to the edge above it, so that no vertex counts twice.
-    fn encloses(&self, point: Vec3<R>) -> bool {
-        let (u, v) = self.dropped.flatten(point);
+    /// Whether the point (u, v) is inside the outline: the half-line from it toward +u crosses an odd number
+    /// of edges. A vertex belongs to the edge above it, so that no vertex counts twice.
+    fn encloses(&self, (u, v): (R, R)) -> bool {
         if let Some([least_u, most_u, least_v, most_v]) = self.rectangle {
             // Includes the same borders as the count of edges below.
             return u >= least_u && u < most_u && v >= least_v && v < most_v;
@@ -230,7 +229,8 @@ fn is_left<R: Real>(u: R, v: R, edge: &Vec3<R>, next: &Vec3<R>) -> bool {
 impl<R: Real> Intersect<R> for PreparedPolygon<'_, R> {
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let t = self.plane.meet(ray, range)?;
-        self.encloses(ray.at(t)).then_some(t)
+        let [(u, v), (du, dv)] = [ray.origin, ray.direction].map(|vector| self.dropped.flatten(vector));
+        self.encloses((u + du * t, v + dv * t)).then_some(t)
     }
 
     fn form(&self) -> Form<R> {
@@ -376,7 +376,8 @@ mod tests {
             let point = Vec3::new(1.0, f32::from(i) / 100.0, 0.0);
             let inside = |outline: &[Vec3]| {
                 let mut memory = Memory::new();
-                prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
+                let polygon = prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap();
+                polygon.encloses(polygon.dropped.flatten(point))
             };
             assert!(inside(&left) != inside(&right), "{point:?}");
         }
@@ -412,8 +413,9 @@ mod tests {
             let mut memory = Memory::new();
             let bow_tie = prepared::<_, f32>(Polygon::new(&outline), &mut memory).unwrap();
             assert!((bow_tie.plane.normal - front).length() < 1e-5, "{:?}", bow_tie.plane.normal);
-            assert!(bow_tie.encloses(center - right * 0.5) && bow_tie.encloses(center + right * 0.5));
-            assert!(!bow_tie.encloses(center - up * 0.5) && !bow_tie.encloses(center + up * 0.5));
+            let encloses = |point| bow_tie.encloses(bow_tie.dropped.flatten(point));
+            assert!(encloses(center - right * 0.5) && encloses(center + right * 0.5));
+            assert!(!encloses(center - up * 0.5) && !encloses(center + up * 0.5));
         }
     }
 

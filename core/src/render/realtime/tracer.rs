@@ -114,7 +114,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
         // The grid ends beyond the picture: such pixels are defined too.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
-        let pixel = (place(self.left, x), place(self.top, y));
+        let pixel = self.renderer.pixel_at(place(self.left, x), place(self.top, y));
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Path {
