@@ -90,6 +90,11 @@ pub(crate) struct Viewport<R: Real> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Row<R>(Vec3<R>);
 
+impl<R: Real> Row<R> {
+    /// The row along the picture's upper side.
+    pub(crate) const TOP: Self = Self(Vec3::ZERO);
+}
+
 /// An affine function over the picture: `middle + u · right + v · down`, where u runs from -1 at the left to
 /// 1 at the right, and v from -1 at the top to 1 at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! Draws bands, cell after cell. A band is the lines between two neighboring rows of the grid.
 
+use core::array::from_fn;
 use core::marker::PhantomData;
 use core::ops::Range;
 
@@ -12,11 +13,12 @@ use super::pixel_source::PixelSource;
 use super::plan::{Above, Plan, Seen};
 use super::quality::Realtime;
 use super::sample::Sample;
-use super::side::Side;
+use super::side::{POINTS, Side};
 use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
 use super::tracer::{Traced, Tracer, nothing_met};
+use crate::camera::Row;
 use crate::integrator::Bounds;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
@@ -29,11 +31,13 @@ const CUTOFF: f32 = 1.0 / 64.0;
 
 /// The lines between two neighboring rows of the grid, drawn up to one of its cells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Band {
+pub(super) struct Band<R> {
     /// The first line.
     pub(super) top: u32,
     /// The left column of the next cell.
     pub(super) left: u32,
+    /// The camera rays of each line, and of the first line below.
+    rows: [Row<R>; POINTS],
     /// Whether the lent row of samples holds the upper row of the grid, from `left` on.
     has_top: bool,
     /// Whether the left side of the next cell is refined, and not interpolated.
@@ -46,7 +50,7 @@ pub(super) struct Band {
     tips: Option<TipPoints>,
 }
 
-impl Band {
+impl<R> Band<R> {
     /// The corners of the next cell, in which no ray meets an object.
     fn empty_corners(&self, nothing: Sample, side: usize) -> Corners {
         let corner = |x: usize, y: usize| match &self.tips {
@@ -114,7 +118,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     /// Begins the band that holds the first of the `lines` that are still to be drawn.
     // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F).
     #[inline(never)]
-    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band {
+    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band<R> {
         let side = self.quality.grid.pixels();
         let top = lines.start & !(side as u32 - 1);
         let bottom = (top + side as u32).min(u32::from(u16::MAX));
@@ -127,7 +131,17 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
         thin.add_shadows(renderer, rows);
         let tips = self.small.tip_points(renderer, self.quality.grid, rows);
-        Band { top, left: 0, has_top: self.row == Some(top), is_left_refined: false, strip, thin, tips }
+        Band {
+            top,
+            left: 0,
+            // The grid ends below the picture: such lines are defined too.
+            rows: from_fn(|y| renderer.centers(u16::try_from(top + y as u32).unwrap_or(u16::MAX))),
+            has_top: self.row == Some(top),
+            is_left_refined: false,
+            strip,
+            thin,
+            tips,
+        }
     }
 
     /// Draws the next cell of a band into the buffer; returns the number of rays that it took.
@@ -135,7 +149,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     pub(super) fn draw_cell<C: DisplayColor>(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        band: &mut Band,
+        band: &mut Band<R>,
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> u32 {
@@ -148,7 +162,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     fn draw_next<C: DisplayColor>(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        band: &mut Band,
+        band: &mut Band<R>,
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> Spent {
@@ -172,6 +186,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             among,
             left: band.left,
             top: band.top,
+            rows: &band.rows,
             tolerance: Tolerance::new(self.quality.threshold, detail, side),
             watch: self.small.watch.as_mut(),
             tips: band.tips.as_ref(),
@@ -202,7 +217,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
-    fn seen(&self, band: &Band, detail: Detail) -> Seen {
+    fn seen(&self, band: &Band<R>, detail: Detail) -> Seen {
         let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
         let next = band.left + self.quality.grid.pixels() as u32;
         Seen {
@@ -217,7 +232,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// Hands a cell that is drawn to the cell to the right and to the band below.
-    fn hand_on(&mut self, band: &mut Band, plan: &Plan, corners: &Corners, samples: &mut [Sample]) {
+    fn hand_on(&mut self, band: &mut Band<R>, plan: &Plan, corners: &Corners, samples: &mut [Sample]) {
         if plan.is_smooth() {
             return self.hand_on_corners(band, corners, samples);
         }
@@ -232,7 +247,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// Hands a cell of which only the corners are known to the cell to the right and to the band below.
-    fn hand_on_corners(&mut self, band: &mut Band, corners: &Corners, samples: &mut [Sample]) {
+    fn hand_on_corners(&mut self, band: &mut Band<R>, corners: &Corners, samples: &mut [Sample]) {
         let side = self.quality.grid.pixels();
         self.cell.set(0, 0, corners.top_right);
         self.cell.set(0, side, corners.bottom_right);
@@ -241,7 +256,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// Goes on to the next cell of a band.
-    fn advance(&mut self, band: &mut Band, is_left_refined: bool) {
+    fn advance(&mut self, band: &mut Band<R>, is_left_refined: bool) {
         let side = self.quality.grid.pixels() as u32;
         band.is_left_refined = is_left_refined;
         band.left += side;
@@ -253,7 +268,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
 /// The objects that the next cell can show; all, if that is not known.
 fn objects_shown<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
-    band: &Band,
+    band: &Band<R>,
     side: usize,
 ) -> ObjectSet {
     let (first, last) = (band.left as u16, (band.left as usize + side) as u16);

@@ -44,7 +44,7 @@ impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
 pub struct RealtimePainter<'m, 'b, R: Real, S: Geometry + 'm, C> {
     bands: BandPainter<'m, R, S>,
     /// The band that is being drawn, or that is complete and not yet on the display.
-    band: Option<Band>,
+    band: Option<Band<R>>,
     buffer: RealtimeBuffer<'b, C>,
 }
 

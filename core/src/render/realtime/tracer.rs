@@ -5,15 +5,17 @@ use core::marker::PhantomData;
 use super::marks::{FAINT, MarkProbe};
 use super::pixel_source::PixelSource;
 use super::sample::Sample;
+use super::side::POINTS;
 use super::small::{TipPoints, Watch};
 use super::tolerance::Tolerance;
+use crate::camera::Row;
 use crate::color::LinearRgb;
 use crate::integrator::{Bounds, Sight};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe};
-use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
+use crate::render::{DisplayColor, Light16, Pixel, Quantizer, Renderer, Tone};
 use crate::shape::Geometry;
 
 /// Pixels up to this distance from a straight edge are traced, in 1/16 of a pixel: the places where an edge
@@ -50,6 +52,8 @@ pub(super) struct Tracer<'c, 'm, R: Real, S: Geometry + 'm, C, P> {
     /// Column and line of the cell's upper left pixel.
     pub(super) left: u32,
     pub(super) top: u32,
+    /// The camera rays of the cell's lines.
+    pub(super) rows: &'c [Row<R>; POINTS],
     pub(super) tolerance: Tolerance,
     pub(super) watch: Option<&'c mut Watch<R>>,
     pub(super) tips: Option<&'c TipPoints>,
@@ -114,7 +118,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
         // The grid ends beyond the picture: such pixels are defined too.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
-        let pixel = self.renderer.pixel_at(place(self.left, x), place(self.top, y));
+        let row = self.rows.get(y).copied().unwrap_or(Row::TOP);
+        let pixel = Pixel { x: place(self.left, x), y: place(self.top, y), row };
         let sight = Sight::among(self.among);
         let (light, rays) = self.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Path {
