@@ -77,7 +77,7 @@ impl RayBudget {
 /// All that the rays of one pixel have in common.
 struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     scene: &'t PreparedScene<'m, R, S>,
-    bounds: &'t Bounds<R>,
+    bounds: Bounds<R>,
     /// The rays that are left.
     rays: RayBudget,
     probe: &'t mut P,
@@ -93,7 +93,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut trace = Trace { scene, bounds, rays: *rays, probe };
+    let mut trace = Trace { scene, bounds: *bounds, rays: *rays, probe };
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
     *rays = trace.rays;

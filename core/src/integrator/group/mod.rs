@@ -65,7 +65,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
 
     /// Traces the camera rays of a group, and all rays that follow.
     pub(crate) fn trace(&mut self, lanes: &mut [Lane<'m, R>], bounds: &Bounds<R>, probe: &mut impl Probe<R>) {
-        let mut trace = Trace { scene: self.scene, bounds, rays: RayBudget(0), probe };
+        let mut trace = Trace { scene: self.scene, bounds: *bounds, rays: RayBudget(0), probe };
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;
