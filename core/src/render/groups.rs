@@ -3,7 +3,7 @@
 //! The rays of a square lie closer together than the rays of a row, so several lines at once take less time
 //! than the same lines one by one.
 
-use super::{DisplayColor, Light16, Quantizer, Renderer, Settings};
+use super::{DisplayColor, Light16, Quantizer, Renderer};
 use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::Real;

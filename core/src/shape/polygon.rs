@@ -427,9 +427,10 @@ mod tests {
         let turned = [square[1], square[2], square[3], square[0]];
         let opposite = [square[3], square[2], square[1], square[0]];
         let pentagon = [square[0], square[1], square[2], vec(0.5, 1.0), square[3]];
-        let inside = |outline: &[Vec3], point| {
+        let inside = |outline: &[Vec3], point: Vec3| {
             let mut memory = Memory::new();
-            prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap().encloses(point)
+            let polygon = prepared::<_, f32>(Polygon::new(outline), &mut memory).unwrap();
+            polygon.encloses(polygon.dropped.flatten(point))
         };
         let places = [-2.5, -2.0, -1.0, 0.3, 0.999, 1.0, 2.9, 3.0, 3.1];
         for point in places.iter().flat_map(|x| places.map(|y| vec(*x, y))) {

@@ -17,7 +17,7 @@ use super::side::{POINTS, Side};
 use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
-use super::tracer::{Traced, Tracer, nothing_met};
+use super::tracer::{CellView, Traced, Tracer, nothing_met};
 use crate::camera::Row;
 use crate::integrator::Bounds;
 use crate::math::Real;
@@ -179,7 +179,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
         let detail = self.budget.detail();
         let seen = self.seen(band, detail);
-        let mut tracer = Tracer {
+        let view = CellView {
             renderer,
             bounds: &self.bounds,
             unlit: &self.unlit,
@@ -187,8 +187,11 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             left: band.left,
             top: band.top,
             rows: &band.rows,
-            tolerance: Tolerance::new(self.quality.threshold, detail, side),
             watch: self.small.watch.as_mut(),
+        };
+        let mut tracer = Tracer {
+            view,
+            tolerance: Tolerance::new(self.quality.threshold, detail, side),
             tips: band.tips.as_ref(),
             color: PhantomData::<C>,
             probe,
@@ -286,7 +289,7 @@ fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     above: Above<'_>,
     (is_first, traces_row): (bool, bool),
     side: usize,
-    tracer: &mut Tracer<'_, '_, R, S, C, P>,
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
 ) -> (Corners, u32) {
     let known = |x: usize| above.and_then(|above| above.get(x)).copied();
     if is_first {

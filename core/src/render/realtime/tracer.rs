@@ -40,8 +40,8 @@ pub(super) struct Traced<'m, R: Real, S: Geometry + 'm> {
     pub(super) bounds: Bounds<R>,
 }
 
-/// Traces pixels of one cell.
-pub(super) struct Tracer<'c, 'm, R: Real, S: Geometry + 'm, C, P> {
+/// A cell, as its rays need it.
+pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     pub(super) renderer: &'c Renderer<'c, 'm, R, S>,
     /// When rays of the scene end.
     pub(super) bounds: &'c Bounds<R>,
@@ -54,8 +54,13 @@ pub(super) struct Tracer<'c, 'm, R: Real, S: Geometry + 'm, C, P> {
     pub(super) top: u32,
     /// The camera rays of the cell's lines.
     pub(super) rows: &'c [Row<R>; POINTS],
-    pub(super) tolerance: Tolerance,
     pub(super) watch: Option<&'c mut Watch<R>>,
+}
+
+/// Traces pixels of one cell. `V` is the cell's [`CellView`], `C` the display's color, `P` the probe.
+pub(super) struct Tracer<'c, V, C, P> {
+    pub(super) view: V,
+    pub(super) tolerance: Tolerance,
     pub(super) tips: Option<&'c TipPoints>,
     pub(super) color: PhantomData<C>,
     pub(super) probe: &'c mut P,
@@ -77,7 +82,7 @@ pub(super) fn nothing_met<R: Real, S: Geometry, C: DisplayColor>(
     Some(marks.sample(C::tone(Light16::new(color), &quantizer)))
 }
 
-impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C, P> {
+impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
     /// The pixel at a point of the grid: traced if `may_trace` and rays are left, and else a copy of its
     /// neighbor.
     pub(super) fn trace_or_copy(
@@ -105,27 +110,28 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
     // Called from many places: one copy is enough.
     #[inline(never)]
     fn trace_for(&mut self, purpose: Purpose, x: usize, y: usize) -> Sample {
+        let view = &mut self.view;
         let (scene, bounds) = match purpose {
-            Purpose::Path => (&self.unlit.scene, &self.unlit.bounds),
-            Purpose::Tone | Purpose::Marks => (self.renderer.scene, self.bounds),
+            Purpose::Path => (&view.unlit.scene, &view.unlit.bounds),
+            Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.bounds),
         };
         let (faint, watch) = match purpose {
             Purpose::Tone => (R::ONE, None),
             Purpose::Path | Purpose::Marks => {
-                (R::from_f32(FAINT), self.watch.as_mut().and_then(|watch| watch.stand_for(x, y)))
+                (R::from_f32(FAINT), view.watch.as_mut().and_then(|watch| watch.stand_for(x, y)))
             }
         };
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
         // The grid ends beyond the picture: such pixels are defined too.
         let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
-        let row = self.rows.get(y).copied().unwrap_or(Row::TOP);
-        let pixel = Pixel { x: place(self.left, x), y: place(self.top, y), row };
-        let sight = Sight::among(self.among);
-        let (light, rays) = self.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
+        let row = view.rows.get(y).copied().unwrap_or(Row::TOP);
+        let pixel = Pixel { x: place(view.left, x), y: place(view.top, y), row };
+        let sight = Sight::among(view.among);
+        let (light, rays) = view.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Path {
             Tone::new(0, 0, 0)
         } else {
-            C::tone(Light16::new(light), &Quantizer::nearest(self.renderer.settings.transfer))
+            C::tone(Light16::new(light), &Quantizer::nearest(view.renderer.settings.transfer))
         };
         let sample = marks.sample(tone);
         self.rays = self.rays.saturating_add(rays);
@@ -134,11 +140,13 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, '_, R, S, C,
     }
 }
 
-impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource for Tracer<'_, '_, R, S, C, P> {
+impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource
+    for Tracer<'_, CellView<'_, '_, R, S>, C, P>
+{
     fn trace(&mut self, x: usize, y: usize) -> Sample {
         let sample = self.trace_for(Purpose::Marks, x, y);
         match self.tips {
-            Some(tips) => tips.mark(sample, self.left + x as u32, y),
+            Some(tips) => tips.mark(sample, self.view.left + x as u32, y),
             None => sample,
         }
     }
