@@ -16,6 +16,87 @@ macro_rules! scale {
     };
 }
 
+/// The height of the light above the surface in `r7`, from the way in `r0` to `r2` and 15 digits of the normal
+/// in `r3` to `r5`. Overwrites `r3` to `r6`.
+macro_rules! height_above {
+    () => {
+        concat!(
+            "asrs r3, r3, #10\n",
+            "uxth r6, r0\n",
+            "asrs r7, r0, #16\n",
+            "muls r6, r3, r6\n",
+            "muls r7, r3, r7\n",
+            "asrs r4, r4, #10\n",
+            "uxth r3, r1\n",
+            "muls r3, r4, r3\n",
+            "adds r6, r6, r3\n",
+            "asrs r3, r1, #16\n",
+            "muls r3, r4, r3\n",
+            "adds r7, r7, r3\n",
+            "asrs r5, r5, #10\n",
+            "uxth r3, r2\n",
+            "muls r3, r5, r3\n",
+            "adds r6, r6, r3\n",
+            "asrs r3, r2, #16\n",
+            "muls r3, r5, r3\n",
+            "adds r7, r7, r3\n",
+            "asrs r6, r6, #14\n",
+            "lsls r7, r7, #2\n",
+            "adds r7, r7, r6\n",
+        )
+    };
+}
+
+/// The number of digits in `r4` by which the way in `r0` to `r2` can be shifted up. Overwrites `r3` and `r5`.
+macro_rules! digits_up {
+    () => {
+        concat!(
+            "asrs r3, r0, #31\n",
+            "eors r3, r0\n",
+            "asrs r4, r1, #31\n",
+            "eors r4, r1\n",
+            "orrs r3, r4\n",
+            "asrs r4, r2, #31\n",
+            "eors r4, r2\n",
+            "orrs r3, r4\n",
+            "movs r4, #0\n",
+            // Most are at least 1/2 away.
+            "lsrs r5, r3, #23\n",
+            "bne 22f\n",
+            search!("r3", "r5", "r4", "16", "15", "21"),
+            search!("r3", "r5", "r4", "8", "23", "22"),
+            search!("r3", "r5", "r4", "4", "27", "23"),
+            search!("r3", "r5", "r4", "2", "29", "24"),
+            search!("r3", "r5", "r4", "1", "30", "25"),
+        )
+    };
+}
+
+/// Cuts the way in `r0` to `r2` to 15 digits of each coordinate, and the height in `r7` to as many; the sum
+/// of the squares of the coordinates is in `r3`. Overwrites `r5`.
+macro_rules! cut_and_square {
+    () => {
+        concat!(
+            "lsls r0, r4\n",
+            "asrs r0, r0, #16\n",
+            "lsls r1, r4\n",
+            "asrs r1, r1, #16\n",
+            "lsls r2, r4\n",
+            "asrs r2, r2, #16\n",
+            "movs r3, r0\n",
+            "muls r3, r0, r3\n",
+            "movs r5, r1\n",
+            "muls r5, r1, r5\n",
+            "adds r3, r3, r5\n",
+            "movs r5, r2\n",
+            "muls r5, r2, r5\n",
+            "adds r3, r3, r5\n",
+            "lsls r7, r4\n",
+            "lsrs r7, r7, #16\n",
+        )
+    };
+}
+
 /// From the way in `r0` to `r2` and the unit normal in `r3` to `r5`: the unit vector along the way in `r0` to
 /// `r2`, the length in `r3`, and the cosine in `r4`. Where the light is not above the surface, `r4` is -1 and
 /// the other registers mean nothing. Overwrites `r5` and `r12`.
@@ -24,70 +105,15 @@ macro_rules! scale {
 pub(super) extern "C" fn toward_light() {
     naked_asm!(
         "push {{r6, r7, lr}}",
-        // The height above the surface, from 15 digits of the normal.
-        "asrs r3, r3, #10",
-        "uxth r6, r0",
-        "asrs r7, r0, #16",
-        "muls r6, r3, r6",
-        "muls r7, r3, r7",
-        "asrs r4, r4, #10",
-        "uxth r3, r1",
-        "muls r3, r4, r3",
-        "adds r6, r6, r3",
-        "asrs r3, r1, #16",
-        "muls r3, r4, r3",
-        "adds r7, r7, r3",
-        "asrs r5, r5, #10",
-        "uxth r3, r2",
-        "muls r3, r5, r3",
-        "adds r6, r6, r3",
-        "asrs r3, r2, #16",
-        "muls r3, r5, r3",
-        "adds r7, r7, r3",
-        "asrs r6, r6, #14",
-        "lsls r7, r7, #2",
-        "adds r7, r7, r6",
+        height_above!(),
         "cmp r7, #0",
         "bgt 20f",
         "movs r4, #0",
         "mvns r4, r4",
         "pop {{r6, r7, pc}}",
         "20:",
-        // How far the digits can be shifted up.
-        "asrs r3, r0, #31",
-        "eors r3, r0",
-        "asrs r4, r1, #31",
-        "eors r4, r1",
-        "orrs r3, r4",
-        "asrs r4, r2, #31",
-        "eors r4, r2",
-        "orrs r3, r4",
-        "movs r4, #0",
-        // Most are at least 1/2 away.
-        "lsrs r5, r3, #23",
-        "bne 22f",
-        search!("r3", "r5", "r4", "16", "15", "21"),
-        search!("r3", "r5", "r4", "8", "23", "22"),
-        search!("r3", "r5", "r4", "4", "27", "23"),
-        search!("r3", "r5", "r4", "2", "29", "24"),
-        search!("r3", "r5", "r4", "1", "30", "25"),
-        // 15 digits of each coordinate, and the sum of their squares.
-        "lsls r0, r4",
-        "asrs r0, r0, #16",
-        "lsls r1, r4",
-        "asrs r1, r1, #16",
-        "lsls r2, r4",
-        "asrs r2, r2, #16",
-        "movs r3, r0",
-        "muls r3, r0, r3",
-        "movs r5, r1",
-        "muls r5, r1, r5",
-        "adds r3, r3, r5",
-        "movs r5, r2",
-        "muls r5, r2, r5",
-        "adds r3, r3, r5",
-        "lsls r7, r4",
-        "lsrs r7, r7, #16",
+        digits_up!(),
+        cut_and_square!(),
         "push {{r0, r1, r2, r3, r4, r7}}",
         // 2⁴⁵ over their length.
         "movs r0, r3",
