@@ -169,11 +169,11 @@ fn followed<R: Real, S: Geometry, P: Probe<R>>(
     if !(largest > R::ZERO) {
         return None;
     }
-    if bounces >= trace.bounds.bounces {
+    if bounces >= trace.limits.bounces {
         trace.probe.record(Event::Cut(Cut::Bounces));
         return None;
     }
-    if largest < trace.bounds.cutoff {
+    if largest < trace.limits.cutoff {
         trace.probe.record(Event::Cut(Cut::Throughput));
         return None;
     }

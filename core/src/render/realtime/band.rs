@@ -17,9 +17,9 @@ use super::side::{POINTS, Side};
 use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
-use super::tracer::{CellView, Traced, Tracer, nothing_met};
+use super::tracer::{CellView, Tracer, UnlitScene, nothing_met};
 use crate::camera::Row;
-use crate::integrator::Bounds;
+use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
@@ -70,10 +70,10 @@ impl<R> Band<R> {
 #[derive(Debug)]
 pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
     /// When rays end.
-    bounds: Bounds<R>,
+    limits: RayLimits<R>,
     /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
     /// not traced.
-    unlit: Traced<'m, R, S>,
+    unlit: UnlitScene<'m, R, S>,
     quality: Realtime,
     small: SmallThings<R>,
     /// The line of the picture that the lent row of samples holds.
@@ -89,13 +89,13 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     /// For a picture in colors of type `C`, of which no lines are to be drawn yet.
     #[inline]
     pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
-        let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
+        let cutoff = renderer.limits.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let unlit_bounds = Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds };
+        let unlit_limits = RayLimits { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.limits };
         Self {
-            bounds: Bounds { cutoff, ..renderer.bounds },
-            unlit: Traced { scene: unlit, bounds: unlit_bounds },
+            limits: RayLimits { cutoff, ..renderer.limits },
+            unlit: UnlitScene { scene: unlit, limits: unlit_limits },
             quality,
             small: SmallThings::new(renderer, quality.grid),
             row: None,
@@ -181,7 +181,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         let seen = self.seen(band, detail);
         let view = CellView {
             renderer,
-            bounds: &self.bounds,
+            limits: &self.limits,
             unlit: &self.unlit,
             among,
             left: band.left,

@@ -10,7 +10,7 @@ use super::small::{TipPoints, Watch};
 use super::tolerance::Tolerance;
 use crate::camera::Row;
 use crate::color::LinearRgb;
-use crate::integrator::{Bounds, Sight};
+use crate::integrator::{RayLimits, Sight};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
@@ -33,20 +33,19 @@ enum Purpose {
     Marks,
 }
 
-/// A scene, and when its rays end.
+/// The scene without its lights, and when its rays end.
 #[derive(Debug)]
-pub(super) struct Traced<'m, R: Real, S: Geometry + 'm> {
+pub(super) struct UnlitScene<'m, R: Real, S: Geometry + 'm> {
     pub(super) scene: PreparedScene<'m, R, S>,
-    pub(super) bounds: Bounds<R>,
+    pub(super) limits: RayLimits<R>,
 }
 
 /// A cell, as its rays need it.
 pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     pub(super) renderer: &'c Renderer<'c, 'm, R, S>,
     /// When rays of the scene end.
-    pub(super) bounds: &'c Bounds<R>,
-    /// The scene without lights.
-    pub(super) unlit: &'c Traced<'m, R, S>,
+    pub(super) limits: &'c RayLimits<R>,
+    pub(super) unlit: &'c UnlitScene<'m, R, S>,
     /// The objects that the cell can show.
     pub(super) among: ObjectSet,
     /// Column and line of the cell's upper left pixel.
@@ -111,9 +110,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     #[inline(never)]
     fn trace_for(&mut self, purpose: Purpose, x: usize, y: usize) -> Sample {
         let view = &mut self.view;
-        let (scene, bounds) = match purpose {
-            Purpose::Path => (&view.unlit.scene, &view.unlit.bounds),
-            Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.bounds),
+        let (scene, limits) = match purpose {
+            Purpose::Path => (&view.unlit.scene, &view.unlit.limits),
+            Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.limits),
         };
         let (faint, watch) = match purpose {
             Purpose::Tone => (R::ONE, None),
@@ -127,7 +126,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         let row = view.rows.get(y).copied().unwrap_or(Row::TOP);
         let pixel = Pixel { x: place(view.left, x), y: place(view.top, y), row };
         let sight = Sight::among(view.among);
-        let (light, rays) = view.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
+        let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Path {
             Tone::new(0, 0, 0)
         } else {
