@@ -8,9 +8,9 @@
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].
 //!
-//! Nothing below [`Renderer::light_in`] is generic over the color. With the feature `hierarchy`, the path of
-//! a pixel is therefore compiled once for all colors; without it, the path is inlined into each painter,
-//! which is faster on small processors.
+//! Nothing below [`Renderer::light_in`] is generic over the color. With the feature `hierarchy`, the code
+//! that traces a pixel is therefore compiled once for all colors; without it, that code is inlined into each
+//! painter, which is faster on small processors.
 
 mod digest;
 mod display_color;

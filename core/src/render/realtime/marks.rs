@@ -3,7 +3,7 @@
 //! Pixels whose rays met the same things have the same digests. Pixels whose rays met different things have
 //! different ones, but for one in 128: a [`Sample`] keeps 7 bits of each digest.
 
-use super::sample::{Near, Path, Sample};
+use super::sample::{Near, PathDigest, Sample};
 use super::small::Watch;
 use crate::color::LinearRgb;
 use crate::material::PreparedMaterial;
@@ -73,7 +73,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     pub(super) fn sample(&self, tone: Tone) -> Sample {
         let watched = self.watch.as_ref().map_or(Near::Nothing, |watch| watch.near);
         let near = if self.near_glint { watched.max(Near::Glint) } else { watched };
-        Sample::traced(tone, Path::new(self.path), self.shade, near)
+        Sample::traced(tone, PathDigest::new(self.path), self.shade, near)
     }
 
     /// Folds a hit into the digest of the path.

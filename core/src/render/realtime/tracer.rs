@@ -28,7 +28,7 @@ enum Purpose {
     /// Its tone alone.
     Tone,
     /// The objects that it meets: it is traced in a scene without lights.
-    Path,
+    Objects,
     /// Everything: its tone and both digests, and small things beside its rays.
     Marks,
 }
@@ -111,12 +111,12 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     fn trace_for(&mut self, purpose: Purpose, x: usize, y: usize) -> Sample {
         let view = &mut self.view;
         let (scene, limits) = match purpose {
-            Purpose::Path => (&view.unlit.scene, &view.unlit.limits),
+            Purpose::Objects => (&view.unlit.scene, &view.unlit.limits),
             Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.limits),
         };
         let (faint, watch) = match purpose {
             Purpose::Tone => (R::ONE, None),
-            Purpose::Path | Purpose::Marks => {
+            Purpose::Objects | Purpose::Marks => {
                 (R::from_f32(FAINT), view.watch.as_mut().and_then(|watch| watch.stand_for(x, y)))
             }
         };
@@ -127,7 +127,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         let pixel = Pixel { x: place(view.left, x), y: place(view.top, y), row };
         let sight = Sight::among(view.among);
         let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
-        let tone = if purpose == Purpose::Path {
+        let tone = if purpose == Purpose::Objects {
             Tone::new(0, 0, 0)
         } else {
             C::tone(Light16::new(light), &Quantizer::nearest(view.renderer.settings.transfer))
@@ -161,7 +161,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource
         if a.path() != b.path() && a.is_shaded_like(b) {
             // Nothing new stands before the lights between two pixels so close: a trace without lights tells
             // which of the two this one is like.
-            let path = self.trace_for(Purpose::Path, x, y).path();
+            let path = self.trace_for(Purpose::Objects, x, y).path();
             if path == a.path() {
                 return a.untraced();
             }
