@@ -10,7 +10,7 @@ use super::cell::{Cell, Corners};
 use super::marks::FAINT;
 use super::paint::Paint;
 use super::pixel_source::PixelSource;
-use super::plan::{Above, Plan, Seen};
+use super::plan::{Above, Plan, SmallInCell};
 use super::quality::Realtime;
 use super::sample::Sample;
 use super::side::{POINTS, Side};
@@ -178,7 +178,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             return Spent::default();
         }
         let detail = self.budget.detail();
-        let seen = self.seen(band, detail);
+        let small = self.small_in_cell(band, detail);
         let view = CellView {
             renderer,
             limits: &self.limits,
@@ -207,7 +207,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         if is_first {
             band.is_left_refined = refine_first_side(&mut self.cell, side, &mut tracer);
         }
-        let plan = Plan::new(&corners, band.is_left_refined, seen, side, &tracer);
+        let plan = Plan::new(&corners, band.is_left_refined, small, side, &tracer);
         plan.draw(&mut self.cell, &corners, above, &mut tracer);
         let all = tracer.rays;
         if plan.needs_corners_alone() {
@@ -220,10 +220,10 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
-    fn seen(&self, band: &Band<R>, detail: Detail) -> Seen {
+    fn small_in_cell(&self, band: &Band<R>, detail: Detail) -> SmallInCell {
         let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
         let next = band.left + self.quality.grid.pixels() as u32;
-        Seen {
+        SmallInCell {
             is_thin,
             is_next_thin: is_thin && band.thin.holds(next),
             // The constant says whether any shape has rims. If none has, the compiler leaves out what

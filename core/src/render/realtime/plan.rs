@@ -10,7 +10,7 @@ pub(super) type Above<'c> = Option<&'c [Sample]>;
 
 /// Small things that a cell can show, as far as they are known before the first ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct SmallInCell {
     /// Something thin can be seen: every pixel is traced.
     pub(super) is_thin: bool,
     /// Something thin can be seen in the next cell too.
@@ -24,7 +24,7 @@ pub(super) struct Seen {
 pub(super) struct Plan {
     /// The side of the cell in pixels.
     side: usize,
-    seen: Seen,
+    small: SmallInCell,
     /// Whether the ends of the top side differ.
     top_differs: bool,
     /// Whether the left side is already refined.
@@ -41,7 +41,7 @@ impl Plan {
     pub(super) fn new(
         corners: &Corners,
         is_left_refined: bool,
-        seen: Seen,
+        small: SmallInCell,
         side: usize,
         pixels: &impl PixelSource,
     ) -> Self {
@@ -51,11 +51,11 @@ impl Plan {
         let bottom = pixels.differ(bottom_left, bottom_right, side);
         Self {
             side,
-            seen,
+            small,
             top_differs: top,
             is_left_refined,
             // Two neighbors that are both traced in full need no refined side between them.
-            refines_right: right && !(seen.is_thin && seen.is_next_thin),
+            refines_right: right && !(small.is_thin && small.is_next_thin),
             any_differs: top || right || bottom || is_left_refined,
         }
     }
@@ -63,17 +63,17 @@ impl Plan {
     /// Whether all points between the corners are interpolated, on the sides and inside, unless the cell is
     /// verified.
     pub(super) fn is_smooth(&self) -> bool {
-        !(self.any_differs || self.seen.is_thin)
+        !(self.any_differs || self.small.is_thin)
     }
 
     /// Whether the corners are all that is drawn of the cell.
     pub(super) fn needs_corners_alone(&self) -> bool {
-        self.is_smooth() && !self.seen.has_rim
+        self.is_smooth() && !self.small.has_rim
     }
 
     /// Whether every pixel is traced.
     pub(super) fn traces_all(&self) -> bool {
-        self.seen.is_thin
+        self.small.is_thin
     }
 
     /// Whether the right side is refined, not interpolated.
@@ -104,7 +104,7 @@ impl Plan {
             return;
         }
         self.refine(cell, above, pixels);
-        if self.seen.has_rim {
+        if self.small.has_rim {
             cell.verify(self.side, pixels);
         }
     }
