@@ -304,7 +304,8 @@ fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     (Corners { top_left, top_right, bottom_left, bottom_right }, tracer.rays - before)
 }
 
-/// Draws the left side of the first cell of a band, if its ends differ; returns whether they do.
+/// Refines the left side of a band's first cell if the two ends of the side differ; returns whether they do.
+/// If not, the side is left as it is: the cell's [`Plan`] interpolates it, if its points are needed.
 fn refine_first_side(cell: &mut Cell, side: usize, pixels: &mut impl PixelSource) -> bool {
     let differ = pixels.differ(cell.get(0, 0), cell.get(0, side), side);
     if differ {
@@ -313,7 +314,8 @@ fn refine_first_side(cell: &mut Cell, side: usize, pixels: &mut impl PixelSource
     differ
 }
 
-/// Hands the bottom row of a cell to the band below. Its left end is the right end of the cell before.
+/// Hands the bottom row of a cell to the band below, without its left end: the cell before has handed that
+/// down as its own right end. Only a band's first cell hands down both ends.
 fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, side: usize) {
     let first = if left == 0 { 0 } else { 1 };
     for (x, sample) in (first..=side).zip(samples.iter_mut().skip(left + first)) {
