@@ -70,7 +70,7 @@ impl<R: Real> SeenBall<R> {
         };
         let (position, radius) = (position.to_setup(), radius.to_setup());
         let toward_center = center.to_setup() - position;
-        let radius = radius + radius * R::Setup::from_f32(1e-3) + beside(reach, light);
+        let radius = radius + radius * R::Setup::from_f32(1e-3) + shadow_ray_deviation(reach, light);
         let distance_squared = toward_center.length_squared();
         let rounding = distance_squared * (R::Setup::RAY_OFFSET * R::Setup::from_f32(4.0));
         let tangent_squared = distance_squared - rounding - radius * radius;
@@ -111,7 +111,7 @@ impl<R: Real> SeenBall<R> {
 /// The largest distance between a shadow ray and the straight way from a hit within `reach` to a light: the
 /// ray begins off the surface by the ray offset, and its direction is rounded.
 #[inline(never)]
-fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
+fn shadow_ray_deviation<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
             let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
@@ -221,12 +221,12 @@ impl<'m, R: Real> Candidates<'m, R> {
 
     /// The largest distance between a shadow ray and the straight way to the light, for hits that
     /// [are near](Self::are_near).
-    pub(super) fn beside(&self, light: &Source<R>) -> R::Setup {
-        beside(self.reach, light)
+    pub(super) fn shadow_ray_deviation(&self, light: &Source<R>) -> R::Setup {
+        shadow_ray_deviation(self.reach, light)
     }
 
     /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
-    /// [`beside`](Self::beside) and [`not_passed_by`](Self::not_passed_by).
+    /// [`shadow_ray_deviation`](Self::shadow_ray_deviation) and [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
@@ -330,9 +330,8 @@ impl<R: Real> Ball<R> {
     /// Whether any of `other` may stand between a point inside and the light.
     #[inline(never)]
     fn is_shaded_by(&self, other: &Blocker<R>, light: &Source<R>) -> bool {
-        // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset.
         let largest = R::from_setup(self.center.magnitude() + self.radius);
-        let astray = beside(largest, light);
+        let astray = shadow_ray_deviation(largest, light);
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());

@@ -185,7 +185,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         light: &Source<R>,
     ) -> Option<(Vec3<R::Setup>, R::Setup)> {
         let (candidates, ball) = (self.candidates()?, self.objects.get(object).and_then(Ball::around)?);
-        Some((ball.center, ball.radius + candidates.beside(light)))
+        Some((ball.center, ball.radius + candidates.shadow_ray_deviation(light)))
     }
 
     /// Whether an object may have a highlight of a light at a place where rays are mirrored into this

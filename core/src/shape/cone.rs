@@ -20,7 +20,7 @@
 //! first, by the line at right angles to both, for half the products. Fixed point, whose coefficients must
 //! not overflow, first looks whether the ray comes near the base at all.
 
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, normal_after_step, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -256,10 +256,10 @@ impl<R: Real> PreparedCone<R> {
         let across = if is_along { Vec3::ZERO } else { across };
 
         let height = from_base.dot(self.axis);
-        let beside = from_base - self.axis * height;
-        let aside = beside.dot(across);
+        let from_axis = from_base - self.axis * height;
+        let aside = from_axis.dot(across);
         if R::IS_FIXED_POINT {
-            let passing = beside.length_squared_wide() - aside.times(aside);
+            let passing = from_axis.length_squared_wide() - aside.times(aside);
             if passing > self.reach.times(self.reach) + R::ONE.times(R::RAY_OFFSET) {
                 return None;
             }
@@ -289,12 +289,12 @@ impl<R: Real> PreparedCone<R> {
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         let Approach { from_base, advance, climb, across, sine } = self.approach(ray)?;
         let height = from_base.dot(self.axis);
-        let beside = from_base - self.axis * height;
-        let distance_squared = beside.length_squared_wide();
+        let from_axis = from_base - self.axis * height;
+        let distance_squared = from_axis.length_squared_wide();
         if distance_squared > self.reach.times(self.reach) {
             return None;
         }
-        let aside = beside.dot(across);
+        let aside = from_axis.dot(across);
         let radius = self.base_radius + self.slope * height;
         let widens = self.slope * climb;
         let unit = sine.larger(widens.abs());
@@ -326,8 +326,8 @@ impl<R: Real> PreparedCone<R> {
         let sine = each(|i| across[i].1);
         let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
         let height = each(|i| from_base[i].dot(self.axis));
-        let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let aside = each(|i| beside[i].dot(across[i]));
+        let from_axis = each(|i| from_base[i] - self.axis * height[i]);
+        let aside = each(|i| from_axis[i].dot(across[i]));
         let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
         let shift = each(|i| {
             let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
@@ -434,13 +434,13 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let FourApproaches { near_enough, from_base, advance, climb, across, sine } = approaches;
         // As `passage`. The root of what is not positive is 0 or NaN.
         let height = each(|i| from_base[i].dot(self.axis));
-        let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let distances_squared = each(|i| beside[i].length_squared());
+        let from_axis = each(|i| from_base[i] - self.axis * height[i]);
+        let distances_squared = each(|i| from_axis[i].length_squared());
         let near_enough = near_enough & R::no_larger(&distances_squared, &[self.reach * self.reach; 4]);
         if near_enough == 0 {
             return (0, *max);
         }
-        let aside = each(|i| beside[i].dot(across[i]));
+        let aside = each(|i| from_axis[i].dot(across[i]));
         let radius = each(|i| self.base_radius + self.slope * height[i]);
         let widens = each(|i| self.slope * climb[i]);
         let unit = each(|i| sine[i].larger(widens[i].abs()));
@@ -448,9 +448,9 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let (alpha, beta) = (each(|i| parts[i].0), each(|i| parts[i].1));
         let a = each(|i| alpha[i] * alpha[i] - beta[i] * beta[i]);
         let b = each(|i| alpha[i] * aside[i] - beta[i] * radius[i]);
-        let c = each(|i| beside[i].length_squared_wide() - radius[i].times(radius[i]));
+        let c = each(|i| from_axis[i].length_squared_wide() - radius[i].times(radius[i]));
         let even = each(|i| alpha[i] * radius[i] - beta[i] * aside[i]);
-        let passing = each(|i| beside[i].length_squared_wide() - aside[i].times(aside[i]));
+        let passing = each(|i| from_axis[i].length_squared_wide() - aside[i].times(aside[i]));
         let root = each(|i| (even[i].times(even[i]) - passing[i].times(a[i])).sqrt());
         let zeros = [R::ZERO; 4];
         let crossed = near_enough & R::less(&zeros, &root);
@@ -578,7 +578,7 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
         if self.is_on_lid(surface) {
             surface.normal
         } else {
-            beside(&Self { capped: false, ..*self }, surface, step)
+            normal_after_step(&Self { capped: false, ..*self }, surface, step)
         }
     }
 }
@@ -634,9 +634,9 @@ mod tests {
             let shape = Cone { base_radius: radius, top_radius: random.next().abs() * radius, ..TENT };
             let mut memory = Memory::new();
             let cone: PreparedCone<f32> = prepared(shape, &mut memory).expect("a legal cone");
-            let beside = random.direction().cross(cone.axis).normalized().unwrap_or(LEFT);
+            let from_axis = random.direction().cross(cone.axis).normalized().unwrap_or(LEFT);
             let height = cone.axis * (random.next() * 3.0);
-            let aim = cone.base + height + beside * (radius * (1.2 + random.next() * 0.4));
+            let aim = cone.base + height + from_axis * (radius * (1.2 + random.next() * 0.4));
             let almost_along = random.direction() * 1e-3 + cone.axis;
             let direction = if round / 16 % 2 == 0 { almost_along } else { random.direction() };
             let direction = direction.normalized().unwrap_or(LEFT);

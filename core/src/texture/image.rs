@@ -152,7 +152,7 @@ impl<R: Real> PreparedImage<'_, R> {
         let levels = |light: LinearRgb<R>| [light.r, light.g, light.b].map(R::to_q16);
         let here = levels(self.pixel(column, line));
         let differs = |right: i32, up: i32| {
-            let beside = levels(self.beside(column.wrapping_add(right), line.wrapping_add(up)));
+            let beside = levels(self.continued_pixel(column.wrapping_add(right), line.wrapping_add(up)));
             // Colors differ if a channel differs by more than 1/16, the step of `level_mark`.
             here.into_iter().zip(beside).any(|(here, beside)| here.abs_diff(beside) > 1 << 12)
         };
@@ -172,13 +172,12 @@ impl<R: Real> PreparedImage<'_, R> {
             Filter::Nearest => {
                 self.light(nearest(column, self.image.width), nearest(line, self.image.height))
             }
-            Filter::Bilinear => self.beside(column, line),
+            Filter::Bilinear => self.continued_pixel(column, line),
         }
     }
 
-    /// The color of a pixel by its column and its line, counted from below. One pixel beyond an edge, the
-    /// continuation decides.
-    fn beside(&self, column: i32, line: i32) -> LinearRgb<R> {
+    /// As [`light`](Self::light), also one pixel beyond an edge, where [`Ends`] says how the image goes on.
+    fn continued_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
         let [across, up] = self.ends;
         let fold = |at: i32, count: u16, ends: Ends| {
             let last = i32::from(count).wrapping_sub(1);

@@ -88,11 +88,11 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     /// The beam from the points to a light.
     fn beam_to(&self, light: usize) -> Option<Beam<R>> {
         let (points, magnitude) = self.points?;
-        // A shadow ray begins so far beside its point.
-        let beside = R::offset(magnitude);
+        // A shadow ray begins this far from its point.
+        let offset = R::offset(magnitude);
         match self.group.scene.lights.get(light)?.source {
-            Source::At(position) => Some(Beam::toward_point(points, beside, position)),
-            Source::Toward(direction) => Some(Beam::toward(points, beside, direction)),
+            Source::At(position) => Some(Beam::toward_point(points, offset, position)),
+            Source::Toward(direction) => Some(Beam::toward(points, offset, direction)),
             Source::Far(..) => None,
         }
     }

@@ -61,6 +61,6 @@ impl<R: Real> Footprint<R> {
         let Self { cone, direction, normal, slant } = *self;
         let radius =
             |_, toward: Vec3<R>| cone.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        any_thin(cone.slenderness, hulls, |stick| stick.beside(shadow, distance, radius))
+        any_thin(cone.slenderness, hulls, |stick| stick.thickness_beside(shadow, distance, radius))
     }
 }

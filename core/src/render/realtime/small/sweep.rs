@@ -144,8 +144,13 @@ mod tests {
         let viewport = Viewport::<f64>::new(&CAMERA.prepare(Scale::ONE).unwrap(), 320, 240);
         let cone = Cone::new(&viewport, Grid::Eight, 0).after(30.0);
         let (direction, normal) = (Vec3::new(0.0, 0.0, -1.0), Vec3::new(0.0, 0.0, 1.0));
-        let beside = |step: Vec3<f64>| (normal * radius + step).unit();
-        Sweep::new(&Footprint::new(cone, direction, normal), viewport.sides(), (direction, normal), beside)
+        let normal_beside = |step: Vec3<f64>| (normal * radius + step).unit();
+        Sweep::new(
+            &Footprint::new(cone, direction, normal),
+            viewport.sides(),
+            (direction, normal),
+            normal_beside,
+        )
     }
 
     #[test]
