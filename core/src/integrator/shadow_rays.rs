@@ -21,13 +21,14 @@ pub(crate) const OUTLINED_LIGHTS: usize = 4;
 
 impl Blockers {
     /// Any object can shade this place, which lies on no object.
-    pub(crate) const UNKNOWN: Self = Self { receiver: usize::MAX, before: [ObjectSet::ALL; OUTLINED_LIGHTS] };
+    pub(crate) const UNKNOWN: Self =
+        Self { receiver: usize::MAX, before: [ObjectSet::UNKNOWN; OUTLINED_LIGHTS] };
 
     /// The objects that can stand before a light.
     #[inline]
     fn before(&self, light: usize) -> ObjectSet {
         // In scenes of more lights, all sets are equal.
-        self.before.get(light % OUTLINED_LIGHTS).copied().unwrap_or(ObjectSet::ALL)
+        self.before.get(light % OUTLINED_LIGHTS).copied().unwrap_or(ObjectSet::UNKNOWN)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The second question of a ray: how much light gets through between two points?
 
-use super::candidates::Ball;
+use super::candidates::BoundingBall;
 use super::closest::NO_OBJECT;
 use super::objects::PreparedObject;
 use super::{Among, Departure, ObjectSet, PreparedScene};
@@ -170,9 +170,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The objects that can be in the way between any point of an object and a light.
+    /// The objects that can be in the way between any point of an object and a light; unknown ones where the
+    /// scene has no sets.
     pub(crate) fn may_shade(&self, receiver: usize, light: usize) -> ObjectSet {
-        self.candidates().map_or(ObjectSet::ALL, |candidates| {
+        self.candidates().map_or(ObjectSet::UNKNOWN, |candidates| {
             candidates.between(Departure { object: receiver, outward: true }, light)
         })
     }
@@ -184,7 +185,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         object: usize,
         light: &Source<R>,
     ) -> Option<(Vec3<R::Setup>, R::Setup)> {
-        let (candidates, ball) = (self.candidates()?, self.objects.get(object).and_then(Ball::around)?);
+        let (candidates, ball) =
+            (self.candidates()?, self.objects.get(object).and_then(BoundingBall::around)?);
         Some((ball.center, ball.radius + candidates.shadow_ray_deviation(light)))
     }
 

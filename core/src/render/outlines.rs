@@ -48,7 +48,7 @@ impl Outlines {
         count: None,
         receiver: usize::MAX,
         shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::ALL; OUTLINED_LIGHTS],
+        others: [ObjectSet::UNKNOWN; OUTLINED_LIGHTS],
     };
 
     /// Finds the outlines of a scene's objects, unless it has too many. In place, as `Outlines` is large.

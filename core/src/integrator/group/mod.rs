@@ -116,7 +116,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
                     let ray = &lane.path.next.ray;
                     let closest = match &list {
                         Some(list) => self.scene.closest(ray, Interval::AHEAD, Among::Listed(list)),
-                        None => self.scene.closest_from(ray, lane.path.next.from, ObjectSet::ALL),
+                        None => self.scene.closest_from(ray, lane.path.next.from, ObjectSet::UNKNOWN),
                     };
                     lane.meet(self.scene, closest);
                 }
