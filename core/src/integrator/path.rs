@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use super::Trace;
 use super::pending_ray::PendingRay;
-use super::shaded_hit::{ShadedHit, Shadows};
+use super::shaded_hit::{ShadedHit, ShadowRays};
 use super::shadow_rays::Blockers;
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
@@ -84,7 +84,7 @@ impl<R: Real> Path<R> {
         &mut self,
         trace: &mut Trace<'_, '_, R, S, P>,
         met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
-        shadows: &mut impl Shadows<R>,
+        shadow_rays: &mut impl ShadowRays<R>,
         waiting: &mut Waiting<R>,
     ) -> bool {
         let PendingRay { ray, throughput, kind, from, .. } = self.next;
@@ -107,8 +107,8 @@ impl<R: Real> Path<R> {
         }
         let shaded = ShadedHit::new(scene, &ray, hit, normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
-        shadows.begin_at(hit.object);
-        let light = shaded.local_light(trace, shadows);
+        shadow_rays.begin_at(hit.object);
+        let light = shaded.local_light(trace, shadow_rays);
         self.receive(throughput, light);
         if material.sends_rays() {
             self.branch(trace, &shaded, throughput, waiting)

@@ -1,6 +1,6 @@
 //! How much of each light gets through to a hit.
 
-use super::shaded_hit::{ShadedHit, Shadows};
+use super::shaded_hit::{ShadedHit, ShadowRays};
 use crate::math::{Real, Vec3};
 use crate::prepared::{Among, ObjectSet, PreparedScene, Through};
 use crate::shape::Geometry;
@@ -32,7 +32,7 @@ impl Blockers {
     }
 }
 
-impl<R: Real> Shadows<R> for &Blockers {
+impl<R: Real> ShadowRays<R> for &Blockers {
     #[inline(always)]
     fn begin_at(&mut self, object: usize) {
         if self.receiver != object {

@@ -2,7 +2,7 @@
 
 use super::{FEWEST_IN_BEAM, Lane, List, PixelGroup};
 use crate::hierarchy::Beam;
-use crate::integrator::shaded_hit::{ShadedHit, Shadows};
+use crate::integrator::shaded_hit::{ShadedHit, ShadowRays};
 use crate::light::Source;
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::Departure;
@@ -98,7 +98,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     }
 }
 
-impl<R: Real, S: Geometry> Shadows<R> for Ways<'_, '_, '_, R, S> {
+impl<R: Real, S: Geometry> ShadowRays<R> for Ways<'_, '_, '_, R, S> {
     #[inline(always)]
     fn through<T: Geometry>(
         &mut self,

@@ -50,10 +50,10 @@ impl<R: Real> Footprint<R> {
     }
 
     /// Whether something thin can stand between a place of the footprint and a light, in a shape with these
-    /// hulls. The light is at `distance` along the ray `shadow` from the middle.
+    /// hulls. The light is at `distance` along `shadow_ray` from the middle.
     pub(super) fn can_be_shaded(
         &self,
-        shadow: &Ray<R>,
+        shadow_ray: &Ray<R>,
         distance: R,
         hulls: impl Iterator<Item = Hull<R>>,
     ) -> bool {
@@ -61,6 +61,6 @@ impl<R: Real> Footprint<R> {
         let Self { cone, direction, normal, slant } = *self;
         let radius =
             |_, toward: Vec3<R>| cone.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        any_thin(cone.slenderness, hulls, |stick| stick.thickness_beside(shadow, distance, radius))
+        any_thin(cone.slenderness, hulls, |stick| stick.thickness_beside(shadow_ray, distance, radius))
     }
 }

@@ -6,7 +6,7 @@
 //! are found once for a picture.
 
 use super::super::grid::Grid;
-use super::shadow_on_plane::ShadowOnPlane;
+use super::shadow_projection::ShadowProjection;
 use super::stadium::place_of;
 use crate::light::Source;
 use crate::math::{Real, Vec3};
@@ -62,8 +62,8 @@ impl RimCells {
                     Source::Far(..) => continue,
                 };
                 if rim.is_seen_from(toward) {
-                    let shadow = ShadowOnPlane::new(&light.source, plane);
-                    cells.add_rim(renderer, grid, &rim, shadow.as_ref());
+                    let projection = ShadowProjection::new(&light.source, plane);
+                    cells.add_rim(renderer, grid, &rim, projection.as_ref());
                 }
             }
         });
@@ -77,11 +77,11 @@ impl RimCells {
         renderer: &Renderer<'_, '_, R, S>,
         grid: Grid,
         rim: &Rim<R>,
-        shadow: Option<&ShadowOnPlane<R::Setup>>,
+        projection: Option<&ShadowProjection<R::Setup>>,
     ) {
         let viewport = &renderer.viewport;
         let number = R::Setup::from_u16;
-        let shown = |point| shadow.map_or(Some(point), |shadow| shadow.shadow(point));
+        let shown = |point| projection.map_or(Some(point), |projection| projection.shadow_of(point));
         let [from, to] = rim.ends.map(Vec3::to_setup);
         let half = R::Setup::from_f32(0.5);
         let Some(middle) = shown((from + to) * half) else { return };

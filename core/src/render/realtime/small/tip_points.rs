@@ -13,7 +13,7 @@
 use super::super::grid::{Grid, LARGEST_SIDE, SQUARE};
 use super::super::sample::Sample;
 use super::column_set::ColumnSet;
-use super::shadow_on_plane::ShadowOnPlane;
+use super::shadow_projection::ShadowProjection;
 use super::taper::Taper;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
@@ -83,13 +83,13 @@ impl TipPoints {
         let half = R::Setup::from_u16(self.half());
         let mut any = false;
         for tip in scene.tips(object).filter(Tip::is_sharp) {
-            let shadows = scene
+            let projections = scene
                 .lights
                 .iter()
-                .filter_map(|light| Some(Some(ShadowOnPlane::new(&light.source, plane?)?)));
+                .filter_map(|light| Some(Some(ShadowProjection::new(&light.source, plane?)?)));
             // The tip itself, without a shadow, and then each shadow of it.
-            for shadow in core::iter::once(None).chain(shadows) {
-                let Some(taper) = Taper::new(viewport, &tip, shadow.as_ref(), grid) else { continue };
+            for projection in core::iter::once(None).chain(projections) {
+                let Some(taper) = Taper::new(viewport, &tip, projection.as_ref(), grid) else { continue };
                 any = true;
                 self.add(rows, |row| {
                     let middle = R::Setup::from_u16(row) + R::Setup::from_f32(0.5);

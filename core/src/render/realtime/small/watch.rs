@@ -130,8 +130,8 @@ impl<R: Real> Watch<R> {
                 break;
             }
             let Some((toward, distance, _)) = light.seen_from(surface.point, facing) else { continue };
-            let shadow = Ray { origin: surface.point, direction: toward };
-            if has_thin && self.can_be_shaded(scene, &footprint, &shadow, distance) {
+            let shadow_ray = Ray { origin: surface.point, direction: toward };
+            if has_thin && self.can_be_shaded(scene, &footprint, &shadow_ray, distance) {
                 self.near = Near::Tiny;
             }
             // A light more than a right angle from the mirrored direction makes no highlight.
@@ -181,17 +181,17 @@ impl<R: Real> Watch<R> {
         cone.after(distance)
     }
 
-    /// Whether something thin can stand between a footprint and a light, which is at `distance` along the ray
-    /// `shadow`.
+    /// Whether something thin can stand between a footprint and a light, which is at `distance` along
+    /// `shadow_ray`.
     fn can_be_shaded<S: Geometry>(
         &self,
         scene: &PreparedScene<'_, R, S>,
         footprint: &Footprint<R>,
-        shadow: &Ray<R>,
+        shadow_ray: &Ray<R>,
         distance: R,
     ) -> bool {
-        let can_shade = |object| footprint.can_be_shaded(shadow, distance, scene.hulls(object));
-        scene.any_beside((shadow, distance), |_| footprint.reach(), self.targets.thin, can_shade)
+        let can_shade = |object| footprint.can_be_shaded(shadow_ray, distance, scene.hulls(object));
+        scene.any_beside((shadow_ray, distance), |_| footprint.reach(), self.targets.thin, can_shade)
     }
 }
 
