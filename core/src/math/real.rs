@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Cell, Ray, Vec3, float};
+use super::{LatticeCoordinate, Ray, Vec3, float};
 
 /// A number system for the kernel: `f32`, `f64` or [`Fixed`](super::Fixed).
 ///
@@ -61,7 +61,7 @@ pub trait Real: Kernel {
     /// fixed point.
     fn turn(y: Self, x: Self) -> Self;
     /// The largest whole number not above `self`, and the rest.
-    fn split(self) -> Cell<Self>;
+    fn split(self) -> LatticeCoordinate<Self>;
     /// The largest integer not above `self`, saturating.
     fn floor_to_i32(self) -> i32;
     /// The product, not yet rounded.
@@ -151,8 +151,9 @@ pub trait Kernel:
         Self: Real;
     /// 2 to the power `-self`, for `self ≥ 0`: the share that is left after `self` half-lives.
     fn halved(self) -> Self;
-    /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Beyond the range of the
-    /// number system, cells keep whether they are even, or all have the same number.
+    /// The number of the cell in which a coordinate lies, of `per_unit` cells in each unit:
+    /// `floor(self · per_unit)`. Beyond the range of the number system, the number wraps, and so stays even
+    /// or odd, or it is the same for all cells.
     fn cell(self, per_unit: Self::Factor) -> i32
     where
         Self: Real;
@@ -291,9 +292,9 @@ pub trait Linear<R: Real>: Copy + Debug + PartialEq + Send + Sync + 'static {
     fn new(gradient: Vec3<R::Setup>, zero: Vec3<R::Setup>) -> Self;
     /// The value at a point.
     fn at(&self, point: Vec3<R>) -> R;
-    /// The value at a point, as a cell and the place within it. The value may be beyond the range of the
-    /// number system.
-    fn cell(&self, point: Vec3<R>) -> Cell<R> {
+    /// The value at a point, [split](Real::split) into whole number and rest. It may be beyond the range of
+    /// the number system.
+    fn split_at(&self, point: Vec3<R>) -> LatticeCoordinate<R> {
         self.at(point).split()
     }
     /// The gradient.

@@ -88,8 +88,8 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         self.path = fold(self.path, hit.object as u32 ^ refracted ^ part);
         self.material = self.scene.material(hit.object);
         let Some(material) = self.material else { return };
-        if let Some(cell) = material.color.cell(surface, color, || self.scene.uv(hit.object, surface)) {
-            self.path = fold(self.path, cell);
+        if let Some(mark) = material.color.mark(surface, color, || self.scene.uv(hit.object, surface)) {
+            self.path = fold(self.path, mark);
         }
         if !material.maps.is_empty() {
             self.path = fold(self.path, self.digest_of_maps(hit, material));
