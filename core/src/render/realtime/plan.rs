@@ -22,8 +22,8 @@ pub(super) struct SmallInCell {
 /// How a cell is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    /// The side of the cell in pixels.
-    side: usize,
+    /// The size of the cell in pixels.
+    size: usize,
     small: SmallInCell,
     /// Whether the ends of the top side differ.
     top_differs: bool,
@@ -42,15 +42,15 @@ impl Plan {
         corners: &Corners,
         is_left_refined: bool,
         small: SmallInCell,
-        side: usize,
+        size: usize,
         pixels: &impl PixelSource,
     ) -> Self {
         let Corners { top_left, top_right, bottom_left, bottom_right } = *corners;
-        let top = pixels.differ(top_left, top_right, side);
-        let right = pixels.differ(top_right, bottom_right, side);
-        let bottom = pixels.differ(bottom_left, bottom_right, side);
+        let top = pixels.differ(top_left, top_right, size);
+        let right = pixels.differ(top_right, bottom_right, size);
+        let bottom = pixels.differ(bottom_left, bottom_right, size);
         Self {
-            side,
+            size,
             small,
             top_differs: top,
             is_left_refined,
@@ -93,53 +93,53 @@ impl Plan {
             return;
         }
         if self.is_smooth() {
-            cell.fill_smooth(corners, self.side);
-            cell.verify(self.side, pixels);
+            cell.fill_smooth(corners, self.size);
+            cell.verify(self.size, pixels);
             return;
         }
-        cell.set(self.side, 0, corners.top_right);
-        cell.set(self.side, self.side, corners.bottom_right);
+        cell.set(self.size, 0, corners.top_right);
+        cell.set(self.size, self.size, corners.bottom_right);
         if self.traces_all() {
             self.trace_in_full(cell, above, pixels);
             return;
         }
         self.refine(cell, above, pixels);
         if self.small.has_rim {
-            cell.verify(self.side, pixels);
+            cell.verify(self.size, pixels);
         }
     }
 
     /// Traces every pixel. The sides are only drawn for the cells beside this one.
     fn trace_in_full(&self, cell: &mut Cell, above: Above<'_>, pixels: &mut impl PixelSource) {
-        let side = self.side;
+        let size = self.size;
         match self.known_top(above) {
-            Some(known) => cell.take_top(known, side, pixels),
-            None => cell.interpolate_side(Side::right((0, 0), side)),
+            Some(known) => cell.take_top(known, size, pixels),
+            None => cell.interpolate_side(Side::right((0, 0), size)),
         }
         if self.refines_right {
-            cell.refine_side(Side::down((side, 0), side), pixels);
+            cell.refine_side(Side::down((size, 0), size), pixels);
         } else {
-            cell.interpolate_side(Side::down((side, 0), side));
+            cell.interpolate_side(Side::down((size, 0), size));
         }
         if !self.is_left_refined {
-            cell.interpolate_side(Side::down((0, 0), side));
+            cell.interpolate_side(Side::down((0, 0), size));
         }
-        cell.trace_all((0, 0), side, pixels);
+        cell.trace_all((0, 0), size, pixels);
     }
 
     /// Draws the sides, and then what is inside.
     fn refine(&self, cell: &mut Cell, above: Above<'_>, pixels: &mut impl PixelSource) {
-        let side = self.side;
+        let size = self.size;
         match self.known_top(above) {
-            Some(known) => cell.take_top(known, side, pixels),
-            None => cell.refine_side(Side::right((0, 0), side), pixels),
+            Some(known) => cell.take_top(known, size, pixels),
+            None => cell.refine_side(Side::right((0, 0), size), pixels),
         }
-        cell.refine_side(Side::right((0, side), side), pixels);
-        cell.refine_side(Side::down((side, 0), side), pixels);
+        cell.refine_side(Side::right((0, size), size), pixels);
+        cell.refine_side(Side::down((size, 0), size), pixels);
         if !self.is_left_refined {
-            cell.refine_side(Side::down((0, 0), side), pixels);
+            cell.refine_side(Side::down((0, 0), size), pixels);
         }
-        cell.refine(side, pixels);
+        cell.refine(size, pixels);
     }
 
     /// The points of the top side after the left corner, if its ends differ and the band above has drawn

@@ -32,8 +32,8 @@ impl<R: Real> Footprint<R> {
         Self { cone, direction, normal, slant: if cosine < R::ZERO { -slant } else { slant } }
     }
 
-    /// The ray that is half a side of the cone's pixels away from the middle one, `toward` a side of the
-    /// picture: the step on the surface from the footprint's middle to its end, and the difference of the
+    /// The ray that is half a cell away from the middle one, `toward` the right or the top of the picture:
+    /// the step on the surface from the footprint's middle to the ray's end, and the difference of the
     /// directions.
     pub(super) fn step(&self, toward: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
         let Self { cone, direction, normal, slant } = *self;

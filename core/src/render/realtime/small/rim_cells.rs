@@ -33,7 +33,7 @@ const MOST_POINTS: i32 = 128;
 impl RimCells {
     /// The empty set, in a picture of this width and height.
     fn none(width: u16, height: u16, grid: Grid) -> Self {
-        let squares = |side: u16, shift: u32| (usize::from(side.saturating_sub(1)) >> shift) + 1;
+        let squares = |pixels: u16, shift: u32| (usize::from(pixels.saturating_sub(1)) >> shift) + 1;
         let mut shift = grid.pixels().trailing_zeros();
         while squares(width, shift).saturating_mul(squares(height, shift)) > WORDS * 32 {
             shift += 1;
@@ -86,15 +86,15 @@ impl RimCells {
         let half = R::Setup::from_f32(0.5);
         let Some(middle) = shown((from + to) * half) else { return };
         // The length of a cell's side in the scene, at the depth of the rim's middle.
-        let side = viewport.depth(middle).0 * viewport.pixel() * number(grid.pixels() as u16);
+        let size = viewport.depth(middle).0 * viewport.pixel() * number(grid.pixels() as u16);
         if let Bend::Sharp(width) = rim.bend
-            && !(width.to_setup() < side)
+            && !(width.to_setup() < size)
         {
             return;
         }
-        // Two points for each side's length.
-        let sides = (to - from).length() / side;
-        let count = (sides + sides).floor_to_i32().clamp(0, MOST_POINTS) as u16 + 1;
+        // Two points for each cell that the rim is long.
+        let cells = (to - from).length() / size;
+        let count = (cells + cells).floor_to_i32().clamp(0, MOST_POINTS) as u16 + 1;
         let step = (to - from) * number(count).recip();
         for i in 0..count {
             let point = shown(from + step * (number(i) + half));

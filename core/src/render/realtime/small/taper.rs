@@ -22,8 +22,8 @@ const SHARP: f32 = 0.5;
 const HALVINGS: usize = 8;
 
 impl<N: Real<Setup = N>> Taper<N> {
-    /// The end of a tip, or of its shadow if there is a `projection`; `None` if it is not sharp as it is seen,
-    /// or not well in front of the camera.
+    /// The end of a tip, or of its shadow if there is a `projection`; `None` if it is not sharp as it is
+    /// seen, or not well in front of the camera.
     pub(super) fn new<R: Real<Setup = N>>(
         viewport: &Viewport<R>,
         tip: &Tip<R>,
