@@ -54,13 +54,14 @@ impl<R: Real> Path<R> {
     ) {
         let mut hit = Hit::BLANK;
         while self.spend(trace) {
-            let mut blockers = core::mem::replace(&mut blockers, &Blockers::UNKNOWN);
             let PendingRay { ray, from, among, .. } = &self.next;
             let closest = trace.scene.closest_from(ray, *from, *among);
             let met = trace.scene.write_hit(ray, closest, &mut hit).map(|material| (&hit, material));
             if !self.arrive(trace, met, &mut blockers, waiting) {
                 break;
             }
+            // They held for the first ray alone.
+            blockers = &Blockers::UNKNOWN;
         }
         waiting.clear();
     }
