@@ -84,9 +84,9 @@ impl<'o> LineCandidates<'o> {
         self.blockers_until = u16::MAX;
         for (shadow, span) in self.outlines.shadows.iter().zip(&self.shadows) {
             if span.change_after(x, &mut self.blockers_until)
-                && let Some(among) = self.blockers.before.get_mut(usize::from(shadow.light))
+                && let Some(blockers) = self.blockers.before.get_mut(usize::from(shadow.light))
             {
-                *among = among.with(usize::from(shadow.object));
+                *blockers = blockers.with(usize::from(shadow.object));
             }
         }
     }

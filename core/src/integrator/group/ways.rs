@@ -21,7 +21,7 @@ enum Way {
     /// Nothing is in the way.
     Clear,
     /// Only these objects can be in the way.
-    Among(List),
+    Listed(List),
     /// Many objects can be in the way.
     Crowded,
 }
@@ -79,7 +79,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         if let Some(way) = self.lights.get_mut(light) {
             *way = match list {
                 Some(list) if list.is_empty() => Way::Clear,
-                Some(list) => Way::Among(list),
+                Some(list) => Way::Listed(list),
                 None => Way::Crowded,
             };
         }
@@ -113,7 +113,7 @@ impl<R: Real, S: Geometry> ShadowRays<R> for Ways<'_, '_, '_, R, S> {
         let mut last = self.group.blockers.get(light).copied().unwrap_or(NO_OBJECT);
         let among = match self.to(light).filter(|_| !meets_itself) {
             Some(Way::Clear) => return Through::All,
-            Some(Way::Among(list)) => Among::Listed(list),
+            Some(Way::Listed(list)) => Among::Listed(list),
             _ => Among::All,
         };
         let ray = hit.hit.spawn(toward, hit.departure(toward, false));
