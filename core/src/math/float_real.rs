@@ -116,8 +116,8 @@ macro_rules! impl_real_for_float {
             fn split(self) -> LatticeCoordinate<Self> {
                 let index = self.floor_to_i32();
                 let within = self - index as $Float;
-                // Far out the difference has no digits left, and a number a little less than 0 is rounded to
-                // 1.
+                // Far from 0 the difference has no digits left. For a number a little less than 0 it is
+                // rounded to 1.
                 let within = if (0.0..1.0).contains(&within) { within } else { 0.0 };
                 LatticeCoordinate { index, within }
             }
