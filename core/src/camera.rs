@@ -174,7 +174,7 @@ impl<R: Real> Viewport<R> {
     }
 
     /// Unit vectors to the right and up in the picture.
-    pub(crate) fn sides(&self) -> [Vec3<R>; 2] {
+    pub(crate) fn right_and_up(&self) -> [Vec3<R>; 2] {
         [self.camera.right, self.camera.up].map(Vec3::from_setup)
     }
 

@@ -8,7 +8,8 @@ use crate::math::FOUR_AT_ONCE;
 /// Sixteen mirrors that reflect 80 % leave 3 % of the light.
 pub const MAX_BOUNCES: u8 = 16;
 
-/// The most transparent surfaces that one shadow ray passes before the light counts as blocked.
+/// The most layers, which are transparent surfaces, that one shadow ray passes before the light counts as
+/// blocked.
 ///
 /// Eight surfaces are four glass balls in a row. A shadow ray that is cut here is counted
 /// ([`Cut`](crate::Cut)).

@@ -4,13 +4,11 @@ use crate::color::LinearRgb;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::Hit;
 
-/// Why a ray was traced.
+/// Why a ray was traced. Shadow rays are not among these: see [`Event::Light`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
     /// From the eye through a pixel.
     Camera,
-    /// From a surface toward a light.
-    Shadow,
     /// Mirrored by a surface.
     Reflected,
     /// Through a transparent surface.
@@ -75,7 +73,8 @@ pub enum Event<R> {
         /// Ambient light that the surface reflects, plus light that it emits.
         shown: LinearRgb<R>,
     },
-    /// A shadow ray was traced from the hit.
+    /// A light in front of the surface, which the surface shows if it is not blocked: one shadow ray of the
+    /// budget. The event also comes if that ray was not traced, because no object can be in the way.
     Light {
         /// Position of the light in [`Scene::lights`](crate::Scene::lights).
         light: usize,
@@ -127,7 +126,7 @@ impl<R> Probe<R> for () {
 pub struct RayCounts {
     /// Rays from the eye.
     pub camera: u64,
-    /// Rays toward lights.
+    /// Rays toward lights, with those that were not traced because no object can be in the way.
     pub shadow: u64,
     /// Mirrored rays.
     pub reflected: u64,
@@ -151,7 +150,7 @@ impl<R: Real> Probe<R> for RayCounts {
             Event::Ray { kind: RayKind::Camera, .. } => &mut self.camera,
             Event::Ray { kind: RayKind::Reflected, .. } => &mut self.reflected,
             Event::Ray { kind: RayKind::Refracted, .. } => &mut self.refracted,
-            Event::Ray { kind: RayKind::Shadow, .. } | Event::Light { .. } => &mut self.shadow,
+            Event::Light { .. } => &mut self.shadow,
             Event::Hit { kind: RayKind::Camera, .. } => &mut self.camera_hits,
             Event::Cut(Cut::Bounces) => &mut self.cut_bounces,
             Event::Cut(Cut::Throughput) => &mut self.cut_throughput,

@@ -123,7 +123,6 @@ impl Tree<'_> {
     fn ray<R: Real>(&mut self, kind: RayKind, ray: Ray<R>, bounces: u8, throughput: R) {
         let name = match kind {
             RayKind::Camera => "camera",
-            RayKind::Shadow => "shadow",
             RayKind::Reflected => "reflected",
             RayKind::Refracted => "refracted",
         };

@@ -206,9 +206,9 @@ impl Real for Counted {
         slow(Real::turn(y.0, x.0))
     }
 
-    fn split(self) -> math::Cell<Self> {
-        let math::Cell { index, within } = self.0.split();
-        math::Cell { index, within: Self(within) }
+    fn split(self) -> math::LatticeCoordinate<Self> {
+        let math::LatticeCoordinate { index, within } = self.0.split();
+        math::LatticeCoordinate { index, within: Self(within) }
     }
 
     fn floor_to_i32(self) -> i32 {

@@ -38,23 +38,23 @@ impl<R: Real> Beam<R> {
         Some(Self::new(origins, R::ZERO, directions, R::FARTHEST))
     }
 
-    /// The beam around all ways to a point, from all points of a box and from points no farther than `beside`
+    /// The beam around all ways to a point, from all points of a box and from points no farther than `margin`
     /// from it.
-    pub(crate) fn toward_point(from: Aabb<R>, beside: R, to: Vec3<R>) -> Self {
+    pub(crate) fn toward_point(from: Aabb<R>, margin: R, to: Vec3<R>) -> Self {
         let origins = Range(from.min, from.max);
         // Reach a little beyond the point: the rays themselves end there.
-        Self::new(origins, beside, Range(to - from.min, to - from.max), R::ONE + R::from_f32(1e-3))
+        Self::new(origins, margin, Range(to - from.min, to - from.max), R::ONE + R::from_f32(1e-3))
     }
 
     /// The beam of all rays in one direction, from all points of a box and from points no farther than
-    /// `beside` from it.
-    pub(crate) fn toward(from: Aabb<R>, beside: R, direction: Vec3<R>) -> Self {
-        Self::new(Range(from.min, from.max), beside, Range::point(direction), R::FARTHEST)
+    /// `margin` from it.
+    pub(crate) fn toward(from: Aabb<R>, margin: R, direction: Vec3<R>) -> Self {
+        Self::new(Range(from.min, from.max), margin, Range::point(direction), R::FARTHEST)
     }
 
     #[inline]
-    fn new(origins: Range<R>, beside: R, directions: Range<R>, max: R) -> Self {
-        let room = beside + R::offset(origins.0.magnitude().larger(origins.1.magnitude()));
+    fn new(origins: Range<R>, margin: R, directions: Range<R>, max: R) -> Self {
+        let room = margin + R::offset(origins.0.magnitude().larger(origins.1.magnitude()));
         let tiniest = R::FARTHEST.recip();
         let per_unit = |d: R| (if d.abs() < tiniest { tiniest } else { d }).recip();
         let lines = |(low, high): (R, R), (d, e): (R, R)| Lines {

@@ -292,17 +292,11 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
         }
     }
 
-    /// [`any`](Self::any) for all objects that may be no farther than `beside` from a ray, before it ends at
+    /// [`any`](Self::any) for all objects that may be no farther than `reach` from a ray, before it ends at
     /// `max`.
     #[inline]
-    pub(crate) fn any_beside(
-        &self,
-        ray: &Ray<R>,
-        max: R,
-        beside: R,
-        test: impl FnMut(usize) -> bool,
-    ) -> bool {
-        let margin = R::offset(ray.origin.magnitude()) + beside;
+    pub(crate) fn any_beside(&self, ray: &Ray<R>, max: R, reach: R, test: impl FnMut(usize) -> bool) -> bool {
+        let margin = R::offset(ray.origin.magnitude()) + reach;
         if R::IS_FIXED_POINT {
             self.any_in_boxes(&Segment::inflated(ray, max, margin), test)
         } else {

@@ -34,7 +34,7 @@ use crate::shape::Geometry;
 
 /// When rays are no longer followed.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds<R> {
+pub(crate) struct RayLimits<R> {
     /// The most bounces of a ray.
     pub(crate) bounces: u8,
     /// The least throughput of a ray.
@@ -77,7 +77,7 @@ impl RayBudget {
 /// All that the rays of one pixel have in common.
 struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     scene: &'t PreparedScene<'m, R, S>,
-    bounds: Bounds<R>,
+    limits: RayLimits<R>,
     /// The rays that are left.
     rays: RayBudget,
     probe: &'t mut P,
@@ -89,11 +89,11 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
     ray: Ray<R>,
     sight: Sight<'_>,
-    bounds: &Bounds<R>,
+    limits: &RayLimits<R>,
     rays: &mut RayBudget,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut trace = Trace { scene, bounds: *bounds, rays: *rays, probe };
+    let mut trace = Trace { scene, limits: *limits, rays: *rays, probe };
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
     *rays = trace.rays;

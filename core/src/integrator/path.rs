@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use super::Trace;
 use super::pending_ray::PendingRay;
-use super::shaded_hit::{ShadedHit, Shadows};
+use super::shaded_hit::{ShadedHit, ShadowRays};
 use super::shadow_rays::Blockers;
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
@@ -54,13 +54,14 @@ impl<R: Real> Path<R> {
     ) {
         let mut hit = Hit::BLANK;
         while self.spend(trace) {
-            let mut blockers = core::mem::replace(&mut blockers, &Blockers::UNKNOWN);
             let PendingRay { ray, from, among, .. } = &self.next;
             let closest = trace.scene.closest_from(ray, *from, *among);
             let met = trace.scene.write_hit(ray, closest, &mut hit).map(|material| (&hit, material));
             if !self.arrive(trace, met, &mut blockers, waiting) {
                 break;
             }
+            // They held for the first ray alone.
+            blockers = &Blockers::UNKNOWN;
         }
         waiting.clear();
     }
@@ -84,7 +85,7 @@ impl<R: Real> Path<R> {
         &mut self,
         trace: &mut Trace<'_, '_, R, S, P>,
         met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
-        shadows: &mut impl Shadows<R>,
+        shadow_rays: &mut impl ShadowRays<R>,
         waiting: &mut Waiting<R>,
     ) -> bool {
         let PendingRay { ray, throughput, kind, from, .. } = self.next;
@@ -107,8 +108,8 @@ impl<R: Real> Path<R> {
         }
         let shaded = ShadedHit::new(scene, &ray, hit, normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
-        shadows.begin_at(hit.object);
-        let light = shaded.local_light(trace, shadows);
+        shadow_rays.begin_at(hit.object);
+        let light = shaded.local_light(trace, shadow_rays);
         self.receive(throughput, light);
         if material.sends_rays() {
             self.branch(trace, &shaded, throughput, waiting)
@@ -169,11 +170,11 @@ fn followed<R: Real, S: Geometry, P: Probe<R>>(
     if !(largest > R::ZERO) {
         return None;
     }
-    if bounces >= trace.bounds.bounces {
+    if bounces >= trace.limits.bounces {
         trace.probe.record(Event::Cut(Cut::Bounces));
         return None;
     }
-    if largest < trace.bounds.cutoff {
+    if largest < trace.limits.cutoff {
         trace.probe.record(Event::Cut(Cut::Throughput));
         return None;
     }

@@ -52,8 +52,9 @@ struct LampLight<R> {
     has_highlight: bool,
 }
 
-/// Sends shadow rays, with the help of what is known about the ways from hits to lights.
-pub(super) trait Shadows<R: Real> {
+/// Sends shadow rays from hits to lights. Implementations differ in how they find the objects that can be in
+/// the way.
+pub(super) trait ShadowRays<R: Real> {
     /// The next hit lies on this object.
     #[inline(always)]
     fn begin_at(&mut self, _object: usize) {}
@@ -133,7 +134,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     pub(super) fn local_light<S: Geometry, P: Probe<R>>(
         &self,
         trace: &mut Trace<'_, '_, R, S, P>,
-        shadows: &mut impl Shadows<R>,
+        shadow_rays: &mut impl ShadowRays<R>,
     ) -> LinearRgb<R> {
         let ambient = self.ambient_light(trace.scene);
         trace.probe.record(Event::Surface { shown: ambient });
@@ -154,7 +155,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
                 trace.probe.record(Event::Cut(Cut::Rays));
                 break;
             }
-            let through = shadows.through(trace.scene, self, index, facing.toward, facing.distance);
+            let through = shadow_rays.through(trace.scene, self, index, facing.toward, facing.distance);
             if let Through::TooManyLayers = through {
                 trace.probe.record(Event::Cut(Cut::ShadowLayers));
             }

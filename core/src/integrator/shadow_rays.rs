@@ -1,6 +1,6 @@
 //! How much of each light gets through to a hit.
 
-use super::shaded_hit::{ShadedHit, Shadows};
+use super::shaded_hit::{ShadedHit, ShadowRays};
 use crate::math::{Real, Vec3};
 use crate::prepared::{Among, ObjectSet, PreparedScene, Through};
 use crate::shape::Geometry;
@@ -21,17 +21,18 @@ pub(crate) const OUTLINED_LIGHTS: usize = 4;
 
 impl Blockers {
     /// Any object can shade this place, which lies on no object.
-    pub(crate) const UNKNOWN: Self = Self { receiver: usize::MAX, before: [ObjectSet::ALL; OUTLINED_LIGHTS] };
+    pub(crate) const UNKNOWN: Self =
+        Self { receiver: usize::MAX, before: [ObjectSet::UNKNOWN; OUTLINED_LIGHTS] };
 
     /// The objects that can stand before a light.
     #[inline]
     fn before(&self, light: usize) -> ObjectSet {
         // In scenes of more lights, all sets are equal.
-        self.before.get(light % OUTLINED_LIGHTS).copied().unwrap_or(ObjectSet::ALL)
+        self.before.get(light % OUTLINED_LIGHTS).copied().unwrap_or(ObjectSet::UNKNOWN)
     }
 }
 
-impl<R: Real> Shadows<R> for &Blockers {
+impl<R: Real> ShadowRays<R> for &Blockers {
     #[inline(always)]
     fn begin_at(&mut self, object: usize) {
         if self.receiver != object {

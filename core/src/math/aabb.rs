@@ -57,7 +57,7 @@ impl<R: Real> Aabb<R> {
         (self.min + self.max) * R::from_f32(0.5)
     }
 
-    /// The box as the preparation has it.
+    /// The box in the number system of the preparation.
     pub fn to_setup(self) -> Aabb<R::Setup> {
         Aabb { min: self.min.to_setup(), max: self.max.to_setup() }
     }

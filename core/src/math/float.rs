@@ -2,15 +2,15 @@
 //!
 //! | function | backend, the first that applies | error bound |
 //! |---|---|---|
-//! | `sqrt` | feature `micromath`: its estimate and two Newton steps | 2 units in the last place |
+//! | `sqrt` | feature `micromath`: its estimate and three of Heron's steps | 2 units in the last place |
 //! | | `vsqrt.f32` on Arm with a hardware float ABI | correctly rounded |
 //! | | feature `std`: the standard library | correctly rounded |
 //! | | libm | correctly rounded |
 //! | `turn` | libm | 2⁻²³ of a turn, 2⁻⁵¹ in `f64` |
 //!
-//! The standard library gives nothing else: its other functions are the platform's and differ between
-//! platforms. Powers in `f32` are in this crate, see [`power`](super::power). Tangents, needed once per
-//! picture, always come from libm.
+//! Nothing else comes from the standard library: its other functions differ between platforms. Powers in
+//! `f32` are in this crate, see [`power`](super::power). Tangents, needed once per picture, always come from
+//! libm.
 
 /// The square root.
 #[allow(unreachable_code)]
@@ -33,14 +33,14 @@ pub(crate) fn turn(y: f32, x: f32) -> f32 {
     if turn < 1.0 { turn } else { 0.0 }
 }
 
-/// [`turn`] for the reference build.
+/// [`turn`] in `f64`.
 pub(crate) fn turn_f64(y: f64, x: f64) -> f64 {
     let turn = libm::atan2(y, x) * (0.5 * core::f64::consts::FRAC_1_PI);
     let turn = if turn < 0.0 { turn + 1.0 } else { turn };
     if turn < 1.0 { turn } else { 0.0 }
 }
 
-/// 2 to the power `-times`, in the reference build.
+/// 2 to the power `-times`, in `f64`.
 pub(crate) fn halved_f64(times: f64) -> f64 {
     libm::exp2(-times)
 }
@@ -50,12 +50,12 @@ pub(crate) fn set_up_cos(angle: f32) -> f32 {
     libm::cosf(angle)
 }
 
-/// Sine and cosine of an angle in radians, for what is turned while a scene is prepared.
+/// Sine and cosine of an angle in radians, for rotations while a scene is prepared: always libm's.
 pub(crate) fn set_up_sin_cos(angle: f32) -> (f32, f32) {
     libm::sincosf(angle)
 }
 
-/// The square root of the reference build.
+/// The square root in `f64`.
 #[allow(unreachable_code)]
 pub(crate) fn sqrt_f64(value: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -64,8 +64,8 @@ pub(crate) fn sqrt_f64(value: f64) -> f64 {
 }
 
 /// Two functions that compare up to 32 numbers with as many others and give a bit for each pair. The second
-/// is for `f32` on processors that compare four numbers at once and give the bits: the compiler does not find
-/// that instruction by itself.
+/// is for `f32`: some processors have an instruction that compares four numbers with four others and gives
+/// four bits, which the compiler does not find by itself.
 macro_rules! compare {
     ($what:literal, $compare:ident, $compare_f32:ident, $operator:tt, $instruction:ident) => {
         #[doc = $what]
@@ -104,8 +104,8 @@ compare!("Which numbers are less than others.", less, less_f32, <, _mm_cmplt_ps)
 
 /// The FPU's own square root: 9 instructions where libm's takes 58, and the same bits.
 ///
-/// The compiler knows the instruction but offers it only through `std`; a register operand of class `sreg`
-/// is refused on these targets, so the value travels through `s0`.
+/// The compiler uses the instruction only for `std`. It refuses a register operand of class `sreg` on these
+/// targets, so the value goes through `s0`.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[allow(unsafe_code)]
 #[inline(always)]

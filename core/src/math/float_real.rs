@@ -1,7 +1,7 @@
 //! `f32` and `f64` as number systems.
 
 use super::real::{Kernel, Linear, Product, Real};
-use super::{Cell, Vec3, float, power};
+use super::{LatticeCoordinate, Vec3, float, power};
 
 /// A linear function in floating point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,13 +113,13 @@ macro_rules! impl_real_for_float {
                 $turn(y, x)
             }
 
-            fn split(self) -> Cell<Self> {
+            fn split(self) -> LatticeCoordinate<Self> {
                 let index = self.floor_to_i32();
                 let within = self - index as $Float;
-                // Far out the difference has no digits left, and a number a little less than 0 is rounded to
-                // 1.
+                // Far from 0 the difference has no digits left. For a number a little less than 0 it is
+                // rounded to 1.
                 let within = if (0.0..1.0).contains(&within) { within } else { 0.0 };
-                Cell { index, within }
+                LatticeCoordinate { index, within }
             }
 
             fn floor_to_i32(self) -> i32 {

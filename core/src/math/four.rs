@@ -1,9 +1,9 @@
 //! Four rays at once, for processors that compute four numbers at once.
 //!
-//! The rays are stored coordinate by coordinate, [`each`] computes one step for all four, and a hit is a bit
-//! for each ray: no step depends on the outcome of another ray, and the compiler makes one instruction of
-//! four. So a test of four rays takes little longer than one of a single ray (Wald, Slusallek, Benthin and
-//! Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001).
+//! The rays are stored coordinate by coordinate, [`each`] computes one step for all four, and the hits are
+//! bits, one for each ray. No step depends on another ray, so that the compiler makes one instruction of four
+//! equal ones. So a test of four rays takes little longer than one of a single ray (Wald, Slusallek, Benthin
+//! and Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001).
 
 use super::{Interval, Ray, Real, Vec3};
 
@@ -33,8 +33,8 @@ impl<R: Real> FourRays<R> {
         Ray { origin: row(&self.origins, place), direction: row(&self.directions, place) }
     }
 
-    /// Tests the four rays one by one: a bit for each ray with a hit nearer than its `max`, and the distances
-    /// of the hits.
+    /// Tests the four rays one by one. Returns a bit for each ray with a hit nearer than its `max`, and the
+    /// distance of each hit; without a hit, `max`.
     #[inline(always)]
     pub fn one_by_one(
         &self,
@@ -58,7 +58,7 @@ fn columns<R: Real>([a, b, c, d]: [Vec3<R>; 4]) -> [[R; 4]; 3] {
 }
 
 #[inline(always)]
-#[allow(clippy::indexing_slicing)] // By a remainder.
+#[allow(clippy::indexing_slicing)] // The index is a remainder.
 fn row<R: Real>([x, y, z]: &[[R; 4]; 3], place: usize) -> Vec3<R> {
     let place = place % 4;
     Vec3::new(x[place], y[place], z[place])

@@ -1,12 +1,12 @@
 //! Numbers, vectors and rays.
 
 mod aabb;
-mod cell;
 mod fixed;
 pub(crate) mod float;
 mod float_real;
 mod four;
 mod interval;
+mod lattice;
 pub(crate) mod power;
 mod ray;
 mod real;
@@ -18,12 +18,12 @@ mod triple;
 mod vec3;
 
 pub use aabb::Aabb;
-pub use cell::Cell;
 pub use fixed::{Factor, Fixed, FixedLinear, FixedProduct};
 pub use float_real::FloatLinear;
 pub use four::FourRays;
 pub(crate) use four::{FOUR_AT_ONCE, choose, each};
 pub use interval::Interval;
+pub use lattice::LatticeCoordinate;
 pub use ray::Ray;
 #[doc(hidden)]
 pub use real::Kernel;

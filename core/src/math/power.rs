@@ -1,11 +1,12 @@
-//! Powers in `f32`, for highlights and for light that is absorbed: 2 to the exponent times the binary
-//! logarithm, each from a polynomial that is as near as one of its degree can be (Remez's exchange; see
-//! Muller, "Elementary Functions", ch. 3).
+//! Powers in `f32`, for highlights and for light that is absorbed: 2 to the power of exponent times binary
+//! logarithm. Each comes from a minimax polynomial (by Remez's exchange algorithm; see Muller, "Elementary
+//! Functions", ch. 3).
 //!
-//! The logarithm of a power is off by a part in 2²², and where it is large the power is small: no power is
-//! off by more than 2e-7, for any exponent. libm's `powf` has all digits, of which a display shows few, and
-//! takes 4 times the instructions and 1 KB of flash. Its `exp2f` computes in `f64`, for which an M4F has no
-//! FPU. Sums are in pairs (Estrin's scheme), so that a processor need not wait for each.
+//! The binary logarithm of a power has a relative error of up to 2⁻²². Where it is large, the power is small:
+//! so the error of a power is at most 2e-7, for any exponent. libm's `powf` has all digits, of which a
+//! display shows few, and takes 4 times the instructions and 1 KB of flash. Its `exp2f` computes in `f64`,
+//! for which an M4F has no FPU. Sums are in pairs (Estrin's scheme), so that a processor need not wait for
+//! each.
 
 use core::f32::consts::LN_2;
 
@@ -26,8 +27,8 @@ pub(crate) fn halved(times: f32) -> f32 {
     if !(times < 126.0) {
         return 0.0;
     }
-    // Round to a whole number by adding a number whose last digit is 1: this is faster than a conversion and
-    // back.
+    // Round to a whole number by adding a number whose unit in the last place is 1: this is faster than a
+    // conversion to an integer and back.
     const ROUNDER: f32 = 12_582_912.0;
     let rounded = times + ROUNDER;
     let rest = times - (rounded - ROUNDER);
@@ -47,7 +48,7 @@ fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
     let e = (bits.wrapping_sub(ROOT_OF_HALF) as i32) >> 23;
     let m = f32::from_bits(bits.wrapping_sub((e << 23) as u32));
-    // The series of the area tangent in s goes on in even powers.
+    // The logarithm of m is 2 artanh(s), and artanh(s) / s is a series in even powers of s.
     let s = (m - 1.0) / (m + 1.0);
     let t = s * s;
     let series = (2.885_39 + t * 0.961_798_85) + (t * t) * (0.576_714_4 + t * 0.431_735_88);

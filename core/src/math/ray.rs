@@ -26,8 +26,8 @@ impl<R: Real> Ray<R> {
         (self.at(advance) - place, advance)
     }
 
-    /// [`nearest_to`](Self::nearest_to) with a second step, which takes back the rounding of a long ray. For
-    /// squares of small distances.
+    /// [`nearest_to`](Self::nearest_to) with a second step, which removes the rounding error of the first
+    /// where a ray begins far away. For shapes that square small distances.
     #[inline(always)]
     pub(crate) fn nearest_to_twice(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let (from_place, advance) = self.nearest_to(place);

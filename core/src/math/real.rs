@@ -1,11 +1,11 @@
-//! The number system that the kernel computes in.
+//! The number systems that rays are traced in.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Cell, Ray, Vec3, float};
+use super::{LatticeCoordinate, Ray, Vec3, float};
 
-/// A number system for the kernel: `f32`, `f64` or [`Fixed`](super::Fixed).
+/// A number system that rays are traced in: `f32`, `f64` or [`Fixed`](super::Fixed).
 ///
 /// A scene is always *described* in `f32`; `Real` is what it is prepared for and traced in. The trait demands
 /// nothing that only floating point has: no infinity, no NaN, no exponent. Sums of products and linear
@@ -35,7 +35,8 @@ pub trait Real: Kernel {
     /// coordinate and the largest plain number.
     const FARTHEST: Self;
     /// The distance by which a spawned ray leaves its surface, relative to the magnitude of the coordinates.
-    /// The one number behind [`Ray::spawn`](super::Ray::spawn), see [`offset`](Self::offset).
+    /// All rays that leave a surface use it: see [`Ray::spawn`](super::Ray::spawn) and
+    /// [`offset`](Self::offset).
     const RAY_OFFSET: Self;
     /// `true` for numbers with a fixed point: their range is small, a quotient takes many instructions, and a
     /// product that may overflow must be kept in a [`Product`](Self::Product). A scene is scaled into their
@@ -52,7 +53,7 @@ pub trait Real: Kernel {
     fn from_fraction(value: u16) -> Self;
     /// A number from the preparation, rounded.
     fn from_setup(value: Self::Setup) -> Self;
-    /// The number as the preparation has it.
+    /// The number in the number system of the preparation.
     fn to_setup(self) -> Self::Setup;
     /// The square root, correctly rounded in floating point. The root of a negative number is 0 or NaN.
     fn sqrt(self) -> Self;
@@ -61,7 +62,7 @@ pub trait Real: Kernel {
     /// fixed point.
     fn turn(y: Self, x: Self) -> Self;
     /// The largest whole number not above `self`, and the rest.
-    fn split(self) -> Cell<Self>;
+    fn split(self) -> LatticeCoordinate<Self>;
     /// The largest integer not above `self`, saturating.
     fn floor_to_i32(self) -> i32;
     /// The product, not yet rounded.
@@ -69,7 +70,7 @@ pub trait Real: Kernel {
     /// The sum of three products, not yet rounded.
     fn dot3_wide(a: [Self; 3], b: [Self; 3]) -> Self::Product;
 
-    /// The sum of three products: one accumulator where a number system has a wide one.
+    /// The sum of three products. It is rounded once where a number system has a wide accumulator.
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
         let [ax, ay, az] = a;
         let [bx, by, bz] = b;
@@ -124,7 +125,8 @@ pub trait Real: Kernel {
 
 /// The operations of a number system that only this crate and its tests use. The trait seals [`Real`].
 ///
-/// Some of them are here because one processor has a faster way: their default is the plain one.
+/// Some have a default that is right for all number systems, because one of them or one processor has a
+/// faster way.
 pub trait Kernel:
     Copy
     + Debug
@@ -151,8 +153,9 @@ pub trait Kernel:
         Self: Real;
     /// 2 to the power `-self`, for `self ≥ 0`: the share that is left after `self` half-lives.
     fn halved(self) -> Self;
-    /// The number of the cell in which a coordinate lies: `floor(self · per_unit)`. Beyond the range of the
-    /// number system, cells keep whether they are even, or all have the same number.
+    /// The number of the cell in which a coordinate lies, of `per_unit` cells in each unit:
+    /// `floor(self · per_unit)`. Beyond the range of the number system, the number wraps, and so stays even
+    /// or odd, or it is the same for all cells.
     fn cell(self, per_unit: Self::Factor) -> i32
     where
         Self: Real;
@@ -210,8 +213,7 @@ pub trait Kernel:
     }
 
     /// A lower and an upper bound of the scalar product of two unit vectors: 2⁻¹² apart where products are
-    /// slow, else both the exact product. A test against a bound may settle what the exact product would be
-    /// computed for.
+    /// slow, else both the exact product. If a bound decides a comparison, the exact product is not needed.
     #[inline(always)]
     fn dot3_bounds(a: [Self; 3], b: [Self; 3]) -> (Self, Self)
     where
@@ -221,7 +223,7 @@ pub trait Kernel:
         (product, product)
     }
 
-    /// `true` if a ray surely misses a ball and this is known sooner than by intersecting it; `false` proves
+    /// `true` if a test that is faster than an intersection shows that a ray misses a ball; `false` proves
     /// nothing.
     #[inline(always)]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
@@ -237,7 +239,7 @@ pub trait Kernel:
         Self: Real,
     {
         // Lights behind a surface are the most frequent: find them before the root and the division. In
-        // floating point, a height below this has a square of 0, and so may the length.
+        // floating point, the square of a height below this is 0, and that of the length may be, too.
         let height = Self::dot3(way, normal);
         if !(height >= Self::from_f32(1.0 / (1u64 << 61) as f32)) {
             return None;
@@ -247,8 +249,8 @@ pub trait Kernel:
         Some((way.map(|coordinate| coordinate * scale), length, height * scale))
     }
 
-    /// How far a ray in the direction of [`toward_light`](Self::toward_light) passes by the light at most,
-    /// which is this far away.
+    /// The largest distance at which a ray in the direction of [`toward_light`](Self::toward_light) passes a
+    /// light that is this far away.
     fn toward_light_error(_distance: Self::Setup) -> Self::Setup
     where
         Self: Real,
@@ -277,7 +279,7 @@ pub trait Product<R: Real>:
     const ZERO: Self;
     /// The square root. The root of a negative number is 0 or NaN.
     fn sqrt(self) -> R;
-    /// The product with a number that keeps it in range.
+    /// The product with a number. It must be in range.
     fn times(self, factor: R) -> Self;
     /// The quotient, rounded.
     fn over(self, divisor: R) -> R;
@@ -291,9 +293,9 @@ pub trait Linear<R: Real>: Copy + Debug + PartialEq + Send + Sync + 'static {
     fn new(gradient: Vec3<R::Setup>, zero: Vec3<R::Setup>) -> Self;
     /// The value at a point.
     fn at(&self, point: Vec3<R>) -> R;
-    /// The value at a point, as a cell and the place within it. The value may be beyond the range of the
-    /// number system.
-    fn cell(&self, point: Vec3<R>) -> Cell<R> {
+    /// The value at a point, [split](Real::split) into whole number and rest. It may be beyond the range of
+    /// the number system.
+    fn split_at(&self, point: Vec3<R>) -> LatticeCoordinate<R> {
         self.at(point).split()
     }
     /// The gradient.

@@ -3,8 +3,9 @@
 
 use super::Real;
 
-/// The most steps. Where a step of Newton's method is not half as long as the one before, the interval is
-/// halved instead: every second step at least, so that a 2¹⁶th of it is left. Five steps are usual.
+/// The most steps. If a step of Newton's method is not less than half as long as the step before, the
+/// interval is halved instead: in the worst case by every second step, which leaves a 2¹⁶th of it. Five steps
+/// are usual.
 const MOST_STEPS: u8 = 32;
 
 /// The root between `from` and `to`, where the function has different signs. `look` gives for an argument

@@ -47,7 +47,8 @@ impl Extent {
     }
 }
 
-/// From the units of a scene's description to those in which a number system traces it: a power of two.
+/// The factor from the units of a scene's description to the units in which a number system traces it: a
+/// power of two.
 ///
 /// For floating point it is 1. A number system with little range ([`Real::IS_FIXED_POINT`]) gets the scene
 /// such that its solids lie within 1/2 of the origin, and flat shapes, eye and lights within 8. Where there
@@ -76,7 +77,7 @@ impl Scale {
             return Self::ONE;
         }
         let (from_origin, eye) = (eye.length(), eye.magnitude());
-        // No plane is farther from the eye than the origin is from both.
+        // The distance between eye and plane is at most the sum of their distances from the origin.
         let (near, limit, height) = match extent.plane {
             Some(plane) => (extent.solid.larger(eye).larger(plane), Self::ON_PLANE, plane + from_origin),
             None => (extent.solid, Self::SOLID, 0.0),
@@ -100,7 +101,7 @@ impl Scale {
         Self(scale)
     }
 
-    /// How many units of the kernel one unit of the scene is.
+    /// How many units of the traced scene one unit of its description is.
     pub fn to_f32(self) -> f32 {
         self.0
     }

@@ -147,7 +147,7 @@ impl<R: Real> Vec3<R> {
         Self::new(R::from_setup(vector.x), R::from_setup(vector.y), R::from_setup(vector.z))
     }
 
-    /// The vector as the preparation has it.
+    /// The vector in the number system of the preparation.
     pub fn to_setup(self) -> Vec3<R::Setup> {
         Vec3::new(self.x.to_setup(), self.y.to_setup(), self.z.to_setup())
     }

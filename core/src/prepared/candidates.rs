@@ -1,12 +1,14 @@
 //! The candidates of rays: sets of the objects that a ray from a known place can meet, computed when the
 //! scene is prepared.
 //!
-//! There are three kinds of sets:
+//! There are two kinds of sets:
 //! - for each object and each light, the objects that can stand between them: those that reach into the space
 //!   around both (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 1986,
 //!   with the receiving object in place of the direction);
-//! - for each ball, the objects that reach into it: a ray inside can meet no other before it comes out;
-//! - for each other object, all objects, without the object itself if it is flat.
+//! - for each object and each of its two sides, the objects that a ray can meet which leaves the object to
+//!   that side. A ray into a ball can meet only the objects that reach into the ball, before it comes out. A
+//!   ray that leaves a ball outward, or a flat object, can meet all objects but that one. A ray that leaves
+//!   another object can meet all objects.
 //!
 //! A set is a word of 32 bits, so only scenes of up to 32 objects have sets. All tests compare bounding
 //! balls, with room for rounding and for the ray offset: a set may hold too many objects, but never too few,
@@ -25,12 +27,12 @@ use crate::shape::{Form, Intersect};
 pub(crate) struct Candidates<'m, R: Real> {
     all: ObjectSet,
     /// For each object, the candidates of rays that leave it inward and outward. Inward from a ball, they
-    /// hold up to the place where the ray comes out.
+    /// are valid up to the place where the ray comes out.
     leaving: &'m [[ObjectSet; 2]],
     /// One for each object and light.
     pairs: &'m [Pair<R>],
     lights: usize,
-    /// Fifteen times the largest coordinate of an object with bounds. [`SeenBall`] and the outlines of
+    /// Fifteen times the largest coordinate of an object with bounds. [`BallFromLight`] and the outlines of
     /// shadows are valid for hits within this distance of the origin; hits beyond it lie far out on infinite
     /// planes.
     reach: R,
@@ -42,13 +44,13 @@ struct Pair<R: Real> {
     /// The objects that can stand between them.
     between: ObjectSet,
     /// The object as the light sees it, if it is a ball.
-    ball: SeenBall<R>,
+    ball: BallFromLight<R>,
 }
 
 /// A ball as a point light sees it: a circle of directions. A shadow ray toward the light can meet the ball
 /// only if the opposite of its direction lies in the circle.
 #[derive(Clone, Copy, Debug)]
-struct SeenBall<R: Real> {
+struct BallFromLight<R: Real> {
     /// Unit vector from the light toward the center; 0 if the object is no ball or the light lies inside it.
     toward_center: Vec3<R>,
     /// Minus the cosine of the circle's radius, with room for rounding: a shadow ray whose direction has a
@@ -59,7 +61,7 @@ struct SeenBall<R: Real> {
     least_glinting: R,
 }
 
-impl<R: Real> SeenBall<R> {
+impl<R: Real> BallFromLight<R> {
     /// Rules nothing out: the product with the vector 0 is 0.
     const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE, least_glinting: R::ONE };
 
@@ -70,7 +72,7 @@ impl<R: Real> SeenBall<R> {
         };
         let (position, radius) = (position.to_setup(), radius.to_setup());
         let toward_center = center.to_setup() - position;
-        let radius = radius + radius * R::Setup::from_f32(1e-3) + beside(reach, light);
+        let radius = radius + radius * R::Setup::from_f32(1e-3) + shadow_ray_deviation(reach, light);
         let distance_squared = toward_center.length_squared();
         let rounding = distance_squared * (R::Setup::RAY_OFFSET * R::Setup::from_f32(4.0));
         let tangent_squared = distance_squared - rounding - radius * radius;
@@ -111,7 +113,7 @@ impl<R: Real> SeenBall<R> {
 /// The largest distance between a shadow ray and the straight way from a hit within `reach` to a light: the
 /// ray begins off the surface by the ray offset, and its direction is rounded.
 #[inline(never)]
-fn beside<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
+fn shadow_ray_deviation<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
             let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
@@ -159,7 +161,9 @@ impl<'m, R: Real> Candidates<'m, R> {
                 {
                     all
                 }
-                Some(Form::Ball { .. }) => among(objects, index, |around, other| around.reaches(other)),
+                Some(Form::Ball { .. }) => {
+                    candidates_for(objects, index, |around, other| around.reaches(other))
+                }
                 _ => outward,
             };
             [inward, outward]
@@ -171,14 +175,14 @@ impl<'m, R: Real> Candidates<'m, R> {
         let pairs = arena.store_with(objects.len() * lights.len(), |index| {
             let receiver = index.checked_div(lights.len()).unwrap_or(0);
             let light = index.checked_rem(lights.len()).and_then(|light| lights.get(light));
-            let between = among(objects, receiver, |around, other| {
+            let between = candidates_for(objects, receiver, |around, other| {
                 light.is_none_or(|light| around.is_shaded_by(other, &light.source))
             });
             let ball = match (objects.get(receiver), light) {
                 (Some(PreparedObject { shape, material }), Some(light)) => {
-                    SeenBall::new(shape.form(), &material.shininess, &light.source, reach)
+                    BallFromLight::new(shape.form(), &material.shininess, &light.source, reach)
                 }
-                _ => SeenBall::UNKNOWN,
+                _ => BallFromLight::UNKNOWN,
             };
             Pair { between: but_itself(between, receiver), ball }
         })?;
@@ -221,12 +225,12 @@ impl<'m, R: Real> Candidates<'m, R> {
 
     /// The largest distance between a shadow ray and the straight way to the light, for hits that
     /// [are near](Self::are_near).
-    pub(super) fn beside(&self, light: &Source<R>) -> R::Setup {
-        beside(self.reach, light)
+    pub(super) fn shadow_ray_deviation(&self, light: &Source<R>) -> R::Setup {
+        shadow_ray_deviation(self.reach, light)
     }
 
     /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
-    /// [`beside`](Self::beside) and [`not_passed_by`](Self::not_passed_by).
+    /// [`shadow_ray_deviation`](Self::shadow_ray_deviation) and [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
@@ -266,18 +270,19 @@ impl<'m, R: Real> Candidates<'m, R> {
     }
 }
 
-/// The receiver, and the objects for which `can_matter` is true of the ball around the receiver.
-fn among<R: Real, P: Intersect<R>>(
+/// The candidates of rays that leave a receiver: the receiver itself, and the objects for which `can_matter`
+/// is true of the ball around the receiver; all objects, if the receiver has no such ball.
+fn candidates_for<R: Real, P: Intersect<R>>(
     objects: &[PreparedObject<'_, R, P>],
     receiver: usize,
-    can_matter: impl Fn(&Ball<R>, &Blocker<R>) -> bool,
+    can_matter: impl Fn(&BoundingBall<R>, &Blocker<R>) -> bool,
 ) -> ObjectSet {
-    let Some(around) = objects.get(receiver).and_then(Ball::around) else {
+    let Some(around) = objects.get(receiver).and_then(BoundingBall::around) else {
         return ObjectSet::first(objects.len());
     };
     let mut set = ObjectSet::NONE;
     for (index, object) in objects.iter().enumerate() {
-        let blocker = Blocker { ball: Ball::around(object), form: object.shape.form() };
+        let blocker = Blocker { ball: BoundingBall::around(object), form: object.shape.form() };
         if index == receiver || can_matter(&around, &blocker) {
             set = set.with(index);
         }
@@ -287,18 +292,18 @@ fn among<R: Real, P: Intersect<R>>(
 
 /// An object that may be in the way.
 struct Blocker<R: Real> {
-    ball: Option<Ball<R>>,
+    ball: Option<BoundingBall<R>>,
     form: Form<R>,
 }
 
 /// A ball around an object: every hit lies inside, with room for rounding.
 #[derive(Clone, Copy)]
-pub(super) struct Ball<R: Real> {
+pub(super) struct BoundingBall<R: Real> {
     pub(super) center: Vec3<R::Setup>,
     pub(super) radius: R::Setup,
 }
 
-impl<R: Real> Ball<R> {
+impl<R: Real> BoundingBall<R> {
     /// Room for rounding, relative: well above the errors of the tests below.
     const SLACK: f32 = 1e-3;
 
@@ -330,9 +335,8 @@ impl<R: Real> Ball<R> {
     /// Whether any of `other` may stand between a point inside and the light.
     #[inline(never)]
     fn is_shaded_by(&self, other: &Blocker<R>, light: &Source<R>) -> bool {
-        // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset.
         let largest = R::from_setup(self.center.magnitude() + self.radius);
-        let astray = beside(largest, light);
+        let astray = shadow_ray_deviation(largest, light);
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());

@@ -96,14 +96,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(object.material)
     }
 
-    /// The objects that a camera ray can meet.
+    /// The objects that a camera ray can meet: all of the scene, or unknown ones where it has no sets.
     pub(crate) fn all(&self) -> ObjectSet {
-        self.candidates().map_or(ObjectSet::ALL, Candidates::all)
+        self.candidates().map_or(ObjectSet::UNKNOWN, Candidates::all)
     }
 
-    /// The objects that a ray can meet which leaves a surface.
+    /// The objects that a ray can meet which leaves a surface; unknown ones where the scene has no sets.
     pub(crate) fn leaving(&self, from: Departure) -> ObjectSet {
-        self.candidates().map_or(ObjectSet::ALL, |candidates| candidates.leaving(from))
+        self.candidates().map_or(ObjectSet::UNKNOWN, |candidates| candidates.leaving(from))
     }
 
     /// Whether a ray that leaves an object may meet it again.

@@ -11,12 +11,15 @@ pub(crate) struct ObjectSet(u32);
 impl ObjectSet {
     /// Scenes of up to this many objects have sets.
     pub(crate) const CAPACITY: usize = if cfg!(feature = "candidates") { FEW_OBJECTS } else { 0 };
+    /// No object.
     pub(crate) const NONE: Self = Self(0);
-    pub(crate) const ALL: Self = Self(u32::MAX);
+    /// Any object: which ones is not known, or the scene has no sets. Bits beyond the scene's objects are set
+    /// too, and stand for nothing.
+    pub(crate) const UNKNOWN: Self = Self(u32::MAX);
 
     /// The first `count` objects.
     pub(crate) const fn first(count: usize) -> Self {
-        if count >= FEW_OBJECTS { Self::ALL } else { Self((1 << count) - 1) }
+        if count >= FEW_OBJECTS { Self(u32::MAX) } else { Self((1 << count) - 1) }
     }
 
     pub(crate) const fn is_empty(self) -> bool {

@@ -30,17 +30,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// Whether `holds` is true for any of the objects `among`; without a set, for any object that may come
-    /// near to a ray before its end at `max`: as near as `beside` says of the distance where the ray ends.
+    /// near to a ray before its end at `max`: no farther than `reach_at` gives for the distance of the end.
     pub(crate) fn any_beside(
         &self,
         (ray, max): (&Ray<R>, R),
-        beside: impl FnOnce(R) -> R,
+        reach_at: impl FnOnce(R) -> R,
         among: Option<ObjectSet>,
         holds: impl FnMut(usize) -> bool,
     ) -> bool {
         self.any_of(among, holds, |hierarchy, holds| {
             let max = max.smaller(hierarchy.farthest_from(ray.origin));
-            hierarchy.any_beside(ray, max, beside(max), holds)
+            hierarchy.any_beside(ray, max, reach_at(max), holds)
         })
     }
 

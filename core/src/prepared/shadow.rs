@@ -1,6 +1,6 @@
 //! The second question of a ray: how much light gets through between two points?
 
-use super::candidates::Ball;
+use super::candidates::BoundingBall;
 use super::closest::NO_OBJECT;
 use super::objects::PreparedObject;
 use super::{Among, Departure, ObjectSet, PreparedScene};
@@ -21,7 +21,8 @@ pub enum Through<S> {
     Nothing,
     /// A share of it: only transparent surfaces are in the way.
     Some(S),
-    /// None of it: more than [`MAX_SHADOW_LAYERS`] transparent surfaces are in the way.
+    /// None of it: more than [`MAX_SHADOW_LAYERS`] layers are in the way. A layer is one surface that lets
+    /// light through: a glass ball has two, where the ray goes in and where it comes out.
     TooManyLayers,
 }
 
@@ -125,7 +126,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(never)]
     fn light_through_few(&self, ray: &Ray<R>, distance: R, set: ObjectSet) -> Through<Throughput<R>> {
         let range = Interval { min: R::ZERO, max: distance };
-        let (mut layers, mut met) = (ObjectSet::NONE, None);
+        // The objects that the ray meets, or that a part of it may meet though the whole ray does not.
+        let (mut reachable, mut met) = (ObjectSet::NONE, None);
         for index in set {
             let Some(PreparedObject { shape, material }) = self.objects.get(index) else { continue };
             match shape.intersect(ray, range) {
@@ -138,11 +140,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 None if shape.form().is_missed_by_parts() => continue,
                 None => {}
             }
-            layers = layers.with(index);
+            reachable = reachable.with(index);
         }
         let Some((_, index)) = met else { return Through::All };
-        if layers != ObjectSet::NONE.with(index) {
-            let next = |range| self.closest(ray, range, Among::Few(layers));
+        if reachable != ObjectSet::NONE.with(index) {
+            let next = |range| self.closest(ray, range, Among::Few(reachable));
             return self.light_through_layers(ray, range, None, next(range), next);
         }
         // Most often one glass object is in the way, of which the first hit is known already.
@@ -170,9 +172,10 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The objects that can be in the way between any point of an object and a light.
+    /// The objects that can be in the way between any point of an object and a light; unknown ones where the
+    /// scene has no sets.
     pub(crate) fn may_shade(&self, receiver: usize, light: usize) -> ObjectSet {
-        self.candidates().map_or(ObjectSet::ALL, |candidates| {
+        self.candidates().map_or(ObjectSet::UNKNOWN, |candidates| {
             candidates.between(Departure { object: receiver, outward: true }, light)
         })
     }
@@ -184,8 +187,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         object: usize,
         light: &Source<R>,
     ) -> Option<(Vec3<R::Setup>, R::Setup)> {
-        let (candidates, ball) = (self.candidates()?, self.objects.get(object).and_then(Ball::around)?);
-        Some((ball.center, ball.radius + candidates.beside(light)))
+        let (candidates, ball) =
+            (self.candidates()?, self.objects.get(object).and_then(BoundingBall::around)?);
+        Some((ball.center, ball.radius + candidates.shadow_ray_deviation(light)))
     }
 
     /// Whether an object may have a highlight of a light at a place where rays are mirrored into this
@@ -203,9 +207,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(!(material.transmittance > R::ZERO))
     }
 
-    /// The light that gets through transparent surfaces: the first, and those that `next` finds in the rest
-    /// of the ray, `most` in all if that is known. Their shares are multiplied in the order of the ray, so
-    /// that rounding does not depend on what is known of the ray. A ray meets a shape with an inside twice.
+    /// The light that gets through layers: the `first`, and those that `next` finds in the rest of the ray,
+    /// `most` in all if that is known. The shares that they let through are multiplied in the order of the
+    /// ray, so that rounding does not depend on what is known of the ray.
     fn light_through_layers(
         &self,
         ray: &Ray<R>,

@@ -62,7 +62,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         lines: &mut [C],
         probe: &mut impl Probe<R>,
     ) -> u32 {
-        let Renderer { settings, viewport, bounds, width, .. } = self.renderer;
+        let Renderer { settings, viewport, limits, width, .. } = self.renderer;
         let rays_per_pixel = settings.rays_per_pixel;
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
@@ -70,7 +70,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
             let row = viewport.row((y, CENTER));
             lane.begin(viewport.ray((x, CENTER), row), RayBudget(rays_per_pixel));
         }
-        self.group.trace(lanes, bounds, probe);
+        self.group.trace(lanes, limits, probe);
         let mut spent: u32 = 0;
         for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
             spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.rays_left().0));

@@ -2,7 +2,7 @@
 //! shadows that each pixel of the largest flat object can lie in: most of these then test nothing on the way
 //! to a light.
 
-use super::outlines::{Outlines, SHADOWS};
+use super::outlines::{Outlines, SHADOW_OUTLINES};
 use super::span::Span;
 use crate::integrator::{Blockers, Sight};
 use crate::prepared::ObjectSet;
@@ -16,7 +16,7 @@ pub(super) struct LineCandidates<'o> {
     /// The pixels in which each object can be seen.
     spans: [Span; ObjectSet::CAPACITY],
     /// The pixels on which each shadow can fall.
-    shadows: [Span; SHADOWS],
+    shadows: [Span; SHADOW_OUTLINES],
     /// The objects whose spans hold the pixels from the last one that was looked up to `until`.
     current: ObjectSet,
     until: u16,
@@ -33,7 +33,7 @@ impl<'o> LineCandidates<'o> {
         for (span, outline) in spans.iter_mut().zip(&outlines.objects).take(objects) {
             *span = outline.span(y);
         }
-        let mut shadows = [Span::NOWHERE; SHADOWS];
+        let mut shadows = [Span::NOWHERE; SHADOW_OUTLINES];
         for (span, shadow) in shadows.iter_mut().zip(&outlines.shadows) {
             *span = shadow.outline.span(y);
         }
@@ -84,9 +84,9 @@ impl<'o> LineCandidates<'o> {
         self.blockers_until = u16::MAX;
         for (shadow, span) in self.outlines.shadows.iter().zip(&self.shadows) {
             if span.change_after(x, &mut self.blockers_until)
-                && let Some(among) = self.blockers.before.get_mut(usize::from(shadow.light))
+                && let Some(blockers) = self.blockers.before.get_mut(usize::from(shadow.light))
             {
-                *among = among.with(usize::from(shadow.object));
+                *blockers = blockers.with(usize::from(shadow.object));
             }
         }
     }
@@ -96,7 +96,7 @@ impl<'o> LineCandidates<'o> {
 #[cfg(test)]
 mod tests {
     use super::super::outline::Outline;
-    use super::super::outlines::Shadow;
+    use super::super::outlines::ShadowOutline;
     use super::*;
     use crate::integrator::OUTLINED_LIGHTS;
 
@@ -107,8 +107,8 @@ mod tests {
         outlines.objects[0] = band(3, 7);
         outlines.objects[1] = Outline::Everywhere;
         outlines.objects[2] = band(5, 5);
-        outlines.shadows[0] = Shadow { light: 0, object: 3, outline: band(2, 9) };
-        outlines.shadows[1] = Shadow { light: 1, object: 0, outline: band(8, 12) };
+        outlines.shadows[0] = ShadowOutline { light: 0, object: 3, outline: band(2, 9) };
+        outlines.shadows[1] = ShadowOutline { light: 1, object: 0, outline: band(8, 12) };
         outlines.others = [ObjectSet::NONE.with(2); OUTLINED_LIGHTS];
         for y in 0..6 {
             let mut line = LineCandidates::new(&outlines, y).unwrap();

@@ -8,9 +8,9 @@
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].
 //!
-//! Nothing below [`Renderer::light_in`] is generic over the color. With the feature `hierarchy`, the path of
-//! a pixel is therefore compiled once for all colors; without it, the path is inlined into each painter,
-//! which is faster on small processors.
+//! Nothing below [`Renderer::light_in`] is generic over the color. With the feature `hierarchy`, the code
+//! that traces a pixel is therefore compiled once for all colors; without it, that code is inlined into each
+//! painter, which is faster on small processors.
 
 mod digest;
 mod display_color;
@@ -55,7 +55,7 @@ use embedded_graphics::draw_target::DrawTarget;
 
 use crate::camera::{Row, Viewport};
 use crate::color::LinearRgb;
-use crate::integrator::{Bounds, RayBudget, Sight, radiance};
+use crate::integrator::{RayBudget, RayLimits, Sight, radiance};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
@@ -72,7 +72,7 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     viewport: Viewport<R>,
     width: u16,
     height: u16,
-    bounds: Bounds<R>,
+    limits: RayLimits<R>,
     sample_weight: R,
     settings: Settings,
     /// The places at which objects and shadows can be seen. They are known for the centers of pixels, so
@@ -101,7 +101,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             viewport,
             width,
             height,
-            bounds: Bounds { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
+            limits: RayLimits { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
             sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
             settings,
             outlines: Outlines::UNKNOWN,
@@ -144,16 +144,16 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
 
     /// As [`pixel`](Self::pixel), for a camera ray of which something is known.
     fn light_at(&self, pixel: Pixel<R>, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_in(self.scene, &self.bounds, pixel, sight, probe)
+        self.light_in(self.scene, &self.limits, pixel, sight, probe)
     }
 
-    /// As [`light_at`](Self::light_at), in another scene and with other bounds.
+    /// As [`light_at`](Self::light_at), in another scene and with other limits.
     // For `classic` on an M4F, 610 instructions a pixel; without it, 625.
     #[inline(always)]
     fn light_in(
         &self,
         scene: &PreparedScene<'m, R, S>,
-        bounds: &Bounds<R>,
+        limits: &RayLimits<R>,
         Pixel { x, y, row }: Pixel<R>,
         sight: Sight<'_>,
         probe: &mut impl Probe<R>,
@@ -170,7 +170,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         loop {
             let (right, row) = place;
             let ray = self.viewport.ray((x, right), row);
-            let shown = radiance(scene, ray, sight, bounds, &mut rays, probe);
+            let shown = radiance(scene, ray, sight, limits, &mut rays, probe);
             if samples <= 1 {
                 return (shown, rays_per_pixel.saturating_sub(rays.0));
             }

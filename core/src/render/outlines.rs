@@ -17,7 +17,7 @@ use crate::prepared::PreparedScene;
 use crate::shape::Geometry;
 
 /// The most shadows whose outlines are kept.
-pub(super) const SHADOWS: usize = ObjectSet::CAPACITY / 2;
+pub(super) const SHADOW_OUTLINES: usize = ObjectSet::CAPACITY / 2;
 
 /// The outlines of all objects of a picture, and of the shadows on the largest flat object, the *receiver*.
 #[derive(Clone, Copy, Debug)]
@@ -28,14 +28,14 @@ pub(super) struct Outlines {
     /// The position of the receiver; [`usize::MAX`] if there is none.
     pub(super) receiver: usize,
     /// The shadows on the receiver.
-    pub(super) shadows: [Shadow; SHADOWS],
+    pub(super) shadows: [ShadowOutline; SHADOW_OUTLINES],
     /// For each light, the objects that may shade the receiver and have no outline among `shadows`.
     pub(super) others: [ObjectSet; OUTLINED_LIGHTS],
 }
 
 /// The outline of the shadow that an object casts on the receiver.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shadow {
+pub(super) struct ShadowOutline {
     pub(super) light: u8,
     pub(super) object: u8,
     pub(super) outline: Outline,
@@ -47,8 +47,8 @@ impl Outlines {
         objects: [Outline::Nowhere; ObjectSet::CAPACITY],
         count: None,
         receiver: usize::MAX,
-        shadows: [Shadow { light: 0, object: 0, outline: Outline::Nowhere }; SHADOWS],
-        others: [ObjectSet::ALL; OUTLINED_LIGHTS],
+        shadows: [ShadowOutline { light: 0, object: 0, outline: Outline::Nowhere }; SHADOW_OUTLINES],
+        others: [ObjectSet::UNKNOWN; OUTLINED_LIGHTS],
     };
 
     /// Finds the outlines of a scene's objects, unless it has too many. In place, as `Outlines` is large.
@@ -98,7 +98,7 @@ impl Outlines {
                 let Some((center, radius)) = scene.ball_of_shadow(object, &light.source) else { continue };
                 let outline = projector.outline(center, radius);
                 let Some(place) = places.next() else { return };
-                *place = Shadow { light: index as u8, object: object as u8, outline };
+                *place = ShadowOutline { light: index as u8, object: object as u8, outline };
                 *others = others.without(object);
             }
         }

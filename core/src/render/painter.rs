@@ -9,7 +9,7 @@ use crate::shape::Geometry;
 
 /// Traces bands of lines in one quality. A [`Frame`](super::Frame) sends each complete band to the display.
 ///
-/// The trait is public because [`Quality`](super::Quality) names it, but no path leads to it from outside.
+/// The trait is public because [`Quality`](super::Quality) names it, but no other crate can name it.
 pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// The color of the display's pixels.
     type Color: DisplayColor;

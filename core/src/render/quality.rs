@@ -67,7 +67,7 @@ pub trait Quality: Sized + Sealed {
     ) -> Self::Painter<'m, R, S>;
 }
 
-/// No path leads to this trait from outside, so that no other crate can implement [`Quality`].
+/// No other crate can name this trait, and so none can implement [`Quality`].
 pub trait Sealed {}
 
 impl<C: DisplayColor> Sealed for &mut [C] {}

@@ -5,7 +5,7 @@ use crate::color::LinearRgb;
 use crate::math::Real;
 
 /// Light at a pixel, clamped to the range of a display: in each channel, 0 is black and 65536 is full
-/// light.
+/// light. A channel has 17 bits: 2¹⁶ parts, and full light itself.
 ///
 /// A renderer makes no light above 65536. In light that a program makes itself, a higher number counts as
 /// full light.

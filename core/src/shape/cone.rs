@@ -5,22 +5,23 @@
 //! # No hit outside
 //! A cone may be a hundred thousand times as long as it is wide, and a ray may run almost along it. The
 //! equation as textbooks give it loses all digits there. Three steps keep the error of a hit to a few units
-//! in the last place of the cone's length and place, far less than the room that its bounds have:
+//! in the last place of the cone's coordinates, far less than the room that its bounds have:
 //!
-//! - Every number is measured from the point of the ray that is nearest to the axis, of the part between the
-//!   planes of the two ends ([`Approach`]). No point of the cone on the ray is nearer to the axis, so what
-//!   the equation is made of is no larger than the radius where the ray meets the cone.
-//! - The angle between ray and axis enters as the part of the direction across the axis, not as 1 less the
-//!   square of the part along it.
-//! - The discriminant is (α r - β e)² - D² (α² - β²), where D is how far the whole line passes the axis by.
-//!   It does not cancel where the textbook's b² - a c does.
+//! - Places are measured from one point of the ray ([`Approach`]): of the part between the planes of the two
+//!   ends, the point that is nearest to the axis. No hit is nearer to the axis, so the terms of the equation
+//!   are no larger than the cone's radius at the hit.
+//! - The angle between ray and axis enters by its sine: the length of the part of the direction that is at
+//!   right angles to the axis. In textbooks, 1 less the squared cosine takes its place, and cancels for a ray
+//!   almost along the axis.
+//! - The discriminant is (α r - β e)² - D² (α² - β²), with the letters of [`Passage`]. It does not cancel
+//!   where the textbook's b² - a c does.
 //!
 //! # Rays that pass by
-//! Most rays that are tested pass the axis farther away than the cone reaches. Floating point looks at that
-//! first, by the line at right angles to both, for half the products. Fixed point, whose coefficients must
-//! not overflow, first looks whether the ray comes near the base at all.
+//! Most rays that are tested pass the axis farther away than the cone reaches. In floating point this is
+//! tested first, by the distance between two lines: for half the products of an intersection. In fixed point
+//! coefficients must not overflow, so the first test is whether the ray comes near the base at all.
 
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, normal_after_step, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -117,13 +118,14 @@ pub struct PreparedCone<R> {
 
 /// The point of a ray that is nearest to the axis between the planes of the cone's ends.
 struct Approach<R> {
-    /// The point as seen from the base, and how far along the ray it is.
+    /// The point, relative to the base.
     from_base: Vec3<R>,
+    /// The distance of the point from the ray's origin.
     advance: R,
-    /// By how much the ray rises along the axis with each unit.
+    /// The change of height along the axis for each unit along the ray: the cosine between the two.
     climb: R,
-    /// The direction of the ray across the axis, of unit length, and how much it moves that way with each
-    /// unit; both 0 for a ray along the axis.
+    /// The unit vector along the part of the direction that is at right angles to the axis, and the length of
+    /// that part: the sine. Both are 0 for a ray along the axis.
     across: Vec3<R>,
     sine: R,
 }
@@ -139,13 +141,15 @@ struct FourApproaches<R> {
     sine: [R; 4],
 }
 
-/// A line's way through a cone of infinite length and its mirror image, from its [`Approach`] on.
+/// A line through a cone of infinite length and through the mirror image beyond its apex, from the line's
+/// [`Approach`] on.
 ///
-/// With `unit` times a distance t from there as τ, the line is e + α τ along its own way across the axis,
-/// always D beside the axis, and the radius there is r + β τ. So it meets the cone where a τ² + 2 b τ + c =
-/// 0.
+/// Let D be the distance between line and axis, and τ the distance from the approach, times `unit`. Seen
+/// along the axis, the line passes the axis at the distance D, and is e + α τ beyond the place where it is
+/// nearest. The cone's radius at the same height is r + β τ. So the line meets the cone where
+/// D² + (e + α τ)² = (r + β τ)², or a τ² + 2 b τ + c = 0.
 struct Passage<R: Real> {
-    /// Where that is, as seen from the base, and how far along the ray.
+    /// The point of the approach, relative to the base.
     from_base: Vec3<R>,
     /// The distance of that point from the ray's origin.
     advance: R,
@@ -154,8 +158,8 @@ struct Passage<R: Real> {
     height: R,
     /// The change of height for each unit along the line.
     climb: R,
-    /// The larger of two changes for each unit along the line: of the way across the axis, and of the radius.
-    /// In units of this, the larger of α and β is 1.
+    /// The larger of two changes for each unit along the line: that of the place as it is seen along the
+    /// axis, and that of the radius. Divided by it, they are α and β, of which the larger is 1.
     unit: R,
     /// α² - β²
     a: R,
@@ -168,7 +172,7 @@ struct Passage<R: Real> {
 
 impl<R: Real> Passage<R> {
     /// The two places at which the line meets the cone, if the discriminant is positive. If the line is
-    /// parallel to a line of the cone, there is only one such place, and both results are it.
+    /// parallel to a line of the cone, it meets the cone once, and both results are that place.
     #[inline(always)]
     fn roots(&self) -> (R, R) {
         let root = self.discriminant.sqrt();
@@ -200,8 +204,8 @@ impl<R: Real> Passage<R> {
     }
 }
 
-/// Whether the line meets the cone twice: it is not parallel to a line of the cone. By the first coefficient
-/// of the quadratic equation.
+/// Whether a line meets the cone twice, by the first coefficient of the quadratic equation: it does unless it
+/// is parallel to a line of the cone.
 #[inline(always)]
 fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
@@ -224,7 +228,7 @@ impl<R: Real> PreparedCone<R> {
     /// The squared distance at which a ray's line passes the axis, and the largest squared distance at which
     /// it may meet the cone. Both are multiplied by the squared sine of the angle between line and axis.
     ///
-    /// Before it is squared, the first is off by at most 2⁻²¹ of the distance from the base. This is less
+    /// Before the first is squared, its error is at most 2⁻²¹ of the distance from the base. This is less
     /// than the room for rounding in the reach, or less than the root of `doubt`.
     #[inline(always)]
     fn passing(&self, ray: &Ray<R>) -> (R, R) {
@@ -245,7 +249,7 @@ impl<R: Real> PreparedCone<R> {
             }
         }
         let (from_base, advance) = ray.nearest_to(self.base);
-        // Otherwise coefficients would be out of range.
+        // Farther away, coefficients would be out of range.
         if R::IS_FIXED_POINT && from_base.length_squared_wide() > self.size.times(self.size) {
             return None;
         }
@@ -256,10 +260,10 @@ impl<R: Real> PreparedCone<R> {
         let across = if is_along { Vec3::ZERO } else { across };
 
         let height = from_base.dot(self.axis);
-        let beside = from_base - self.axis * height;
-        let aside = beside.dot(across);
+        let from_axis = from_base - self.axis * height;
+        let aside = from_axis.dot(across);
         if R::IS_FIXED_POINT {
-            let passing = beside.length_squared_wide() - aside.times(aside);
+            let passing = from_axis.length_squared_wide() - aside.times(aside);
             if passing > self.reach.times(self.reach) + R::ONE.times(R::RAY_OFFSET) {
                 return None;
             }
@@ -273,7 +277,7 @@ impl<R: Real> PreparedCone<R> {
         } else {
             toward
         };
-        // Where the way is longer, the ray is between the planes of the ends only far away from the cone.
+        // If the shift is longer, the ray is far from the cone where it is between the planes of the ends.
         let is_near = shift.abs() <= self.farthest();
         is_near.then(|| Approach {
             from_base: from_base + direction * shift,
@@ -289,12 +293,12 @@ impl<R: Real> PreparedCone<R> {
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         let Approach { from_base, advance, climb, across, sine } = self.approach(ray)?;
         let height = from_base.dot(self.axis);
-        let beside = from_base - self.axis * height;
-        let distance_squared = beside.length_squared_wide();
+        let from_axis = from_base - self.axis * height;
+        let distance_squared = from_axis.length_squared_wide();
         if distance_squared > self.reach.times(self.reach) {
             return None;
         }
-        let aside = beside.dot(across);
+        let aside = from_axis.dot(across);
         let radius = self.base_radius + self.slope * height;
         let widens = self.slope * climb;
         let unit = sine.larger(widens.abs());
@@ -326,8 +330,8 @@ impl<R: Real> PreparedCone<R> {
         let sine = each(|i| across[i].1);
         let across = each(|i| if sine[i] > R::ZERO { across[i].0 } else { Vec3::ZERO });
         let height = each(|i| from_base[i].dot(self.axis));
-        let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let aside = each(|i| beside[i].dot(across[i]));
+        let from_axis = each(|i| from_base[i] - self.axis * height[i]);
+        let aside = each(|i| from_axis[i].dot(across[i]));
         let toward = each(|i| if sine[i] > R::ZERO { -aside[i] / sine[i] } else { R::ZERO });
         let shift = each(|i| {
             let (rise, to_base, to_top) = (climb[i] * toward[i], -height[i], self.length - height[i]);
@@ -346,7 +350,7 @@ impl<R: Real> PreparedCone<R> {
         Some(FourApproaches { near_enough, from_base, advance, climb, across, sine })
     }
 
-    /// No hit is farther from where a passage begins.
+    /// No hit is farther than this from the point where a passage begins.
     #[inline(always)]
     fn farthest(&self) -> R {
         self.size + self.size
@@ -360,8 +364,8 @@ impl<R: Real> PreparedCone<R> {
         let (one, other) = passage.roots();
         let on_side = |t: R| {
             let at = passage.height + passage.climb * t;
-            // Beyond its apex the quadratic describes a second cone: there the radius is negative. In fixed
-            // point what is too far away may be saturated.
+            // Beyond the apex the equation describes the cone's mirror image, and the radius is negative. In
+            // fixed point a place too far away may be saturated.
             t.abs() <= self.farthest()
                 && at >= R::ZERO
                 && at <= self.length
@@ -409,7 +413,7 @@ impl<R: Real> PreparedCone<R> {
 
     /// Whether a surface is on one of the discs at the ends: only their normals are exactly parallel to the
     /// axis.
-    fn is_on_lid(&self, surface: &Surface<R>) -> bool {
+    fn is_on_cap(&self, surface: &Surface<R>) -> bool {
         self.capped && (surface.normal == self.axis || surface.normal == -self.axis)
     }
 }
@@ -432,15 +436,15 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         }
         let Some(approaches) = self.approach_four(rays) else { return (0, *max) };
         let FourApproaches { near_enough, from_base, advance, climb, across, sine } = approaches;
-        // As `passage`. The root of what is not positive is 0 or NaN.
+        // The steps of `passage`. The root of a discriminant that is not positive is 0 or NaN.
         let height = each(|i| from_base[i].dot(self.axis));
-        let beside = each(|i| from_base[i] - self.axis * height[i]);
-        let distances_squared = each(|i| beside[i].length_squared());
+        let from_axis = each(|i| from_base[i] - self.axis * height[i]);
+        let distances_squared = each(|i| from_axis[i].length_squared());
         let near_enough = near_enough & R::no_larger(&distances_squared, &[self.reach * self.reach; 4]);
         if near_enough == 0 {
             return (0, *max);
         }
-        let aside = each(|i| beside[i].dot(across[i]));
+        let aside = each(|i| from_axis[i].dot(across[i]));
         let radius = each(|i| self.base_radius + self.slope * height[i]);
         let widens = each(|i| self.slope * climb[i]);
         let unit = each(|i| sine[i].larger(widens[i].abs()));
@@ -448,9 +452,9 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
         let (alpha, beta) = (each(|i| parts[i].0), each(|i| parts[i].1));
         let a = each(|i| alpha[i] * alpha[i] - beta[i] * beta[i]);
         let b = each(|i| alpha[i] * aside[i] - beta[i] * radius[i]);
-        let c = each(|i| beside[i].length_squared_wide() - radius[i].times(radius[i]));
+        let c = each(|i| from_axis[i].length_squared_wide() - radius[i].times(radius[i]));
         let even = each(|i| alpha[i] * radius[i] - beta[i] * aside[i]);
-        let passing = each(|i| beside[i].length_squared_wide() - aside[i].times(aside[i]));
+        let passing = each(|i| from_axis[i].length_squared_wide() - aside[i].times(aside[i]));
         let root = each(|i| (even[i].times(even[i]) - passing[i].times(a[i])).sqrt());
         let zeros = [R::ZERO; 4];
         let crossed = near_enough & R::less(&zeros, &root);
@@ -535,7 +539,7 @@ impl<R: Real> Intersect<R> for PreparedCone<R> {
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         let from_base = surface.point - self.base;
         let height = from_base.dot(self.axis);
-        if self.is_on_lid(surface) {
+        if self.is_on_cap(surface) {
             let top = surface.normal == self.axis;
             let radius = self.base_radius + if top { self.slope * self.length } else { R::ZERO };
             return uv::disc(surface.normal, from_base - self.axis * height, radius);
@@ -575,10 +579,10 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        if self.is_on_lid(surface) {
+        if self.is_on_cap(surface) {
             surface.normal
         } else {
-            beside(&Self { capped: false, ..*self }, surface, step)
+            normal_after_step(&Self { capped: false, ..*self }, surface, step)
         }
     }
 }
@@ -634,9 +638,9 @@ mod tests {
             let shape = Cone { base_radius: radius, top_radius: random.next().abs() * radius, ..TENT };
             let mut memory = Memory::new();
             let cone: PreparedCone<f32> = prepared(shape, &mut memory).expect("a legal cone");
-            let beside = random.direction().cross(cone.axis).normalized().unwrap_or(LEFT);
+            let from_axis = random.direction().cross(cone.axis).normalized().unwrap_or(LEFT);
             let height = cone.axis * (random.next() * 3.0);
-            let aim = cone.base + height + beside * (radius * (1.2 + random.next() * 0.4));
+            let aim = cone.base + height + from_axis * (radius * (1.2 + random.next() * 0.4));
             let almost_along = random.direction() * 1e-3 + cone.axis;
             let direction = if round / 16 % 2 == 0 { almost_along } else { random.direction() };
             let direction = direction.normalized().unwrap_or(LEFT);

@@ -1,7 +1,7 @@
 //! An ellipsoid: the image of a ball under a linear map. Rays are mapped back, and meet a ball by the steps
 //! of [`Sphere`](super::Sphere) (Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -213,7 +213,7 @@ impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
+        normal_after_step(self, surface, step)
     }
 }
 

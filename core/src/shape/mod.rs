@@ -244,7 +244,7 @@ fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> 
 
 /// [`Silhouette::normal_beside`] of a shape whose [`Intersect::surface`] also works for points beside the
 /// surface.
-fn beside<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
+fn normal_after_step<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
     let ray = Ray { origin: surface.point + step, direction: -surface.normal };
     shape.surface(&ray, R::ZERO).shading_normal
 }

@@ -6,7 +6,7 @@
 //! sign, and keeps the digits of a thin tube.
 
 use super::circle::Circle;
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, beside, reach_across, uv};
+use super::{Geometry, Hull, Intersect, Silhouette, Spans, normal_after_step, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
@@ -219,7 +219,7 @@ impl<R: Real> Silhouette<R> for PreparedTorus<R> {
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
+        normal_after_step(self, surface, step)
     }
 }
 

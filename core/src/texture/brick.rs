@@ -4,7 +4,7 @@
 use super::{check_reflectivity, check_unit};
 use crate::color::LinearRgb;
 use crate::fault::{Coefficient, Fault};
-use crate::math::{Cell, Real};
+use crate::math::{LatticeCoordinate, Real};
 
 /// A wall of bricks in the pattern's x-y plane, constant along z. A brick and its mortar take one unit, and
 /// every second row is shifted by half a unit.
@@ -32,11 +32,11 @@ impl Brick {
 
 impl<R: Real> Brick<R> {
     /// The position relative to its row of bricks: every second row is shifted by half a unit.
-    pub(super) fn in_row([x, y, z]: [Cell<R>; 3]) -> [Cell<R>; 3] {
+    pub(super) fn in_row([x, y, z]: [LatticeCoordinate<R>; 3]) -> [LatticeCoordinate<R>; 3] {
         [if y.index & 1 == 1 { x.plus(R::from_fraction(1 << 15)) } else { x }, y, z]
     }
 
-    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         let ([gap_x, gap_y], [x, y, _]) = (self.gap, Self::in_row(at));
         if x.within < gap_x || y.within < gap_y { self.mortar } else { self.brick }
     }

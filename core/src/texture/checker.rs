@@ -3,7 +3,7 @@
 use super::check_reflectivity;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_finite};
-use crate::math::{Cell, Real, Scale, Vec3};
+use crate::math::{LatticeCoordinate, Real, Scale, Vec3};
 
 /// A checker in space: cells of two colors that alternate.
 ///
@@ -99,7 +99,7 @@ impl Squares {
 }
 
 impl<R: Real> Squares<R> {
-    pub(super) fn color(&self, [x, y, z]: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, [x, y, z]: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         if (x.index ^ y.index ^ z.index) & 1 == 0 { self.even } else { self.odd }
     }
 }

@@ -3,7 +3,7 @@
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Real};
+use crate::math::{LatticeCoordinate, Real};
 
 /// A gradient along one unit of the pattern's x axis, in linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub enum Ends {
 
 impl Ends {
     /// Maps a coordinate to the position inside of the figure, from 0 to 1.
-    pub(super) fn fold<R: Real>(self, at: Cell<R>) -> R {
+    pub(super) fn fold<R: Real>(self, at: LatticeCoordinate<R>) -> R {
         match self {
             Self::Mirror if at.index & 1 == 1 => R::ONE - at.within,
             Self::Extend if at.index < 0 => R::ZERO,
@@ -54,7 +54,7 @@ impl Gradient {
 }
 
 impl<R: Real> Gradient<R> {
-    pub(super) fn color(&self, [x, ..]: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, [x, ..]: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         blend(self.from, self.to, self.ends.fold(x))
     }
 }

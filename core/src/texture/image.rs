@@ -5,7 +5,7 @@ use super::gradient::Ends;
 use super::pixels::{Encoding, Pixels};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Linear, Real, Vec3};
+use crate::math::{LatticeCoordinate, Linear, Real, Vec3};
 
 /// An image. Its width is one unit along the pattern's x axis, its height one unit along y, upward. It is
 /// constant along z.
@@ -110,7 +110,7 @@ pub(crate) struct PreparedImage<'m, R: Real> {
 }
 
 impl<R: Real> PreparedImage<'_, R> {
-    pub(super) fn color(&self, [x, y, _]: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, [x, y, _]: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         let [across, up] = self.ends;
         self.at(across.fold(x), up.fold(y))
     }
@@ -132,9 +132,9 @@ impl<R: Real> PreparedImage<'_, R> {
 
     /// The column and the line, counted from below, of a position from 0 to 1.
     #[inline(always)]
-    fn cells(&self, x: R, y: R) -> (Cell<R>, Cell<R>) {
+    fn cells(&self, x: R, y: R) -> (LatticeCoordinate<R>, LatticeCoordinate<R>) {
         let place = Vec3::new(x, y, R::ZERO);
-        (self.column.cell(place), self.line.cell(place))
+        (self.column.split_at(place), self.line.split_at(place))
     }
 
     /// Whether the color jumps at the edges of pixels.
@@ -145,19 +145,19 @@ impl<R: Real> PreparedImage<'_, R> {
     /// Three numbers that identify a pixel which differs from a neighbor: its column and line, each combined
     /// with the number of the repeated copy of the image. All pixels that are like their neighbors share `[0;
     /// 3]`, because a change of pixel inside of a smooth area is not an edge.
-    pub(super) fn step(&self, [x, y, _]: [Cell<R>; 3]) -> [i32; 3] {
+    pub(super) fn step(&self, [x, y, _]: [LatticeCoordinate<R>; 3]) -> [i32; 3] {
         let [across, up] = self.ends;
         let (column, line) = self.cells(across.fold(x), up.fold(y));
         let (column, line) = (column.index, line.index);
         let levels = |light: LinearRgb<R>| [light.r, light.g, light.b].map(R::to_q16);
         let here = levels(self.pixel(column, line));
         let differs = |right: i32, up: i32| {
-            let beside = levels(self.beside(column.wrapping_add(right), line.wrapping_add(up)));
+            let beside = levels(self.continued_pixel(column.wrapping_add(right), line.wrapping_add(up)));
             // Colors differ if a channel differs by more than 1/16, the step of `level_mark`.
             here.into_iter().zip(beside).any(|(here, beside)| here.abs_diff(beside) > 1 << 12)
         };
         if differs(-1, 0) || differs(1, 0) || differs(0, -1) || differs(0, 1) {
-            let copy = |at: Cell<R>, ends| if ends == Ends::Extend { 0 } else { at.index << 16 };
+            let copy = |at: LatticeCoordinate<R>, ends| if ends == Ends::Extend { 0 } else { at.index << 16 };
             [column ^ copy(x, across), line ^ copy(y, up), 1]
         } else {
             [0; 3]
@@ -172,13 +172,12 @@ impl<R: Real> PreparedImage<'_, R> {
             Filter::Nearest => {
                 self.light(nearest(column, self.image.width), nearest(line, self.image.height))
             }
-            Filter::Bilinear => self.beside(column, line),
+            Filter::Bilinear => self.continued_pixel(column, line),
         }
     }
 
-    /// The color of a pixel by its column and its line, counted from below. One pixel beyond an edge, the
-    /// continuation decides.
-    fn beside(&self, column: i32, line: i32) -> LinearRgb<R> {
+    /// As [`light`](Self::light), also one pixel beyond an edge, where [`Ends`] says how the image goes on.
+    fn continued_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
         let [across, up] = self.ends;
         let fold = |at: i32, count: u16, ends: Ends| {
             let last = i32::from(count).wrapping_sub(1);

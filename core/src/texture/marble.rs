@@ -4,7 +4,7 @@ use super::noise::{check_octaves, check_turbulence, octaves, wave};
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Real};
+use crate::math::{LatticeCoordinate, Real};
 
 /// Marble: veins across the pattern's x axis, one in each unit, displaced by noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Marble {
 }
 
 impl<R: Real> Marble<R> {
-    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         let [x, ..] = at;
         let moved = x.plus(octaves(at, self.octaves) * self.turbulence);
         // The square of the wave makes thin veins.

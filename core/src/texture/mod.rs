@@ -134,7 +134,7 @@ pub(crate) enum PreparedTexture<'m, R: Real> {
 impl<R: Real> PreparedTexture<'_, R> {
     /// A number for the part of the texture that a ray hit, in this color. It changes at the edges of cells,
     /// and where the color differs by a sixteenth. `None` for a texture of one color.
-    pub(crate) fn cell(
+    pub(crate) fn mark(
         &self,
         surface: &Surface<R>,
         color: LinearRgb<R>,

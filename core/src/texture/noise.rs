@@ -5,7 +5,7 @@
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Real};
+use crate::math::{LatticeCoordinate, Real};
 
 /// The most octaves of noise. The eighth is a 128th as strong as the first, about one level of a display.
 pub const MAX_OCTAVES: u8 = 8;
@@ -34,7 +34,7 @@ impl Noise {
 }
 
 impl<R: Real> Noise<R> {
-    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         let share = (octaves(at, self.octaves) + R::ONE) * R::from_fraction(1 << 15);
         let share = if share < R::ZERO { R::ZERO } else { share };
         blend(self.low, self.high, if share > R::ONE { R::ONE } else { share })
@@ -47,22 +47,22 @@ pub(super) fn check_octaves(octaves: u8) -> Result<u8, Fault> {
 }
 
 /// The sum of several octaves of noise: between -2.1 and 2.1, and most often between -0.7 and 0.7.
-pub(super) fn octaves<R: Real>(mut at: [Cell<R>; 3], octaves: u8) -> R {
+pub(super) fn octaves<R: Real>(mut at: [LatticeCoordinate<R>; 3], octaves: u8) -> R {
     let (mut sum, mut strength) = (R::ZERO, R::ONE);
     for octave in 0..octaves {
         sum = sum + noise(at, octave.into()) * strength;
         strength = strength * R::from_fraction(1 << 15);
-        at = at.map(Cell::doubled);
+        at = at.map(LatticeCoordinate::doubled);
     }
     sum
 }
 
 /// Gradient noise between -1.04 and 1.04: 0 at each corner of the lattice of cells, with a slope that is a
 /// hash of the corner.
-pub(super) fn noise<R: Real>([x, y, z]: [Cell<R>; 3], seed: u32) -> R {
+pub(super) fn noise<R: Real>([x, y, z]: [LatticeCoordinate<R>; 3], seed: u32) -> R {
     let corner = |dx: i32, dy: i32, dz: i32| {
         let hash = hash([x.index.wrapping_add(dx), y.index.wrapping_add(dy), z.index.wrapping_add(dz)], seed);
-        let from = |at: Cell<R>, d: i32| if d == 0 { at.within } else { at.within - R::ONE };
+        let from = |at: LatticeCoordinate<R>, d: i32| if d == 0 { at.within } else { at.within - R::ONE };
         slope(hash, from(x, dx), from(y, dy), from(z, dz))
     };
     let (u, v, w) = (fade(x.within), fade(y.within), fade(z.within));
@@ -104,7 +104,7 @@ fn hash([x, y, z]: [i32; 3], seed: u32) -> u32 {
 }
 
 /// A smooth wave of length 1, 0 at integers and 1 halfway between them: within 0.011 of (1 - cos 2πt) / 2.
-pub(super) fn wave<R: Real>(at: Cell<R>) -> R {
+pub(super) fn wave<R: Real>(at: LatticeCoordinate<R>) -> R {
     let doubled = at.within + at.within;
     let t = if doubled > R::ONE { R::ONE + R::ONE - doubled } else { doubled };
     t * t * (R::from_u16(3) - t - t)
@@ -120,7 +120,7 @@ mod tests {
     use super::*;
     use crate::math::Fixed;
 
-    fn at<R: Real>(x: f32, y: f32, z: f32) -> [Cell<R>; 3] {
+    fn at<R: Real>(x: f32, y: f32, z: f32) -> [LatticeCoordinate<R>; 3] {
         [x, y, z].map(|value| R::from_f32(value).split())
     }
 

@@ -11,7 +11,7 @@ use super::wood::Wood;
 use super::{Brick, Squares};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Real, Scale, Vec3};
+use crate::math::{LatticeCoordinate, Real, Scale, Vec3};
 
 /// A proof that the feature `textures` is on. Without the feature this type has no values, so that the
 /// compiler drops all code that needs one.
@@ -170,8 +170,10 @@ impl<R: Real> PreparedPlaced<'_, R> {
     /// See [`PreparedTexture::step`](super::PreparedTexture::step).
     pub(super) fn step(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
         let at = || self.placement.coordinates(self.placement.place(point, uv));
-        let cell = match self.figure {
-            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => at().map(|cell| cell.index),
+        let numbers = match self.figure {
+            PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => {
+                at().map(|coordinate| coordinate.index)
+            }
             PreparedFigure::Brick(_) => {
                 let [x, y, _] = Brick::in_row(at());
                 // Bricks are constant along z.
@@ -180,7 +182,7 @@ impl<R: Real> PreparedPlaced<'_, R> {
             PreparedFigure::Image(image) if image.has_steps() => image.step(at()),
             _ => return None,
         };
-        Some(mark(cell))
+        Some(mark(numbers))
     }
 }
 
@@ -193,7 +195,7 @@ pub(crate) fn level_mark<R: Real>(color: LinearRgb<R>) -> u32 {
 impl<R: Real> PreparedFigure<'_, R> {
     /// Not inlined, so that all callers share one copy of the code.
     #[inline(never)]
-    fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
+    fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         match self {
             Self::Squares(squares) => squares.color(at),
             Self::Stripes(stripes) => stripes.color(at),

@@ -1,7 +1,7 @@
 //! The position, rotation and size of a pattern.
 
 use crate::fault::{Fault, check_held, check_number, check_numbers, check_point};
-use crate::math::{Cell, Linear, Real, Scale, Vec3};
+use crate::math::{LatticeCoordinate, Linear, Real, Scale, Vec3};
 
 /// The coordinates that a pattern is a function of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,8 +132,8 @@ impl<R: Real> PreparedPlacement<R> {
     }
 
     /// The pattern's coordinates at `place`.
-    pub(super) fn coordinates(&self, place: Vec3<R>) -> [Cell<R>; 3] {
-        self.axes.map(|axis| axis.cell(place))
+    pub(super) fn coordinates(&self, place: Vec3<R>) -> [LatticeCoordinate<R>; 3] {
+        self.axes.map(|axis| axis.split_at(place))
     }
 }
 

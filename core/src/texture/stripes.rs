@@ -3,7 +3,7 @@
 use super::{check_reflectivity, check_unit};
 use crate::color::LinearRgb;
 use crate::fault::{Coefficient, Fault};
-use crate::math::{Cell, Real};
+use crate::math::{LatticeCoordinate, Real};
 
 /// Stripes across the pattern's x axis, one pair in each unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ impl Stripes {
 }
 
 impl<R: Real> Stripes<R> {
-    pub(super) fn color(&self, [x, ..]: [Cell<R>; 3]) -> LinearRgb<R> {
+    pub(super) fn color(&self, [x, ..]: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
         if x.within < self.width { self.first } else { self.second }
     }
 }

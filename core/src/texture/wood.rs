@@ -4,7 +4,7 @@ use super::noise::{check_octaves, check_turbulence, octaves, wave};
 use super::{blend, check_reflectivity};
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{Cell, Product, Real};
+use crate::math::{LatticeCoordinate, Product, Real};
 
 /// Wood: rings about the pattern's z axis, one in each unit, displaced by noise. There are at most 60 rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,8 +32,8 @@ impl Wood {
 }
 
 impl<R: Real> Wood<R> {
-    pub(super) fn color(&self, at: [Cell<R>; 3]) -> LinearRgb<R> {
-        let [x, y, _] = at.map(Cell::number);
+    pub(super) fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
+        let [x, y, _] = at.map(LatticeCoordinate::number);
         let radius = (x.times(x) + y.times(y)).sqrt();
         let ring = radius.split().plus(octaves(at, self.octaves) * self.turbulence);
         blend(self.early, self.late, wave(ring))

@@ -32,7 +32,7 @@ impl<'m, R: Real> Lane<'m, R> {
     pub(crate) fn new() -> Self {
         let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
         Self {
-            path: Path::new(nowhere, ObjectSet::ALL),
+            path: Path::new(nowhere, ObjectSet::UNKNOWN),
             rays: RayBudget(0),
             goes_on: false,
             hit: Hit::BLANK,
@@ -44,7 +44,7 @@ impl<'m, R: Real> Lane<'m, R> {
     /// written to reach memory.
     #[inline(always)]
     pub(crate) fn begin(&mut self, ray: Ray<R>, rays: RayBudget) {
-        self.path = Path::new(ray, ObjectSet::ALL);
+        self.path = Path::new(ray, ObjectSet::UNKNOWN);
         self.rays = rays;
         self.goes_on = true;
     }

@@ -23,7 +23,7 @@ use heapless::Vec;
 
 use super::path::Waiting;
 use super::shadow_rays::Blockers;
-use super::{Bounds, RayBudget, Trace};
+use super::{RayBudget, RayLimits, Trace};
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::{FOUR_AT_ONCE, FourRays, Interval, Real};
@@ -64,8 +64,13 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     }
 
     /// Traces the camera rays of a group, and all rays that follow.
-    pub(crate) fn trace(&mut self, lanes: &mut [Lane<'m, R>], bounds: &Bounds<R>, probe: &mut impl Probe<R>) {
-        let mut trace = Trace { scene: self.scene, bounds: *bounds, rays: RayBudget(0), probe };
+    pub(crate) fn trace(
+        &mut self,
+        lanes: &mut [Lane<'m, R>],
+        limits: &RayLimits<R>,
+        probe: &mut impl Probe<R>,
+    ) {
+        let mut trace = Trace { scene: self.scene, limits: *limits, rays: RayBudget(0), probe };
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;
@@ -111,7 +116,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
                     let ray = &lane.path.next.ray;
                     let closest = match &list {
                         Some(list) => self.scene.closest(ray, Interval::AHEAD, Among::Listed(list)),
-                        None => self.scene.closest_from(ray, lane.path.next.from, ObjectSet::ALL),
+                        None => self.scene.closest_from(ray, lane.path.next.from, ObjectSet::UNKNOWN),
                     };
                     lane.meet(self.scene, closest);
                 }

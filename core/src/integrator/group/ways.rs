@@ -2,7 +2,7 @@
 
 use super::{FEWEST_IN_BEAM, Lane, List, PixelGroup};
 use crate::hierarchy::Beam;
-use crate::integrator::shaded_hit::{ShadedHit, Shadows};
+use crate::integrator::shaded_hit::{ShadedHit, ShadowRays};
 use crate::light::Source;
 use crate::math::{Aabb, Real, Vec3};
 use crate::prepared::Departure;
@@ -21,7 +21,7 @@ enum Way {
     /// Nothing is in the way.
     Clear,
     /// Only these objects can be in the way.
-    Among(List),
+    Listed(List),
     /// Many objects can be in the way.
     Crowded,
 }
@@ -79,7 +79,7 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         if let Some(way) = self.lights.get_mut(light) {
             *way = match list {
                 Some(list) if list.is_empty() => Way::Clear,
-                Some(list) => Way::Among(list),
+                Some(list) => Way::Listed(list),
                 None => Way::Crowded,
             };
         }
@@ -88,17 +88,17 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     /// The beam from the points to a light.
     fn beam_to(&self, light: usize) -> Option<Beam<R>> {
         let (points, magnitude) = self.points?;
-        // A shadow ray begins so far beside its point.
-        let beside = R::offset(magnitude);
+        // A shadow ray begins this far from its point.
+        let offset = R::offset(magnitude);
         match self.group.scene.lights.get(light)?.source {
-            Source::At(position) => Some(Beam::toward_point(points, beside, position)),
-            Source::Toward(direction) => Some(Beam::toward(points, beside, direction)),
+            Source::At(position) => Some(Beam::toward_point(points, offset, position)),
+            Source::Toward(direction) => Some(Beam::toward(points, offset, direction)),
             Source::Far(..) => None,
         }
     }
 }
 
-impl<R: Real, S: Geometry> Shadows<R> for Ways<'_, '_, '_, R, S> {
+impl<R: Real, S: Geometry> ShadowRays<R> for Ways<'_, '_, '_, R, S> {
     #[inline(always)]
     fn through<T: Geometry>(
         &mut self,
@@ -113,7 +113,7 @@ impl<R: Real, S: Geometry> Shadows<R> for Ways<'_, '_, '_, R, S> {
         let mut last = self.group.blockers.get(light).copied().unwrap_or(NO_OBJECT);
         let among = match self.to(light).filter(|_| !meets_itself) {
             Some(Way::Clear) => return Through::All,
-            Some(Way::Among(list)) => Among::Listed(list),
+            Some(Way::Listed(list)) => Among::Listed(list),
             _ => Among::All,
         };
         let ray = hit.hit.spawn(toward, hit.departure(toward, false));

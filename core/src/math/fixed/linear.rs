@@ -3,7 +3,7 @@
 use super::arch::product;
 use super::{FRACTION, Fixed};
 use crate::math::real::{Linear, Real};
-use crate::math::{Cell, Vec3};
+use crate::math::{LatticeCoordinate, Vec3};
 
 /// A linear function over space, for instance a barycentric coordinate of a triangle.
 ///
@@ -44,9 +44,12 @@ impl Linear<Fixed> for FixedLinear {
         Fixed::saturated(Self::sum(self.gradient, point).wrapping_add(self.offset) >> (self.shift & 63))
     }
 
-    fn cell(&self, point: Vec3<Fixed>) -> Cell<Fixed> {
+    fn split_at(&self, point: Vec3<Fixed>) -> LatticeCoordinate<Fixed> {
         let value = Self::sum(self.gradient, point).wrapping_add(self.offset) >> (self.shift & 63);
-        Cell { index: (value >> FRACTION) as i32, within: Fixed(value as i32 & ((1 << FRACTION) - 1)) }
+        LatticeCoordinate {
+            index: (value >> FRACTION) as i32,
+            within: Fixed(value as i32 & ((1 << FRACTION) - 1)),
+        }
     }
 
     fn gradient(&self) -> Vec3<f32> {

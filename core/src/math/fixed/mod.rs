@@ -67,7 +67,7 @@ pub use wide::FixedProduct;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::real::Kernel;
-use super::{Cell, Ray, Real, Vec3};
+use super::{LatticeCoordinate, Ray, Real, Vec3};
 use arch::product;
 
 /// Bits after the point.
@@ -252,8 +252,8 @@ impl Real for Fixed {
         Self(turn::turn(y.0, x.0) & ((1 << FRACTION) - 1))
     }
 
-    fn split(self) -> Cell<Self> {
-        Cell { index: self.0 >> FRACTION, within: Self(self.0 & ((1 << FRACTION) - 1)) }
+    fn split(self) -> LatticeCoordinate<Self> {
+        LatticeCoordinate { index: self.0 >> FRACTION, within: Self(self.0 & ((1 << FRACTION) - 1)) }
     }
 
     fn floor_to_i32(self) -> i32 {

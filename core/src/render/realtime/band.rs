@@ -10,16 +10,16 @@ use super::cell::{Cell, Corners};
 use super::marks::FAINT;
 use super::paint::Paint;
 use super::pixel_source::PixelSource;
-use super::plan::{Above, Plan, Seen};
+use super::plan::{Above, Plan, SmallInCell};
 use super::quality::Realtime;
 use super::sample::Sample;
 use super::side::{POINTS, Side};
 use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
-use super::tracer::{CellView, Traced, Tracer, nothing_met};
+use super::tracer::{CellView, Tracer, UnlitScene, nothing_met};
 use crate::camera::Row;
-use crate::integrator::Bounds;
+use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
@@ -52,16 +52,16 @@ pub(super) struct Band<R> {
 
 impl<R> Band<R> {
     /// The corners of the next cell, in which no ray meets an object.
-    fn empty_corners(&self, nothing: Sample, side: usize) -> Corners {
+    fn empty_corners(&self, nothing: Sample, size: usize) -> Corners {
         let corner = |x: usize, y: usize| match &self.tips {
             Some(tips) => tips.mark(nothing, self.left + x as u32, y),
             None => nothing,
         };
         Corners {
             top_left: corner(0, 0),
-            top_right: corner(side, 0),
-            bottom_left: corner(0, side),
-            bottom_right: corner(side, side),
+            top_right: corner(size, 0),
+            bottom_left: corner(0, size),
+            bottom_right: corner(size, size),
         }
     }
 }
@@ -70,10 +70,10 @@ impl<R> Band<R> {
 #[derive(Debug)]
 pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
     /// When rays end.
-    bounds: Bounds<R>,
+    limits: RayLimits<R>,
     /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
     /// not traced.
-    unlit: Traced<'m, R, S>,
+    unlit: UnlitScene<'m, R, S>,
     quality: Realtime,
     small: SmallThings<R>,
     /// The line of the picture that the lent row of samples holds.
@@ -89,13 +89,13 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     /// For a picture in colors of type `C`, of which no lines are to be drawn yet.
     #[inline]
     pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
-        let cutoff = renderer.bounds.cutoff.larger(R::from_f32(CUTOFF));
+        let cutoff = renderer.limits.cutoff.larger(R::from_f32(CUTOFF));
         let mut unlit = *renderer.scene;
         unlit.lights = &[];
-        let unlit_bounds = Bounds { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.bounds };
+        let unlit_limits = RayLimits { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.limits };
         Self {
-            bounds: Bounds { cutoff, ..renderer.bounds },
-            unlit: Traced { scene: unlit, bounds: unlit_bounds },
+            limits: RayLimits { cutoff, ..renderer.limits },
+            unlit: UnlitScene { scene: unlit, limits: unlit_limits },
             quality,
             small: SmallThings::new(renderer, quality.grid),
             row: None,
@@ -119,10 +119,10 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F).
     #[inline(never)]
     pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band<R> {
-        let side = self.quality.grid.pixels();
-        let top = lines.start & !(side as u32 - 1);
-        let bottom = (top + side as u32).min(u32::from(u16::MAX));
-        self.budget.share(side as u32, lines.end.saturating_sub(lines.start));
+        let size = self.quality.grid.pixels();
+        let top = lines.start & !(size as u32 - 1);
+        let bottom = (top + size as u32).min(u32::from(u16::MAX));
+        self.budget.share(size as u32, lines.end.saturating_sub(lines.start));
         let rows = (top as u16, bottom as u16);
         let mut thin = self.small.thin_cells(renderer.width, self.quality.grid);
         let strip = Strip::new(renderer, rows, &mut thin);
@@ -166,22 +166,22 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> Spent {
-        let (side, left) = (self.quality.grid.pixels(), band.left as usize);
+        let (size, left) = (self.quality.grid.pixels(), band.left as usize);
         let (settings, width) = (&renderer.settings, usize::from(renderer.width));
-        let paint = Paint { settings, width, left, top: band.top, side };
-        let among = objects_shown(renderer, band, side);
+        let paint = Paint { settings, width, left, top: band.top, size };
+        let among = objects_shown(renderer, band, size);
         if let Some(nothing) = self.nothing
             && among.is_empty()
         {
             paint.blank(buffer.colors, nothing);
-            self.hand_on_corners(band, &band.empty_corners(nothing, side), buffer.samples);
+            self.hand_on_corners(band, &band.empty_corners(nothing, size), buffer.samples);
             return Spent::default();
         }
         let detail = self.budget.detail();
-        let seen = self.seen(band, detail);
+        let small = self.small_in_cell(band, detail);
         let view = CellView {
             renderer,
-            bounds: &self.bounds,
+            limits: &self.limits,
             unlit: &self.unlit,
             among,
             left: band.left,
@@ -191,7 +191,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         };
         let mut tracer = Tracer {
             view,
-            tolerance: Tolerance::new(self.quality.threshold, detail, side),
+            tolerance: Tolerance::new(self.quality.threshold, detail, size),
             tips: band.tips.as_ref(),
             color: PhantomData::<C>,
             probe,
@@ -201,13 +201,13 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         let above: Above<'_> = if band.has_top { buffer.samples.get(left..) } else { None };
         let is_first = left == 0;
         let traces_row = self.budget.traces_row();
-        let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), side, &mut tracer);
+        let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), size, &mut tracer);
         let grid = tracer.rays;
         tracer.allow(self.budget.refines());
         if is_first {
-            band.is_left_refined = refine_first_side(&mut self.cell, side, &mut tracer);
+            band.is_left_refined = refine_first_side(&mut self.cell, size, &mut tracer);
         }
-        let plan = Plan::new(&corners, band.is_left_refined, seen, side, &tracer);
+        let plan = Plan::new(&corners, band.is_left_refined, small, size, &tracer);
         plan.draw(&mut self.cell, &corners, above, &mut tracer);
         let all = tracer.rays;
         if plan.needs_corners_alone() {
@@ -220,10 +220,10 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// The small things that can be seen in the next cell, as far as it is drawn closely enough to show them.
-    fn seen(&self, band: &Band<R>, detail: Detail) -> Seen {
+    fn small_in_cell(&self, band: &Band<R>, detail: Detail) -> SmallInCell {
         let is_thin = detail != Detail::Grid && band.thin.holds(band.left);
         let next = band.left + self.quality.grid.pixels() as u32;
-        Seen {
+        SmallInCell {
             is_thin,
             is_next_thin: is_thin && band.thin.holds(next),
             // The constant says whether any shape has rims. If none has, the compiler leaves out what
@@ -239,32 +239,32 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         if plan.is_smooth() {
             return self.hand_on_corners(band, corners, samples);
         }
-        let (left, side) = (band.left as usize, self.quality.grid.pixels());
+        let (left, size) = (band.left as usize, self.quality.grid.pixels());
         if plan.traces_all() {
-            hand_down_corners(samples, left, corners, side);
+            hand_down_corners(samples, left, corners, size);
         } else {
-            hand_down_row(samples, left, &self.cell, side);
+            hand_down_row(samples, left, &self.cell, size);
         }
-        self.cell.advance(side);
+        self.cell.advance(size);
         self.advance(band, plan.refines_right());
     }
 
     /// Hands a cell of which only the corners are known to the cell to the right and to the band below.
     fn hand_on_corners(&mut self, band: &mut Band<R>, corners: &Corners, samples: &mut [Sample]) {
-        let side = self.quality.grid.pixels();
+        let size = self.quality.grid.pixels();
         self.cell.set(0, 0, corners.top_right);
-        self.cell.set(0, side, corners.bottom_right);
-        hand_down_corners(samples, band.left as usize, corners, side);
+        self.cell.set(0, size, corners.bottom_right);
+        hand_down_corners(samples, band.left as usize, corners, size);
         self.advance(band, false);
     }
 
     /// Goes on to the next cell of a band.
     fn advance(&mut self, band: &mut Band<R>, is_left_refined: bool) {
-        let side = self.quality.grid.pixels() as u32;
+        let size = self.quality.grid.pixels() as u32;
         band.is_left_refined = is_left_refined;
-        band.left += side;
+        band.left += size;
         // Each cell sets it; the value of the band's last cell counts.
-        self.row = Some(band.top + side);
+        self.row = Some(band.top + size);
     }
 }
 
@@ -272,12 +272,12 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
 fn objects_shown<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     band: &Band<R>,
-    side: usize,
+    size: usize,
 ) -> ObjectSet {
-    let (first, last) = (band.left as u16, (band.left as usize + side) as u16);
+    let (first, last) = (band.left as u16, (band.left as usize + size) as u16);
     let shown = band.strip.as_ref().map(|strip| strip.between(first, last));
     // Beyond the right end of the picture it is not known.
-    let is_inside = band.left + (side as u32) < renderer.width();
+    let is_inside = band.left + (size as u32) < renderer.width();
     shown.filter(|_| is_inside).unwrap_or_else(|| renderer.scene.all())
 }
 
@@ -288,41 +288,43 @@ fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     cell: &mut Cell,
     above: Above<'_>,
     (is_first, traces_row): (bool, bool),
-    side: usize,
+    size: usize,
     tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
 ) -> (Corners, u32) {
     let known = |x: usize| above.and_then(|above| above.get(x)).copied();
     if is_first {
         let top_left = known(0).unwrap_or_else(|| tracer.trace(0, 0));
         cell.set(0, 0, top_left);
-        cell.set(0, side, tracer.trace_or_copy(top_left, traces_row, (0, side)));
+        cell.set(0, size, tracer.trace_or_copy(top_left, traces_row, (0, size)));
     }
-    let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, side));
-    let top_right = known(side).unwrap_or_else(|| tracer.trace_or_copy(top_left, true, (side, 0)));
+    let (top_left, bottom_left) = (cell.get(0, 0), cell.get(0, size));
+    let top_right = known(size).unwrap_or_else(|| tracer.trace_or_copy(top_left, true, (size, 0)));
     let before = tracer.rays;
-    let bottom_right = tracer.trace_or_copy(top_right, traces_row, (side, side));
+    let bottom_right = tracer.trace_or_copy(top_right, traces_row, (size, size));
     (Corners { top_left, top_right, bottom_left, bottom_right }, tracer.rays - before)
 }
 
-/// Draws the left side of the first cell of a band, if its ends differ; returns whether they do.
-fn refine_first_side(cell: &mut Cell, side: usize, pixels: &mut impl PixelSource) -> bool {
-    let differ = pixels.differ(cell.get(0, 0), cell.get(0, side), side);
+/// Refines the left side of a band's first cell if the two ends of the side differ; returns whether they do.
+/// If not, the side is left as it is: the cell's [`Plan`] interpolates it, if its points are needed.
+fn refine_first_side(cell: &mut Cell, size: usize, pixels: &mut impl PixelSource) -> bool {
+    let differ = pixels.differ(cell.get(0, 0), cell.get(0, size), size);
     if differ {
-        cell.refine_side(Side::down((0, 0), side), pixels);
+        cell.refine_side(Side::down((0, 0), size), pixels);
     }
     differ
 }
 
-/// Hands the bottom row of a cell to the band below. Its left end is the right end of the cell before.
-fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, side: usize) {
+/// Hands the bottom row of a cell to the band below, without its left end: the cell before has handed that
+/// down as its own right end. Only a band's first cell hands down both ends.
+fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, size: usize) {
     let first = if left == 0 { 0 } else { 1 };
-    for (x, sample) in (first..=side).zip(samples.iter_mut().skip(left + first)) {
-        *sample = cell.get(x, side);
+    for (x, sample) in (first..=size).zip(samples.iter_mut().skip(left + first)) {
+        *sample = cell.get(x, size);
     }
 }
 
 /// Hands the lower corners of a cell to the band below, and marks the points between them as unknown.
-fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, side: usize) {
+fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, size: usize) {
     if let Some(row) = samples.get_mut(left..) {
         if let (0, Some(first)) = (left, row.first_mut()) {
             *first = corners.bottom_left;
@@ -330,7 +332,7 @@ fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, sid
         if let Some(inside) = row.get_mut(1) {
             *inside = Sample::BLANK;
         }
-        if let Some(last) = row.get_mut(side) {
+        if let Some(last) = row.get_mut(size) {
             *last = corners.bottom_right;
         }
     }

@@ -22,7 +22,7 @@ impl Corners {
     }
 }
 
-/// The points of a cell, with those on all four sides: (0, 0) is the upper left corner, (side, side) the
+/// The points of a cell, with those on all four sides: (0, 0) is the upper left corner, (size, size) the
 /// lower right.
 ///
 /// The left column is the right column of the cell before, the top row the bottom row of the cell above. The
@@ -68,15 +68,15 @@ impl Cell {
     }
 
     /// Interpolates all points between the corners.
-    pub(super) fn fill_smooth(&mut self, corners: &Corners, side: usize) {
+    pub(super) fn fill_smooth(&mut self, corners: &Corners, size: usize) {
         self.set(0, 0, corners.top_left);
-        self.set(side, 0, corners.top_right);
-        self.set(0, side, corners.bottom_left);
-        self.set(side, side, corners.bottom_right);
-        self.interpolate_side(Side::right((0, 0), side));
-        self.interpolate_side(Side::down((0, 0), side));
-        self.interpolate_side(Side::down((side, 0), side));
-        self.interpolate((0, 0), side);
+        self.set(size, 0, corners.top_right);
+        self.set(0, size, corners.bottom_left);
+        self.set(size, size, corners.bottom_right);
+        self.interpolate_side(Side::right((0, 0), size));
+        self.interpolate_side(Side::down((0, 0), size));
+        self.interpolate_side(Side::down((size, 0), size));
+        self.interpolate((0, 0), size);
     }
 
     /// Interpolates the points between the ends of a side.
@@ -92,15 +92,15 @@ impl Cell {
     }
 
     /// Takes the points of the top row from the band above.
-    pub(super) fn take_top(&mut self, known: &[Sample], side: usize, pixels: &impl PixelSource) {
+    pub(super) fn take_top(&mut self, known: &[Sample], size: usize, pixels: &impl PixelSource) {
         let mut crossings = 0u8;
         let mut last = self.get(0, 0);
-        for (x, sample) in (1..=side).zip(known) {
+        for (x, sample) in (1..=size).zip(known) {
             self.set(x, 0, *sample);
             crossings |= u8::from(pixels.differ(last, *sample, 1)) << ((x - 1) & 7);
             last = *sample;
         }
-        self.set_crossings(Side::right((0, 0), side), crossings);
+        self.set_crossings(Side::right((0, 0), size), crossings);
     }
 
     /// Sets where edges cross a side.
@@ -130,11 +130,11 @@ impl Cell {
     }
 
     /// Makes the right column the left one of the next cell.
-    pub(super) fn advance(&mut self, side: usize) {
-        for y in 0..=side {
-            self.set(0, y, self.get(side, y));
+    pub(super) fn advance(&mut self, size: usize) {
+        for y in 0..=size {
+            self.set(0, y, self.get(size, y));
         }
-        if let (Some(right), Some(left)) = (self.columns.get(side).copied(), self.columns.first_mut()) {
+        if let (Some(right), Some(left)) = (self.columns.get(size).copied(), self.columns.first_mut()) {
             *left = right;
         }
     }

@@ -13,7 +13,7 @@ pub(super) struct Crossings {
 /// A straight line through a square of four pixels.
 ///
 /// It is kept as a function that is linear over the square: twice the signed area of the triangle between the
-/// line's two ends and a point. The sign is the side of the line on which the point lies.
+/// line's two ends and a point. Its sign tells on which side of the line the point lies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     is_steep: bool,
@@ -63,9 +63,10 @@ impl Edge {
         self.is_steep
     }
 
-    /// The side of the line on which a point of the square lies.
+    /// Whether the function is negative at a point of the square: the same for all points on one side of the
+    /// line.
     #[inline]
-    pub(super) fn side(&self, along: usize, across: usize) -> bool {
+    pub(super) fn is_negative(&self, along: usize, across: usize) -> bool {
         self.area(along, across) < 0
     }
 
@@ -93,11 +94,15 @@ mod tests {
         let edge = Edge::between(Crossings { top: 0b10, right: 0, bottom: 0b100, left: 0 }).unwrap();
         assert!(edge.is_steep());
         for (across, first_beyond) in [2, 2, 2, 3, 3].into_iter().enumerate() {
-            let side = edge.side(0, across);
+            let first = edge.is_negative(0, across);
             for along in 0..=4 {
                 // The line crosses the middle row at point 2 itself.
                 if (along, across) != (2, 2) {
-                    assert_eq!(edge.side(along, across) == side, along < first_beyond, "{along} {across}");
+                    assert_eq!(
+                        edge.is_negative(along, across) == first,
+                        along < first_beyond,
+                        "{along} {across}"
+                    );
                 }
             }
         }

@@ -22,8 +22,8 @@ impl Grid {
     }
 }
 
-/// The largest side of a cell, in pixels. A cell is the square between four neighboring pixels of the grid.
-pub(super) const LARGEST_SIDE: usize = 8;
+/// The largest size of a cell: of a side, in pixels. A cell is the square between four neighbors on the grid.
+pub(super) const LARGEST_SIZE: usize = 8;
 
-/// The side of the squares that the inside of a cell is drawn in, in pixels.
+/// The size of the squares that the inside of a cell is drawn in, in pixels.
 pub(super) const SQUARE: usize = 4;

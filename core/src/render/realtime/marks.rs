@@ -3,7 +3,7 @@
 //! Pixels whose rays met the same things have the same digests. Pixels whose rays met different things have
 //! different ones, but for one in 128: a [`Sample`] keeps 7 bits of each digest.
 
-use super::sample::{Near, Path, Sample};
+use super::sample::{Near, PathDigest, Sample};
 use super::small::Watch;
 use crate::color::LinearRgb;
 use crate::material::PreparedMaterial;
@@ -14,14 +14,14 @@ use crate::render::Tone;
 use crate::shape::Geometry;
 use crate::surface::Surface;
 
-/// Rays that bring a smaller share of their light than this to the pixel are left out of the digests: their
-/// edges are faint, and there are many of them.
+/// A ray is left out of the digests if its throughput is this or less: the edges that it meets are faint in
+/// the picture, and such rays are many.
 pub(super) const FAINT: f32 = 1.0 / 8.0;
 /// The share of a small highlight's extent within which a shadow there counts, see
 /// [`Shininess::shows`](crate::material::Shininess::shows).
 const SHOWS: f32 = 0.25;
 /// The least cosine between a light and the mirrored ray at which a pixel is near a small highlight: 17°.
-const BESIDE: f32 = 0.954;
+const NEAR_GLINT: f32 = 0.954;
 
 /// Folds what happens to one pixel into digests, and passes every event on to another probe.
 pub(super) struct MarkProbe<'c, 'm, R: Real, S: Geometry + 'm, P> {
@@ -37,9 +37,9 @@ pub(super) struct MarkProbe<'c, 'm, R: Real, S: Geometry + 'm, P> {
     near_glint: bool,
     /// Looks for small things beside the rays, if the scene can have any.
     watch: Option<&'c mut Watch<R>>,
-    /// Rays that bring this share of their light to the pixel or less are left out.
+    /// Rays of this throughput or less are left out of the digests: [`FAINT`], or 1 to leave out all rays.
     faint: R,
-    /// Whether the current ray counts: it is not faint.
+    /// Whether the current ray counts: its throughput is more than `faint`.
     counts: bool,
     /// The direction of the mirrored ray at the last hit on a material with a small highlight.
     mirrored: Vec3<R>,
@@ -73,7 +73,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     pub(super) fn sample(&self, tone: Tone) -> Sample {
         let watched = self.watch.as_ref().map_or(Near::Nothing, |watch| watch.near);
         let near = if self.near_glint { watched.max(Near::Glint) } else { watched };
-        Sample::traced(tone, Path::new(self.path), self.shade, near)
+        Sample::traced(tone, PathDigest::new(self.path), self.shade, near)
     }
 
     /// Folds a hit into the digest of the path.
@@ -88,8 +88,8 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         self.path = fold(self.path, hit.object as u32 ^ refracted ^ part);
         self.material = self.scene.material(hit.object);
         let Some(material) = self.material else { return };
-        if let Some(cell) = material.color.cell(surface, color, || self.scene.uv(hit.object, surface)) {
-            self.path = fold(self.path, cell);
+        if let Some(mark) = material.color.mark(surface, color, || self.scene.uv(hit.object, surface)) {
+            self.path = fold(self.path, mark);
         }
         if !material.maps.is_empty() {
             self.path = fold(self.path, self.digest_of_maps(hit, material));
@@ -113,8 +113,10 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         smooth.chain(material.maps.steps(&hit.surface, uv)).fold(0, fold)
     }
 
-    /// Folds a light's visibility from the current hit into the digest of the shadows. A light behind the
-    /// surface is left out, as one at a grazing angle adds as little.
+    /// Folds a shadow at the current hit into the digest of the shadows: a light that is blocked, in full or
+    /// in part, on a surface that would show it. A light that is not blocked leaves the digest as it is, and
+    /// may make the pixel one near a small highlight. A light behind the surface has no event, and leaves the
+    /// digest as it is, too. No edge is lost between the two: a light at a grazing angle adds almost nothing.
     #[inline]
     fn fold_light(&mut self, light: usize, toward: Vec3<R>, through: R) {
         let Some(material) = self.material else { return };
@@ -123,7 +125,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         let cosine = || self.mirrored.dot(toward);
         let shows = |share| material.shininess.shows(cosine(), share);
         if through >= R::ONE {
-            self.near_glint |= sharp && cosine() > R::from_f32(BESIDE) && shows(R::ONE);
+            self.near_glint |= sharp && cosine() > R::from_f32(NEAR_GLINT) && shows(R::ONE);
         } else if material.diffuse > R::ZERO || !sharp || shows(R::from_f32(SHOWS)) {
             // The number of bounces tells a mirrored shadow from one that is seen directly.
             let what = self.bounces << 25 | 1 << 24 | (light as u32) << 17 | through.to_q16();

@@ -10,10 +10,10 @@ pub(super) struct Paint<'s> {
     pub(super) settings: &'s Settings,
     /// Pixels of a line.
     pub(super) width: usize,
-    /// The cell's upper left pixel, and the pixels along its side.
+    /// The cell's upper left pixel, and its size in pixels.
     pub(super) left: usize,
     pub(super) top: u32,
-    pub(super) side: usize,
+    pub(super) size: usize,
 }
 
 impl Paint<'_> {
@@ -29,7 +29,7 @@ impl Paint<'_> {
 
     /// A cell whose pixels are interpolated between its corners.
     pub(super) fn smooth<C: DisplayColor>(&self, colors: &mut [C], corners: &Corners) {
-        let shift = self.side.trailing_zeros();
+        let shift = self.size.trailing_zeros();
         let (mut left, mut right) = (corners.top_left.tone(), corners.top_right.tone());
         let down_left = left.step_toward(corners.bottom_left.tone(), shift);
         let down_right = right.step_toward(corners.bottom_right.tone(), shift);
@@ -81,10 +81,10 @@ impl Paint<'_> {
     #[inline]
     fn rows<C>(&self, colors: &mut [C], mut paint: impl FnMut(usize, &mut [C])) {
         let mut rest = colors;
-        for y in 0..self.side {
+        for y in 0..self.size {
             let Some((line, more)) = rest.split_at_mut_checked(self.width) else { return };
             rest = more;
-            let end = (self.left + self.side).min(self.width);
+            let end = (self.left + self.size).min(self.width);
             if let Some(row) = line.get_mut(self.left..end) {
                 paint(y, row);
             }

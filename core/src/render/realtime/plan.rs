@@ -10,7 +10,7 @@ pub(super) type Above<'c> = Option<&'c [Sample]>;
 
 /// Small things that a cell can show, as far as they are known before the first ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct SmallInCell {
     /// Something thin can be seen: every pixel is traced.
     pub(super) is_thin: bool,
     /// Something thin can be seen in the next cell too.
@@ -22,9 +22,9 @@ pub(super) struct Seen {
 /// How a cell is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    /// The side of the cell in pixels.
-    side: usize,
-    seen: Seen,
+    /// The size of the cell in pixels.
+    size: usize,
+    small: SmallInCell,
     /// Whether the ends of the top side differ.
     top_differs: bool,
     /// Whether the left side is already refined.
@@ -41,21 +41,21 @@ impl Plan {
     pub(super) fn new(
         corners: &Corners,
         is_left_refined: bool,
-        seen: Seen,
-        side: usize,
+        small: SmallInCell,
+        size: usize,
         pixels: &impl PixelSource,
     ) -> Self {
         let Corners { top_left, top_right, bottom_left, bottom_right } = *corners;
-        let top = pixels.differ(top_left, top_right, side);
-        let right = pixels.differ(top_right, bottom_right, side);
-        let bottom = pixels.differ(bottom_left, bottom_right, side);
+        let top = pixels.differ(top_left, top_right, size);
+        let right = pixels.differ(top_right, bottom_right, size);
+        let bottom = pixels.differ(bottom_left, bottom_right, size);
         Self {
-            side,
-            seen,
+            size,
+            small,
             top_differs: top,
             is_left_refined,
             // Two neighbors that are both traced in full need no refined side between them.
-            refines_right: right && !(seen.is_thin && seen.is_next_thin),
+            refines_right: right && !(small.is_thin && small.is_next_thin),
             any_differs: top || right || bottom || is_left_refined,
         }
     }
@@ -63,17 +63,17 @@ impl Plan {
     /// Whether all points between the corners are interpolated, on the sides and inside, unless the cell is
     /// verified.
     pub(super) fn is_smooth(&self) -> bool {
-        !(self.any_differs || self.seen.is_thin)
+        !(self.any_differs || self.small.is_thin)
     }
 
     /// Whether the corners are all that is drawn of the cell.
     pub(super) fn needs_corners_alone(&self) -> bool {
-        self.is_smooth() && !self.seen.has_rim
+        self.is_smooth() && !self.small.has_rim
     }
 
     /// Whether every pixel is traced.
     pub(super) fn traces_all(&self) -> bool {
-        self.seen.is_thin
+        self.small.is_thin
     }
 
     /// Whether the right side is refined, not interpolated.
@@ -93,53 +93,53 @@ impl Plan {
             return;
         }
         if self.is_smooth() {
-            cell.fill_smooth(corners, self.side);
-            cell.verify(self.side, pixels);
+            cell.fill_smooth(corners, self.size);
+            cell.verify(self.size, pixels);
             return;
         }
-        cell.set(self.side, 0, corners.top_right);
-        cell.set(self.side, self.side, corners.bottom_right);
+        cell.set(self.size, 0, corners.top_right);
+        cell.set(self.size, self.size, corners.bottom_right);
         if self.traces_all() {
             self.trace_in_full(cell, above, pixels);
             return;
         }
         self.refine(cell, above, pixels);
-        if self.seen.has_rim {
-            cell.verify(self.side, pixels);
+        if self.small.has_rim {
+            cell.verify(self.size, pixels);
         }
     }
 
     /// Traces every pixel. The sides are only drawn for the cells beside this one.
     fn trace_in_full(&self, cell: &mut Cell, above: Above<'_>, pixels: &mut impl PixelSource) {
-        let side = self.side;
+        let size = self.size;
         match self.known_top(above) {
-            Some(known) => cell.take_top(known, side, pixels),
-            None => cell.interpolate_side(Side::right((0, 0), side)),
+            Some(known) => cell.take_top(known, size, pixels),
+            None => cell.interpolate_side(Side::right((0, 0), size)),
         }
         if self.refines_right {
-            cell.refine_side(Side::down((side, 0), side), pixels);
+            cell.refine_side(Side::down((size, 0), size), pixels);
         } else {
-            cell.interpolate_side(Side::down((side, 0), side));
+            cell.interpolate_side(Side::down((size, 0), size));
         }
         if !self.is_left_refined {
-            cell.interpolate_side(Side::down((0, 0), side));
+            cell.interpolate_side(Side::down((0, 0), size));
         }
-        cell.trace_all((0, 0), side, pixels);
+        cell.trace_all((0, 0), size, pixels);
     }
 
     /// Draws the sides, and then what is inside.
     fn refine(&self, cell: &mut Cell, above: Above<'_>, pixels: &mut impl PixelSource) {
-        let side = self.side;
+        let size = self.size;
         match self.known_top(above) {
-            Some(known) => cell.take_top(known, side, pixels),
-            None => cell.refine_side(Side::right((0, 0), side), pixels),
+            Some(known) => cell.take_top(known, size, pixels),
+            None => cell.refine_side(Side::right((0, 0), size), pixels),
         }
-        cell.refine_side(Side::right((0, side), side), pixels);
-        cell.refine_side(Side::down((side, 0), side), pixels);
+        cell.refine_side(Side::right((0, size), size), pixels);
+        cell.refine_side(Side::down((size, 0), size), pixels);
         if !self.is_left_refined {
-            cell.refine_side(Side::down((0, 0), side), pixels);
+            cell.refine_side(Side::down((0, 0), size), pixels);
         }
-        cell.refine(side, pixels);
+        cell.refine(size, pixels);
     }
 
     /// The points of the top side after the left corner, if its ends differ and the band above has drawn

@@ -6,7 +6,7 @@
 
 use super::cell::Cell;
 use super::edge::Edge;
-use super::grid::{LARGEST_SIDE, SQUARE};
+use super::grid::{LARGEST_SIZE, SQUARE};
 use super::pixel_source::PixelSource;
 use super::sample::Sample;
 use super::side::Side;
@@ -14,7 +14,7 @@ use super::side::Side;
 /// The points between the ends of the longest side, in the order in which it is halved: the point, and its
 /// distance from the two points that it lies between. A shorter side uses the first of them, divided by the
 /// same power of two.
-const HALVES: [(u8, u8); LARGEST_SIDE - 1] = [(4, 4), (2, 2), (6, 2), (1, 1), (3, 1), (5, 1), (7, 1)];
+const HALVES: [(u8, u8); LARGEST_SIZE - 1] = [(4, 4), (2, 2), (6, 2), (1, 1), (3, 1), (5, 1), (7, 1)];
 
 impl Cell {
     /// Draws the points of a side whose ends are known. If the ends differ, the point in the middle is
@@ -26,7 +26,7 @@ impl Cell {
         let mut samples = self.side_mut(side);
         let mut crossings = 0u8;
         if pixels.differ(samples.get(0), samples.get(length), length) {
-            let shift = LARGEST_SIDE.trailing_zeros() - length.trailing_zeros();
+            let shift = LARGEST_SIZE.trailing_zeros() - length.trailing_zeros();
             for (i, half) in HALVES.iter().take(length - 1) {
                 let (i, half) = (usize::from(i >> shift), usize::from(half >> shift));
                 let (a, b) = (samples.get(i - half), samples.get(i + half));
@@ -49,13 +49,13 @@ impl Cell {
     }
 
     /// Draws all points inside of a cell whose sides are known.
-    pub(super) fn refine(&mut self, side: usize, pixels: &mut impl PixelSource) {
-        if side > SQUARE {
-            self.quarter((0, 0), side, pixels);
+    pub(super) fn refine(&mut self, size: usize, pixels: &mut impl PixelSource) {
+        if size > SQUARE {
+            self.quarter((0, 0), size, pixels);
         }
-        let square = side.min(SQUARE);
-        for y in (0..side).step_by(square) {
-            for x in (0..side).step_by(square) {
+        let square = size.min(SQUARE);
+        for y in (0..size).step_by(square) {
+            for x in (0..size).step_by(square) {
                 if self.is_near_tiny((x, y), square) {
                     self.trace_all((x, y), square, pixels);
                 } else if square < SQUARE {
@@ -106,23 +106,23 @@ impl Cell {
             if is_steep { (x + along, y + across) } else { (x + across, y + along) }
         };
         let get = |cell: &Self, (x, y): (usize, usize)| cell.get(x, y);
-        let first_side = edge.side(0, across);
-        if first_side == edge.side(4, across) {
+        let first = edge.is_negative(0, across);
+        if first == edge.is_negative(4, across) {
             let start = point(0, across);
             let side = if is_steep { Side::right(start, 4) } else { Side::down(start, 4) };
             return self.side_mut(side).interpolate(4);
         }
         let (from, to) = (get(self, point(0, across)), get(self, point(4, across)));
         for along in 1..4 {
-            let here = edge.side(along, across);
+            let here = edge.is_negative(along, across);
             let (x, y) = point(along, across);
             let sample = if edge.is_near(along, across, pixels.traced_beside_edge()) {
                 pixels.trace_between((x, y), from, to, 2)
-            } else if edge.side(along, 0) == here && edge.side(along, 4) == here {
+            } else if edge.is_negative(along, 0) == here && edge.is_negative(along, 4) == here {
                 // The two points of the square's sides in the other direction lie on the same side of the
                 // edge.
                 get(self, point(along, 0)).toward(get(self, point(along, 4)), across)
-            } else if here == first_side {
+            } else if here == first {
                 from.untraced()
             } else {
                 to.untraced()

@@ -16,7 +16,7 @@ pub struct Sample {
 const TRACED: u32 = 1 << 31;
 /// Flag: a small highlight is near, which interpolation could lose.
 const GLINT: u32 = 1 << 30;
-/// Bits of the [`Path`]: 7 bits that are never all 0.
+/// Bits of the [`PathDigest`]: 7 bits that are never all 0.
 const PATH: u32 = ((1 << 7) - 1) << 16;
 /// Bits of the digest of what stood between the hits and the lights: 7 bits. All of them are 1 for
 /// [`Near::Tiny`].
@@ -24,9 +24,9 @@ const SHADE: u32 = ((1 << 14) - 1) << 16 ^ PATH;
 
 /// A digest of the objects that a pixel's rays met, cut to the 7 bits that a sample keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Path(u32);
+pub(super) struct PathDigest(u32);
 
-impl Path {
+impl PathDigest {
     /// From a digest of 32 bits.
     pub(super) fn new(digest: u32) -> Self {
         // The upper bits depend on all that was folded into the digest.
@@ -51,10 +51,10 @@ impl Sample {
     pub const BLANK: Self = Self { pair: 0, rest: 0 };
 
     /// Bits of [`marks_differ`](Self::marks_differ): both digests.
-    pub(super) const SEEN: u32 = PATH | SHADE;
+    pub(super) const DIGESTS: u32 = PATH | SHADE;
 
     /// A traced pixel. `shade` is a digest of 32 bits of what stood before the lights.
-    pub(super) fn traced(tone: Tone, path: Path, shade: u32, near: Near) -> Self {
+    pub(super) fn traced(tone: Tone, path: PathDigest, shade: u32, near: Near) -> Self {
         let marks = match near {
             Near::Nothing => shade >> 2 & SHADE,
             Near::Glint => GLINT | shade >> 2 & SHADE,
@@ -92,8 +92,8 @@ impl Sample {
     }
 
     /// The digest of the objects that its rays met.
-    pub(super) fn path(self) -> Path {
-        Path(self.rest & PATH)
+    pub(super) fn path(self) -> PathDigest {
+        PathDigest(self.rest & PATH)
     }
 
     /// Whether two pixels have the same digest of what stood before the lights.
@@ -107,7 +107,7 @@ impl Sample {
         Tone::of_pair(self.pair, self.rest as u16)
     }
 
-    /// Whether two pixels differ in any of the bits `marks`, which are [`SEEN`](Self::SEEN) or none.
+    /// Whether two pixels differ in any of the bits `marks`, which are [`DIGESTS`](Self::DIGESTS) or none.
     #[inline]
     pub(super) fn marks_differ(self, other: Self, marks: u32) -> bool {
         (self.rest ^ other.rest) & marks != 0

@@ -1,10 +1,10 @@
-//! The points of a cell along a row or a column.
+//! The sides of a cell, and of the squares in it: points along a row or a column.
 
-use super::grid::LARGEST_SIDE;
+use super::grid::LARGEST_SIZE;
 use super::sample::Sample;
 
 /// The points along a side of the largest cell: both of its ends belong to it.
-pub(super) const POINTS: usize = LARGEST_SIDE + 1;
+pub(super) const POINTS: usize = LARGEST_SIZE + 1;
 
 /// The direction in which the points of a side follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,8 @@ pub(super) enum Way {
     Down,
 }
 
-/// A part of a row or a column of a cell. In bytes, so that it fits into a register.
+/// A side of a cell, or of a square in it: a part of a row or a column of the cell's points, with both ends.
+/// In bytes, so that it fits into a register.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
     x: u8,

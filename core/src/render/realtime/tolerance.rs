@@ -31,7 +31,7 @@ impl Tolerance {
             // Two pixels apart, more is allowed, as one pixel at most is wrong. Near a small highlight, less
             // is allowed, as it may just begin.
             Detail::Full => Self {
-                marks: Sample::SEEN,
+                marks: Sample::DIGESTS,
                 far: threshold,
                 near: threshold.saturating_add(threshold / 2),
                 glint: threshold / 4,

@@ -10,7 +10,7 @@ use super::small::{TipPoints, Watch};
 use super::tolerance::Tolerance;
 use crate::camera::Row;
 use crate::color::LinearRgb;
-use crate::integrator::{Bounds, Sight};
+use crate::integrator::{RayLimits, Sight};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
@@ -28,25 +28,24 @@ enum Purpose {
     /// Its tone alone.
     Tone,
     /// The objects that it meets: it is traced in a scene without lights.
-    Path,
+    Objects,
     /// Everything: its tone and both digests, and small things beside its rays.
     Marks,
 }
 
-/// A scene, and when its rays end.
+/// The scene without its lights, and when its rays end.
 #[derive(Debug)]
-pub(super) struct Traced<'m, R: Real, S: Geometry + 'm> {
+pub(super) struct UnlitScene<'m, R: Real, S: Geometry + 'm> {
     pub(super) scene: PreparedScene<'m, R, S>,
-    pub(super) bounds: Bounds<R>,
+    pub(super) limits: RayLimits<R>,
 }
 
 /// A cell, as its rays need it.
 pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     pub(super) renderer: &'c Renderer<'c, 'm, R, S>,
     /// When rays of the scene end.
-    pub(super) bounds: &'c Bounds<R>,
-    /// The scene without lights.
-    pub(super) unlit: &'c Traced<'m, R, S>,
+    pub(super) limits: &'c RayLimits<R>,
+    pub(super) unlit: &'c UnlitScene<'m, R, S>,
     /// The objects that the cell can show.
     pub(super) among: ObjectSet,
     /// Column and line of the cell's upper left pixel.
@@ -111,13 +110,13 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     #[inline(never)]
     fn trace_for(&mut self, purpose: Purpose, x: usize, y: usize) -> Sample {
         let view = &mut self.view;
-        let (scene, bounds) = match purpose {
-            Purpose::Path => (&view.unlit.scene, &view.unlit.bounds),
-            Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.bounds),
+        let (scene, limits) = match purpose {
+            Purpose::Objects => (&view.unlit.scene, &view.unlit.limits),
+            Purpose::Tone | Purpose::Marks => (view.renderer.scene, view.limits),
         };
         let (faint, watch) = match purpose {
             Purpose::Tone => (R::ONE, None),
-            Purpose::Path | Purpose::Marks => {
+            Purpose::Objects | Purpose::Marks => {
                 (R::from_f32(FAINT), view.watch.as_mut().and_then(|watch| watch.stand_for(x, y)))
             }
         };
@@ -127,8 +126,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         let row = view.rows.get(y).copied().unwrap_or(Row::TOP);
         let pixel = Pixel { x: place(view.left, x), y: place(view.top, y), row };
         let sight = Sight::among(view.among);
-        let (light, rays) = view.renderer.light_in(scene, bounds, pixel, sight, &mut marks);
-        let tone = if purpose == Purpose::Path {
+        let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
+        let tone = if purpose == Purpose::Objects {
             Tone::new(0, 0, 0)
         } else {
             C::tone(Light16::new(light), &Quantizer::nearest(view.renderer.settings.transfer))
@@ -162,7 +161,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource
         if a.path() != b.path() && a.is_shaded_like(b) {
             // Nothing new stands before the lights between two pixels so close: a trace without lights tells
             // which of the two this one is like.
-            let path = self.trace_for(Purpose::Path, x, y).path();
+            let path = self.trace_for(Purpose::Objects, x, y).path();
             if path == a.path() {
                 return a.untraced();
             }

@@ -1,7 +1,7 @@
 //! Verifies a drawn cell with a few traced pixels, and follows what it has missed.
 
 use super::cell::Cell;
-use super::grid::{LARGEST_SIDE, SQUARE};
+use super::grid::{LARGEST_SIZE, SQUARE};
 use super::pixel_source::PixelSource;
 
 /// A set of pixels of a cell, without those of its right and lower side.
@@ -12,7 +12,7 @@ impl Pixels {
     const NONE: Self = Self(0);
 
     fn bit(x: usize, y: usize) -> u64 {
-        1 << ((y * LARGEST_SIDE + x) & 63)
+        1 << ((y * LARGEST_SIZE + x) & 63)
     }
 
     fn add(&mut self, x: usize, y: usize) {
@@ -30,17 +30,17 @@ impl Pixels {
         }
         let place = self.0.trailing_zeros() as usize;
         self.0 &= self.0.wrapping_sub(1);
-        Some((place % LARGEST_SIDE, place / LARGEST_SIDE))
+        Some((place % LARGEST_SIZE, place / LARGEST_SIZE))
     }
 }
 
 impl Cell {
     /// Traces one pixel in each row and each column. Where the traced pixel differs from the drawn one, its
     /// eight neighbors are traced too, and so on along whatever the cell has missed.
-    pub(super) fn verify(&mut self, side: usize, pixels: &mut impl PixelSource) {
+    pub(super) fn verify(&mut self, size: usize, pixels: &mut impl PixelSource) {
         // The row in which each column's pixel lies.
-        let rows: &[u8] = match side {
-            LARGEST_SIDE => &[0, 3, 6, 1, 4, 7, 2, 5],
+        let rows: &[u8] = match size {
+            LARGEST_SIZE => &[0, 3, 6, 1, 4, 7, 2, 5],
             SQUARE => &[1, 3, 0, 2],
             _ => &[0, 1],
         };
@@ -62,8 +62,8 @@ impl Cell {
                 continue;
             }
             self.set(x, y, traced);
-            for y in y.saturating_sub(1)..(y + 2).min(side) {
-                for x in x.saturating_sub(1)..(x + 2).min(side) {
+            for y in y.saturating_sub(1)..(y + 2).min(size) {
+                for x in x.saturating_sub(1)..(x + 2).min(size) {
                     if !done.contains(x, y) {
                         waiting.add(x, y);
                     }

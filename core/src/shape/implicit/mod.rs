@@ -8,7 +8,7 @@ mod metaballs;
 mod tests;
 mod trace;
 
-use super::{Geometry, Intersect, Silhouette, beside, uv};
+use super::{Geometry, Intersect, Silhouette, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -156,6 +156,6 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
 
 impl<D: Distance<R>, R: Real> Silhouette<R> for PreparedImplicit<D, R> {
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
+        normal_after_step(self, surface, step)
     }
 }

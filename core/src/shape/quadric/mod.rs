@@ -6,7 +6,7 @@ mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::{Geometry, Intersect, Silhouette, Spans, beside, uv};
+use super::{Geometry, Intersect, Silhouette, Spans, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -270,7 +270,7 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
 
 impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
+        normal_after_step(self, surface, step)
     }
 }
 

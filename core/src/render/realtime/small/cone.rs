@@ -69,6 +69,8 @@ impl<R: Real> Cone<R> {
     /// Whether a ray within the cone can meet something thin before `distance`, in a shape with these hulls.
     /// The first hull encloses all others.
     pub(super) fn can_see(&self, ray: &Ray<R>, distance: R, hulls: impl Iterator<Item = Hull<R>>) -> bool {
-        any_thin(self.slenderness, hulls, |stick| stick.beside(ray, distance, |t, _| self.radius_at(t)))
+        any_thin(self.slenderness, hulls, |stick| {
+            stick.thickness_beside(ray, distance, |t, _| self.radius_at(t))
+        })
     }
 }

@@ -32,8 +32,8 @@ impl<R: Real> Footprint<R> {
         Self { cone, direction, normal, slant: if cosine < R::ZERO { -slant } else { slant } }
     }
 
-    /// The ray that is half a side of the cone's pixels away from the middle one, `toward` a side of the
-    /// picture: the step on the surface from the footprint's middle to its end, and the difference of the
+    /// The ray that is half a cell away from the middle one, `toward` the right or the top of the picture:
+    /// the step on the surface from the footprint's middle to the ray's end, and the difference of the
     /// directions.
     pub(super) fn step(&self, toward: Vec3<R>) -> (Vec3<R>, Vec3<R>) {
         let Self { cone, direction, normal, slant } = *self;
@@ -50,10 +50,10 @@ impl<R: Real> Footprint<R> {
     }
 
     /// Whether something thin can stand between a place of the footprint and a light, in a shape with these
-    /// hulls. The light is at `distance` along the ray `shadow` from the middle.
+    /// hulls. The light is at `distance` along `shadow_ray` from the middle.
     pub(super) fn can_be_shaded(
         &self,
-        shadow: &Ray<R>,
+        shadow_ray: &Ray<R>,
         distance: R,
         hulls: impl Iterator<Item = Hull<R>>,
     ) -> bool {
@@ -61,6 +61,6 @@ impl<R: Real> Footprint<R> {
         let Self { cone, direction, normal, slant } = *self;
         let radius =
             |_, toward: Vec3<R>| cone.radius * (toward - normal * (direction.dot(toward) / slant)).length();
-        any_thin(cone.slenderness, hulls, |stick| stick.beside(shadow, distance, radius))
+        any_thin(cone.slenderness, hulls, |stick| stick.thickness_beside(shadow_ray, distance, radius))
     }
 }

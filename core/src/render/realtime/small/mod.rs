@@ -20,7 +20,7 @@ mod column_set;
 mod cone;
 mod footprint;
 mod rim_cells;
-mod shadow_on_plane;
+mod shadow_projection;
 mod stadium;
 mod stick;
 mod sweep;

@@ -6,7 +6,7 @@
 //! are found once for a picture.
 
 use super::super::grid::Grid;
-use super::shadow_on_plane::ShadowOnPlane;
+use super::shadow_projection::ShadowProjection;
 use super::stadium::place_of;
 use crate::light::Source;
 use crate::math::{Real, Vec3};
@@ -33,7 +33,7 @@ const MOST_POINTS: i32 = 128;
 impl RimCells {
     /// The empty set, in a picture of this width and height.
     fn none(width: u16, height: u16, grid: Grid) -> Self {
-        let squares = |side: u16, shift: u32| (usize::from(side.saturating_sub(1)) >> shift) + 1;
+        let squares = |pixels: u16, shift: u32| (usize::from(pixels.saturating_sub(1)) >> shift) + 1;
         let mut shift = grid.pixels().trailing_zeros();
         while squares(width, shift).saturating_mul(squares(height, shift)) > WORDS * 32 {
             shift += 1;
@@ -62,8 +62,8 @@ impl RimCells {
                     Source::Far(..) => continue,
                 };
                 if rim.is_seen_from(toward) {
-                    let shadow = ShadowOnPlane::new(&light.source, plane);
-                    cells.add_rim(renderer, grid, &rim, shadow.as_ref());
+                    let projection = ShadowProjection::new(&light.source, plane);
+                    cells.add_rim(renderer, grid, &rim, projection.as_ref());
                 }
             }
         });
@@ -77,24 +77,24 @@ impl RimCells {
         renderer: &Renderer<'_, '_, R, S>,
         grid: Grid,
         rim: &Rim<R>,
-        shadow: Option<&ShadowOnPlane<R::Setup>>,
+        projection: Option<&ShadowProjection<R::Setup>>,
     ) {
         let viewport = &renderer.viewport;
         let number = R::Setup::from_u16;
-        let shown = |point| shadow.map_or(Some(point), |shadow| shadow.shadow(point));
+        let shown = |point| projection.map_or(Some(point), |projection| projection.shadow_of(point));
         let [from, to] = rim.ends.map(Vec3::to_setup);
         let half = R::Setup::from_f32(0.5);
         let Some(middle) = shown((from + to) * half) else { return };
         // The length of a cell's side in the scene, at the depth of the rim's middle.
-        let side = viewport.depth(middle).0 * viewport.pixel() * number(grid.pixels() as u16);
+        let size = viewport.depth(middle).0 * viewport.pixel() * number(grid.pixels() as u16);
         if let Bend::Sharp(width) = rim.bend
-            && !(width.to_setup() < side)
+            && !(width.to_setup() < size)
         {
             return;
         }
-        // Two points for each side's length.
-        let sides = (to - from).length() / side;
-        let count = (sides + sides).floor_to_i32().clamp(0, MOST_POINTS) as u16 + 1;
+        // Two points for each cell that the rim is long.
+        let cells = (to - from).length() / size;
+        let count = (cells + cells).floor_to_i32().clamp(0, MOST_POINTS) as u16 + 1;
         let step = (to - from) * number(count).recip();
         for i in 0..count {
             let point = shown(from + step * (number(i) + half));

@@ -14,29 +14,29 @@ pub(super) struct Stick<R> {
 
 /// How thick a thing is that reaches into a cone, next to the cone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Beside {
+pub(super) enum Thickness {
     /// Thinner than the cone: pixels beside the traced one may see it, and the traced one may not.
     Thin,
     /// Thicker than the cone, or around one of the ends of the ray: it is seen anyway.
     Thick,
 }
 
-/// Whether one of the hulls of a shape is thin beside a ray, as `beside` finds out, and at least
+/// Whether one of the hulls of a shape is thin beside a ray, as `thickness` finds out, and at least
 /// `slenderness` times as long as wide. The first hull encloses all others.
 pub(super) fn any_thin<R: Real>(
     slenderness: R,
     mut hulls: impl Iterator<Item = Hull<R>>,
-    beside: impl Fn(&Stick<R>) -> Option<Beside>,
+    thickness: impl Fn(&Stick<R>) -> Option<Thickness>,
 ) -> bool {
-    let beside = |hull: Hull<R>| {
+    let thickness_of = |hull: Hull<R>| {
         let stick = Stick::new(&hull);
-        let beside = beside(&stick)?;
-        Some(if stick.is_slender(slenderness) { beside } else { Beside::Thick })
+        let thickness = thickness(&stick)?;
+        Some(if stick.is_slender(slenderness) { thickness } else { Thickness::Thick })
     };
-    match hulls.next().and_then(beside) {
+    match hulls.next().and_then(thickness_of) {
         None => false,
-        Some(Beside::Thin) => true,
-        Some(Beside::Thick) => hulls.any(|hull| beside(hull) == Some(Beside::Thin)),
+        Some(Thickness::Thin) => true,
+        Some(Thickness::Thick) => hulls.any(|hull| thickness_of(hull) == Some(Thickness::Thin)),
     }
 }
 
@@ -88,12 +88,12 @@ impl<R: Real> Stick<R> {
     /// How thick it is beside a ray that ends at `distance`, within the cone that has `radius(t, direction)`
     /// at a distance from the ray's origin and into a unit direction; `None` if it does not reach into the
     /// cone.
-    pub(super) fn beside(
+    pub(super) fn thickness_beside(
         &self,
         ray: &Ray<R>,
         distance: R,
         radius: impl Fn(R, Vec3<R>) -> R,
-    ) -> Option<Beside> {
+    ) -> Option<Thickness> {
         let (t, across) = self.nearest(ray);
         // Leave out what lies behind the origin or beyond the end.
         let end = t + self.radius;
@@ -107,6 +107,6 @@ impl<R: Real> Stick<R> {
         }
         // The things at which the ray begins and ends are seen anyway.
         let is_between = t > R::ZERO && t < distance;
-        Some(if is_between && self.radius < radius { Beside::Thin } else { Beside::Thick })
+        Some(if is_between && self.radius < radius { Thickness::Thin } else { Thickness::Thick })
     }
 }

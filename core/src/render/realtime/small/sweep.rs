@@ -45,17 +45,17 @@ impl<R: Real> Turn<R> {
 }
 
 impl<R: Real> Sweep<R> {
-    /// The sweep of a footprint whose ray comes in `direction` and is mirrored to `middle`, toward two
-    /// `sides` of the picture. `normal_beside` is the surface's normal a step away from the footprint's
-    /// middle.
+    /// The sweep of a footprint whose ray comes in `direction` and is mirrored to `middle`. `right_and_up`
+    /// are unit vectors in the picture. `normal_beside` is the surface's normal a step away from the
+    /// footprint's middle.
     pub(super) fn new(
         footprint: &Footprint<R>,
-        sides: [Vec3<R>; 2],
+        right_and_up: [Vec3<R>; 2],
         (direction, middle): (Vec3<R>, Vec3<R>),
         normal_beside: impl Fn(Vec3<R>) -> Vec3<R>,
     ) -> Self {
-        let turn = |side: Vec3<R>| {
-            let (step, aside) = footprint.step(side);
+        let turn = |toward: Vec3<R>| {
+            let (step, aside) = footprint.step(toward);
             let (normal, direction) = (normal_beside(step), direction + aside);
             let height = normal.dot(direction);
             let mirrored = direction - normal * (height + height);
@@ -63,7 +63,7 @@ impl<R: Real> Sweep<R> {
             // Beyond a right angle, the sine would become smaller again.
             if mirrored.dot(middle) < R::ZERO { turn.normalized().unwrap_or(turn) } else { turn }
         };
-        Self { middle, turns: sides.map(|side| Turn::new(turn(side))) }
+        Self { middle, turns: right_and_up.map(|toward| Turn::new(turn(toward))) }
     }
 
     /// The sweep of the footprint's inner half.
@@ -144,8 +144,13 @@ mod tests {
         let viewport = Viewport::<f64>::new(&CAMERA.prepare(Scale::ONE).unwrap(), 320, 240);
         let cone = Cone::new(&viewport, Grid::Eight, 0).after(30.0);
         let (direction, normal) = (Vec3::new(0.0, 0.0, -1.0), Vec3::new(0.0, 0.0, 1.0));
-        let beside = |step: Vec3<f64>| (normal * radius + step).unit();
-        Sweep::new(&Footprint::new(cone, direction, normal), viewport.sides(), (direction, normal), beside)
+        let normal_beside = |step: Vec3<f64>| (normal * radius + step).unit();
+        Sweep::new(
+            &Footprint::new(cone, direction, normal),
+            viewport.right_and_up(),
+            (direction, normal),
+            normal_beside,
+        )
     }
 
     #[test]

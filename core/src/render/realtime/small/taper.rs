@@ -1,7 +1,7 @@
 //! A taper: the picture of a tip, as far as it is narrower than a cell.
 
 use super::super::grid::Grid;
-use super::shadow_on_plane::ShadowOnPlane;
+use super::shadow_projection::ShadowProjection;
 use super::stadium::place_of;
 use crate::camera::Viewport;
 use crate::math::{Real, Vec3};
@@ -22,16 +22,16 @@ const SHARP: f32 = 0.5;
 const HALVINGS: usize = 8;
 
 impl<N: Real<Setup = N>> Taper<N> {
-    /// The end of a tip, or of its shadow; `None` if it is not sharp as it is seen, or not well in front of
-    /// the camera.
+    /// The end of a tip, or of its shadow if there is a `projection`; `None` if it is not sharp as it is
+    /// seen, or not well in front of the camera.
     pub(super) fn new<R: Real<Setup = N>>(
         viewport: &Viewport<R>,
         tip: &Tip<R>,
-        shadow: Option<&ShadowOnPlane<N>>,
+        projection: Option<&ShadowProjection<N>>,
         grid: Grid,
     ) -> Option<Self> {
         let apex = tip.apex.to_setup();
-        let shown = |point: Vec3<N>| shadow.map_or(Some(point), |shadow| shadow.shadow(point));
+        let shown = |point: Vec3<N>| projection.map_or(Some(point), |projection| projection.shadow_of(point));
         let from = place_of(viewport, shown(apex)?)?;
         // A straight line is seen as a straight line: any part of it has the same direction.
         let mut share = N::ONE;

@@ -10,10 +10,10 @@
 //! flat object are known. Shadows of less than four lines are traced in full by
 //! [`thin_cells`](super::thin_cells).
 
-use super::super::grid::{Grid, LARGEST_SIDE, SQUARE};
+use super::super::grid::{Grid, LARGEST_SIZE, SQUARE};
 use super::super::sample::Sample;
 use super::column_set::ColumnSet;
-use super::shadow_on_plane::ShadowOnPlane;
+use super::shadow_projection::ShadowProjection;
 use super::taper::Taper;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
@@ -26,8 +26,8 @@ use crate::shape::{Geometry, Tip};
 pub(in crate::render::realtime) struct TipPoints {
     upper: ColumnSet,
     lower: ColumnSet,
-    /// The distance of the grid's points.
-    side: usize,
+    /// The size of a cell: the distance of the grid's points.
+    size: usize,
     is_empty: bool,
 }
 
@@ -45,9 +45,9 @@ pub(super) fn tapering_objects<R: Real, S: Geometry>(
 
 impl TipPoints {
     fn none(width: u16, grid: Grid) -> Self {
-        let side = grid.pixels();
-        let none = ColumnSet::none(width, side.min(SQUARE).trailing_zeros());
-        Self { upper: none, lower: none, side, is_empty: true }
+        let size = grid.pixels();
+        let none = ColumnSet::none(width, size.min(SQUARE).trailing_zeros());
+        Self { upper: none, lower: none, size, is_empty: true }
     }
 
     /// The points of the rows `top` and `bottom` near low shadows and near the tips of these objects, if
@@ -60,7 +60,7 @@ impl TipPoints {
     ) -> Option<Self> {
         let mut points = Self::none(renderer.width, grid);
         let half = points.half();
-        for outline in renderer.outlines.low_shadows(LARGEST_SIDE as u32) {
+        for outline in renderer.outlines.low_shadows(LARGEST_SIZE as u32) {
             points.add(rows, |row| outline.lines(row.saturating_sub(half), row.saturating_add(half)));
         }
         for object in tapering {
@@ -83,13 +83,13 @@ impl TipPoints {
         let half = R::Setup::from_u16(self.half());
         let mut any = false;
         for tip in scene.tips(object).filter(Tip::is_sharp) {
-            let shadows = scene
+            let projections = scene
                 .lights
                 .iter()
-                .filter_map(|light| Some(Some(ShadowOnPlane::new(&light.source, plane?)?)));
+                .filter_map(|light| Some(Some(ShadowProjection::new(&light.source, plane?)?)));
             // The tip itself, without a shadow, and then each shadow of it.
-            for shadow in core::iter::once(None).chain(shadows) {
-                let Some(taper) = Taper::new(viewport, &tip, shadow.as_ref(), grid) else { continue };
+            for projection in core::iter::once(None).chain(projections) {
+                let Some(taper) = Taper::new(viewport, &tip, projection.as_ref(), grid) else { continue };
                 any = true;
                 self.add(rows, |row| {
                     let middle = R::Setup::from_u16(row) + R::Setup::from_f32(0.5);
@@ -118,7 +118,7 @@ impl TipPoints {
 
     /// Half the distance of the grid's points.
     fn half(&self) -> u16 {
-        (self.side / 2) as u16
+        (self.size / 2) as u16
     }
 
     /// Marks the sample of the pixel in column `x`, `below` lines under the upper row, if something is near.
@@ -130,8 +130,8 @@ impl TipPoints {
     /// the grid, and of a grid half as wide in cells of eight pixels, are ever near something.
     fn are_near(&self, x: u32, below: usize) -> bool {
         // Sides are powers of two.
-        let is_point = (x as usize | below) & (self.side.min(SQUARE) - 1) == 0;
-        let is_upper = below & (self.side - 1) != 0 || below == 0;
+        let is_point = (x as usize | below) & (self.size.min(SQUARE) - 1) == 0;
+        let is_upper = below & (self.size - 1) != 0 || below == 0;
         let is_lower = below != 0;
         is_point && (is_upper && self.upper.hold(x) || is_lower && self.lower.hold(x))
     }

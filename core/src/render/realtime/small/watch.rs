@@ -32,7 +32,7 @@ struct Targets<R> {
     /// The cone of a ray from the eye through a point of the grid.
     cone: Cone<R>,
     /// Unit vectors to the right and up in the picture.
-    sides: [Vec3<R>; 2],
+    right_and_up: [Vec3<R>; 2],
     /// The objects that may be thin. `None`: the scene has no sets, and any slender object may be.
     thin: Option<ObjectSet>,
 }
@@ -52,7 +52,7 @@ impl<R: Real> Targets<R> {
         let is_glossy = |object| scene.material(object).is_some_and(|material| material.specular > R::ZERO);
         let thin =
             scene.objects_where(is_thin).or_else(|| (!scene.any_object(is_thin)).then_some(ObjectSet::NONE));
-        let targets = Self { grid, cone, sides: renderer.viewport.sides(), thin };
+        let targets = Self { grid, cone, right_and_up: renderer.viewport.right_and_up(), thin };
         (targets.has_thin() || scene.any_object(is_glossy)).then_some(targets)
     }
 
@@ -89,9 +89,9 @@ impl<R: Real> Watch<R> {
 
     /// Begins the pixel at point (x, y) of a cell; `None` if the pixel does not stand for others.
     pub(in crate::render::realtime) fn stand_for(&mut self, x: usize, y: usize) -> Option<&mut Self> {
-        let (place, side) = (x | y, self.targets.grid.pixels());
-        self.stands_for_least = side <= SQUARE || place % side != 0;
-        self.first = if place % side == 0 {
+        let (place, size) = (x | y, self.targets.grid.pixels());
+        self.stands_for_least = size <= SQUARE || place % size != 0;
+        self.first = if place % size == 0 {
             self.targets.cone
         } else if place % SQUARE == 0 {
             self.targets.cone.halved()
@@ -121,8 +121,8 @@ impl<R: Real> Watch<R> {
         }
         let (surface, direction) = (&hit.surface, watched.0.direction);
         let footprint = Footprint::new(cone, direction, surface.normal);
-        let (sides, directions) = (self.targets.sides, (direction, mirrored));
-        let find_sweep = || sweep_at(scene, &hit, material, &footprint, sides, directions);
+        let (right_and_up, directions) = (self.targets.right_and_up, (direction, mirrored));
+        let find_sweep = || sweep_at(scene, &hit, material, &footprint, right_and_up, directions);
         let mut sweep = None;
         let (facing, ..) = surface.normal.facing(direction);
         for light in scene.lights {
@@ -130,8 +130,8 @@ impl<R: Real> Watch<R> {
                 break;
             }
             let Some((toward, distance, _)) = light.seen_from(surface.point, facing) else { continue };
-            let shadow = Ray { origin: surface.point, direction: toward };
-            if has_thin && self.can_be_shaded(scene, &footprint, &shadow, distance) {
+            let shadow_ray = Ray { origin: surface.point, direction: toward };
+            if has_thin && self.can_be_shaded(scene, &footprint, &shadow_ray, distance) {
                 self.near = Near::Tiny;
             }
             // A light more than a right angle from the mirrored direction makes no highlight.
@@ -181,17 +181,17 @@ impl<R: Real> Watch<R> {
         cone.after(distance)
     }
 
-    /// Whether something thin can stand between a footprint and a light, which is at `distance` along the ray
-    /// `shadow`.
+    /// Whether something thin can stand between a footprint and a light, which is at `distance` along
+    /// `shadow_ray`.
     fn can_be_shaded<S: Geometry>(
         &self,
         scene: &PreparedScene<'_, R, S>,
         footprint: &Footprint<R>,
-        shadow: &Ray<R>,
+        shadow_ray: &Ray<R>,
         distance: R,
     ) -> bool {
-        let can_shade = |object| footprint.can_be_shaded(shadow, distance, scene.hulls(object));
-        scene.any_beside((shadow, distance), |_| footprint.reach(), self.targets.thin, can_shade)
+        let can_shade = |object| footprint.can_be_shaded(shadow_ray, distance, scene.hulls(object));
+        scene.any_beside((shadow_ray, distance), |_| footprint.reach(), self.targets.thin, can_shade)
     }
 }
 
@@ -202,7 +202,7 @@ fn sweep_at<R: Real, S: Geometry>(
     hit: &Hit<R>,
     material: &PreparedMaterial<'_, R>,
     footprint: &Footprint<R>,
-    sides: [Vec3<R>; 2],
+    right_and_up: [Vec3<R>; 2],
     directions: (Vec3<R>, Vec3<R>),
 ) -> Sweep<R> {
     let normal_beside = |step| scene.normal_beside(hit.object, &hit.surface, step);
@@ -211,5 +211,5 @@ fn sweep_at<R: Real, S: Geometry>(
     } else {
         hit.surface.shading_normal - normal_beside(Vec3::ZERO)
     };
-    Sweep::new(footprint, sides, directions, |step| normal_beside(step) + bump)
+    Sweep::new(footprint, right_and_up, directions, |step| normal_beside(step) + bump)
 }

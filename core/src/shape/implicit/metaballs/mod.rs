@@ -7,7 +7,7 @@ mod sum;
 #[cfg(test)]
 mod tests;
 
-use super::super::{Geometry, Intersect, Silhouette, beside, uv};
+use super::super::{Geometry, Intersect, Silhouette, normal_after_step, uv};
 use super::FieldBox;
 use super::trace::TracedLine;
 use kernel::{LEVEL, STEEPEST, reach_of};
@@ -207,6 +207,6 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
 
 impl<R: Real> Silhouette<R> for PreparedMetaballs<'_, R> {
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
-        beside(self, surface, step)
+        normal_after_step(self, surface, step)
     }
 }
