@@ -32,9 +32,9 @@ pub(crate) struct Candidates<'m, R: Real> {
     /// One for each object and light.
     pairs: &'m [Pair<R>],
     lights: usize,
-    /// Fifteen times the largest coordinate of an object with bounds. [`BallFromLight`] and the outlines of
-    /// shadows are valid for hits within this distance of the origin; hits beyond it lie far out on infinite
-    /// planes.
+    /// Fifteen times the largest coordinate of an object with bounds. Pairs and the outlines of shadows are
+    /// valid for hits of a [`Surface::magnitude`](crate::Surface::magnitude) up to it. Other hits lie far out
+    /// on infinite planes, or on a small part that is cut out of something large.
     reach: R,
 }
 
@@ -72,7 +72,7 @@ impl<R: Real> BallFromLight<R> {
         };
         let (position, radius) = (position.to_setup(), radius.to_setup());
         let toward_center = center.to_setup() - position;
-        let radius = radius + radius * R::Setup::from_f32(1e-3) + shadow_ray_deviation(reach, light);
+        let radius = radius + radius * R::Setup::from_f32(1e-3) + shadow_ray_deviation((reach, reach), light);
         let distance_squared = toward_center.length_squared();
         let rounding = distance_squared * (R::Setup::RAY_OFFSET * R::Setup::from_f32(4.0));
         let tangent_squared = distance_squared - rounding - radius * radius;
@@ -111,16 +111,17 @@ impl<R: Real> BallFromLight<R> {
 }
 
 /// The largest distance between a shadow ray and the straight way from a hit within `reach` to a light: the
-/// ray begins off the surface by the ray offset, and its direction is rounded.
+/// ray begins off the surface by the ray offset of its `magnitude`, and its direction is rounded.
 #[inline(never)]
-fn shadow_ray_deviation<R: Real>(reach: R, light: &Source<R>) -> R::Setup {
+fn shadow_ray_deviation<R: Real>((reach, magnitude): (R, R), light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
-            let (reach, far) = (reach.to_setup(), position.to_setup().magnitude());
+            let far = position.to_setup().magnitude();
             // The distance is at most √3 times the sum of the two largest coordinates.
-            (R::from_setup(reach.larger(far)), (reach + far) * R::Setup::from_f32(1.74))
+            let farthest = (reach.to_setup() + far) * R::Setup::from_f32(1.74);
+            (R::from_setup(magnitude.to_setup().larger(far)), farthest)
         }
-        _ => (reach, R::Setup::ZERO),
+        _ => (magnitude, R::Setup::ZERO),
     };
     R::offset(largest).to_setup() * R::Setup::from_f32(8.0) + R::toward_light_error(farthest)
 }
@@ -176,7 +177,7 @@ impl<'m, R: Real> Candidates<'m, R> {
             let receiver = index.checked_div(lights.len()).unwrap_or(0);
             let light = index.checked_rem(lights.len()).and_then(|light| lights.get(light));
             let between = candidates_for(objects, receiver, |around, other| {
-                light.is_none_or(|light| around.is_shaded_by(other, &light.source))
+                light.is_none_or(|light| around.is_shaded_by(other, (&light.source, reach)))
             });
             let ball = match (objects.get(receiver), light) {
                 (Some(PreparedObject { shape, material }), Some(light)) => {
@@ -216,7 +217,7 @@ impl<'m, R: Real> Candidates<'m, R> {
         !from.outward && self.leaving.get(from.object).is_some_and(|[inward, outward]| inward != outward)
     }
 
-    /// The objects that can stand between a surface and a light.
+    /// The objects that can stand between a surface and a light, for hits that [are near](Self::are_near).
     #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {
         let set = self.pair(from.object, light).map_or(self.all, |pair| pair.between);
@@ -226,11 +227,11 @@ impl<'m, R: Real> Candidates<'m, R> {
     /// The largest distance between a shadow ray and the straight way to the light, for hits that
     /// [are near](Self::are_near).
     pub(super) fn shadow_ray_deviation(&self, light: &Source<R>) -> R::Setup {
-        shadow_ray_deviation(self.reach, light)
+        shadow_ray_deviation((self.reach, self.reach), light)
     }
 
     /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
-    /// [`shadow_ray_deviation`](Self::shadow_ray_deviation) and [`not_passed_by`](Self::not_passed_by).
+    /// [`between`](Self::between), [`shadow_ray_deviation`](Self::shadow_ray_deviation) and [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
@@ -332,11 +333,14 @@ impl<R: Real> BoundingBall<R> {
         other.ball.is_none_or(|ball| (ball.center - self.center).length() <= self.radius + ball.radius)
     }
 
-    /// Whether any of `other` may stand between a point inside and the light.
+    /// Whether any of `other` may stand between the light and a hit inside, of at most this magnitude.
     #[inline(never)]
-    fn is_shaded_by(&self, other: &Blocker<R>, light: &Source<R>) -> bool {
+    fn is_shaded_by(&self, other: &Blocker<R>, (light, magnitude): (&Source<R>, R)) -> bool {
+        // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset,
+        // which may be more than that of the ball: a part that is cut out of a long cone is hit with the
+        // rounding of the whole cone.
         let largest = R::from_setup(self.center.magnitude() + self.radius);
-        let astray = shadow_ray_deviation(largest, light);
+        let astray = shadow_ray_deviation((largest, magnitude.larger(largest)), light);
         if let Form::Flat { normal, distance } = other.form {
             // What lies in a plane shades nothing if light and receiver are both on one side of it.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());

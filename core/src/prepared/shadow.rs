@@ -164,11 +164,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         those: ObjectSet,
     ) -> Among<'static> {
         let Some(candidates) = self.candidates() else { return Among::All };
-        let between = candidates.between(from, light);
         Among::Few(if candidates.are_near(magnitude) {
-            candidates.not_passed_by(between.common(those), light, toward)
+            candidates.not_passed_by(candidates.between(from, light).common(those), light, toward)
         } else {
-            between
+            // The ray may begin farther beside the surface than the sets allow for.
+            candidates.all()
         })
     }
 

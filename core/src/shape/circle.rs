@@ -19,6 +19,9 @@ const ARCS: usize = 16;
 const SAGITTA: f32 = 0.0193;
 
 impl<R: Real> Circle<R> {
+    /// How many hulls a circle has.
+    pub(super) const HULLS: usize = 1 + ARCS;
+
     /// Hulls of all points that are no farther than `distance` from the circle. Number 0 encloses the whole
     /// disc; numbers 1 to [`ARCS`] enclose one arc each.
     pub(super) fn hull(&self, part: usize, distance: R) -> Option<Hull<R>> {

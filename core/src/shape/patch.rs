@@ -3,6 +3,7 @@
 //! 4-9.
 
 use super::{Hull, PreparedPlane};
+use crate::fault::{Fault, check_size};
 use crate::math::{FourRays, Interval, Linear, Ray, Real, Scale, Vec3, each};
 
 /// A plane, spanned by two edges from a corner. Along each edge one coordinate grows from 0 to 1; the other
@@ -15,26 +16,30 @@ pub(super) struct Patch<R: Real> {
 }
 
 impl<R: Real> Patch<R> {
-    /// The patch with the edges `right` and `up`, in the scene's units; `None` if they lie on one line.
+    /// The patch with the edges `right` and `up`, in the scene's units. It is refused if the edges lie on one
+    /// line, or if it is thinner than the number system can tell.
     pub(super) fn new(
         corner: Vec3<R::Setup>,
         right: Vec3<R::Setup>,
         up: Vec3<R::Setup>,
         scale: Scale,
-    ) -> Option<Self> {
+    ) -> Result<Self, Fault> {
         let area_normal = right.cross(up);
         let area = area_normal.length();
         // The normal of a patch that is thinner than a millionth of its length would be rounding.
         if !(area > R::Setup::from_f32(1e-6) * right.length() * up.length()) {
-            return None;
+            return Err(Fault::Collinear);
         }
+        // A gradient is 1 over the distance of an edge from the corners that are not on it. In fixed point,
+        // that of a thinner patch has no room.
+        check_size(scale.length::<R>(area / right.length().larger(up.length())))?;
         let normal = area_normal * area.recip();
         // The gradient of each coordinate lies in the plane, at a right angle to the other edge.
         let gradient_u = up.cross(normal) * area.recip();
         let gradient_v = normal.cross(right) * area.recip();
         let zero = scale.setup_point::<R>(corner);
         let per_unit = R::Setup::from_f32(1.0 / scale.to_f32());
-        Some(Self {
+        Ok(Self {
             plane: PreparedPlane::new(normal, normal.dot(corner), scale),
             u: R::Linear::new(gradient_u * per_unit, zero),
             v: R::Linear::new(gradient_v * per_unit, zero),

@@ -3,7 +3,7 @@
 
 use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, Tip, bounds_of};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_point};
+use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
 
@@ -121,6 +121,9 @@ impl Geometry for Polygon<'_> {
             let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
             Vec3::new(u, v, slope)
         })?;
+        let sides = |vertex: &Vec3| (vertex.to::<R::Setup>() - first.to()).magnitude();
+        let extent = vertices.iter().map(sides).fold(R::Setup::ZERO, R::Setup::larger);
+        check_size(scale.length::<R>(extent))?;
         let plane = PreparedPlane::new(normal, normal.dot(first.to()), scale);
         Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }
@@ -301,6 +304,7 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
 mod tests {
     use super::super::testing::*;
     use super::*;
+    use crate::math::Fixed;
 
     /// An arrow head with a notch, in the plane z = 0.
     const ARROW: [Vec3; 4] = [
@@ -463,5 +467,9 @@ mod tests {
         assert_eq!(refusal(Polygon::new(&[a, b, a, b])), Fault::NoArea);
         assert_eq!(refusal(Polygon::new(&[a, b, c + Vec3::new(0.0, 0.0, 0.5), d])), Fault::NotPlanar);
         assert_eq!(refusal(Polygon::new(&[a, b, c, d * f32::INFINITY])), Fault::NotFinite);
+        // A tiny one far away from the origin, for fixed point.
+        let far = [a, b, c, d].map(|vertex| Vec3::new(3e5, 0.0, 0.0) + vertex * 0.04);
+        let mut memory = Memory::new();
+        assert_eq!(prepared::<_, Fixed>(Polygon::new(&far), &mut memory).unwrap_err(), Fault::TooSmall);
     }
 }

@@ -44,8 +44,8 @@ impl Geometry for Rectangle {
     {
         [self.right, self.up].into_iter().try_for_each(check_point)?;
         Self::corners(self.corner, self.right, self.up).into_iter().try_for_each(check_point)?;
-        let patch = Patch::new(self.corner.to(), self.right.to(), self.up.to(), scale);
-        Ok(PreparedRectangle { patch: patch.ok_or(Fault::Collinear)? })
+        let patch = Patch::new(self.corner.to(), self.right.to(), self.up.to(), scale)?;
+        Ok(PreparedRectangle { patch })
     }
 }
 
@@ -89,6 +89,7 @@ impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
 mod tests {
     use super::super::testing::*;
     use super::*;
+    use crate::math::Fixed;
 
     // Three wide, two deep, in the plane y = 1.
     const TABLE: Rectangle =
@@ -154,5 +155,16 @@ mod tests {
         assert_eq!(refusal(Rectangle { up: DOWN * f32::NAN, ..TABLE }), Fault::NotFinite);
         assert_eq!(refusal(Rectangle { up: DOWN * 2e6, ..TABLE }), Fault::TooFar);
         assert_eq!(refusal(Rectangle { corner: DOWN * 9.99e5, up: DOWN * 2e3, ..TABLE }), Fault::TooFar);
+    }
+
+    #[test]
+    fn rectangles_thinner_than_fixed_point_can_tell_are_refused() {
+        let wide = Vec3::new(3e5, 0.0, 0.0);
+        for (right, up) in [(wide, DOWN * 0.01), (DOWN * 0.01, wide), (DOWN * 0.02, TABLE.right * 0.01)] {
+            let thin = Rectangle { corner: wide, right, up };
+            let mut memory = Memory::new();
+            assert_eq!(prepared::<_, Fixed>(thin, &mut memory).unwrap_err(), Fault::TooSmall);
+            assert!(prepared::<_, f32>(thin, &mut memory).is_ok());
+        }
     }
 }

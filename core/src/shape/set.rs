@@ -154,6 +154,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn hulls(&self) -> usize {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Silhouette::hulls(shape)),+
+                }
+            }
+
             fn tip(&self, number: usize) -> Option<$crate::shape::Tip<R>> {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Silhouette::tip(shape, number)),+

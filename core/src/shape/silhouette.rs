@@ -34,6 +34,11 @@ pub trait Silhouette<R: Real>: Intersect<R> {
         }
     }
 
+    /// How many [hulls](Self::hull) there are. By default they are counted.
+    fn hulls(&self) -> usize {
+        (0..).take_while(|part| self.hull(*part).is_some()).count()
+    }
+
     /// A place where the shape tapers to a point, by a number from 0 on; `None` from the first number without
     /// a tip on. By default a shape has none.
     fn tip(&self, _number: usize) -> Option<Tip<R>> {

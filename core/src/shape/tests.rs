@@ -209,6 +209,26 @@ fn assert_met_inside_bounds<R: Real>(shape: &Shape<'static>, rays: &[(Vec3, Vec3
     met
 }
 
+/// The rule of [`Silhouette::hulls`].
+#[test]
+fn hulls_are_as_many_as_are_listed() {
+    fn check<R: Real>(shape: &Shape<'static>) -> usize {
+        let mut room = ShapeMemory::new();
+        let scale = Scale::new::<R>(shape.extent(), Vec3::ZERO);
+        let Ok(prepared) = shape.prepare::<R>(scale, &mut Arena::new(room.lend())) else { return 0 };
+        let listed = (0..).take_while(|part| prepared.hull(*part).is_some()).count();
+        assert_eq!(prepared.hulls(), listed, "{shape:?}");
+        listed
+    }
+    let mut shapes = Shapes(Random(5));
+    let mut most = 0;
+    for number in 0..1700 {
+        let shape = shapes.shape(number);
+        most = most.max(check::<f32>(&shape)).max(check::<Fixed>(&shape));
+    }
+    assert!(most > 17, "no instances of tori");
+}
+
 /// The rule of [`Intersect::bounds`].
 #[test]
 fn no_ray_meets_a_shape_outside_its_bounds() {

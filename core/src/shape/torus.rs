@@ -218,6 +218,10 @@ impl<R: Real> Silhouette<R> for PreparedTorus<R> {
         circle.hull(part, self.minor)
     }
 
+    fn hulls(&self) -> usize {
+        Circle::<R>::HULLS
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
     }

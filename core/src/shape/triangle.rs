@@ -50,7 +50,7 @@ impl Geometry for Triangle {
     {
         self.vertices.into_iter().try_for_each(check_point)?;
         let [a, b, c] = self.vertices.map(Vec3::to::<R::Setup>);
-        let patch = Patch::new(a, b - a, c - a, scale).ok_or(Fault::Collinear)?;
+        let patch = Patch::new(a, b - a, c - a, scale)?;
         let normals = match self.normals {
             None => None,
             Some(normals) => {
@@ -143,6 +143,7 @@ impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
 mod tests {
     use super::super::testing::*;
     use super::*;
+    use crate::math::Fixed;
 
     // In the plane z = 1, counterclockwise as seen from above.
     const FLAT: Triangle =
@@ -224,5 +225,9 @@ mod tests {
         assert_eq!(refusal(Triangle::flat(a, a, a)), Fault::Collinear);
         assert_eq!(refusal(Triangle::flat(a, b, c * f32::NAN)), Fault::NotFinite);
         assert_eq!(refusal(Triangle { normals: Some([a, b, Vec3::ZERO]), ..FLAT }), Fault::ZeroLength);
+        // A tiny one far away from the origin, for fixed point.
+        let far = FLAT.vertices.map(|vertex| Vec3::new(3e5, 0.0, 0.0) + vertex * 0.05);
+        let tiny = Triangle { vertices: far, normals: None };
+        assert_eq!(prepared::<_, Fixed>(tiny, &mut Memory::new()).unwrap_err(), Fault::TooSmall);
     }
 }

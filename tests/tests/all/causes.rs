@@ -194,6 +194,13 @@ fn d_lights_that_are_far_but_not_at_the_end_of_the_world() {
     );
 }
 
+/// A part that is cut out of a long cone is met with the rounding of the whole cone. Rays that begin beside
+/// it, by half a unit, cross a plane behind the light.
+#[test]
+fn f_parts_that_are_cut_out_of_something_large() {
+    assert_same::<f32>("f-f32-14x9-b0.ron", settings(14, 9, 0, 4096, 0.0), None);
+}
+
 /// As a light next to a plane, with a ball: a receiver that is 1e5 away moves the beginning of its rays by a
 /// unit.
 #[test]

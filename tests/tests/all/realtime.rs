@@ -551,6 +551,32 @@ fn check_order(scene: &Scene, settings: Settings) {
     }
 }
 
+/// A triangle with a corner at the eye was met by rays of cells that were not known to show it.
+#[test]
+fn lines_are_the_same_bytes_where_a_corner_is_at_the_eye() {
+    fn check<R: Real>(scene: &Scene) {
+        let quality = Realtime { grid: Grid::Two, threshold: 65_535, budget_rays: u32::MAX };
+        with_renderer::<R, _>(scene, Settings::new(20, 15), |renderer| {
+            let expected = realtime(renderer, quality, &mut ());
+            let mut screen = Screen::new(renderer);
+            for top in [12, 9, 6, 3, 0] {
+                let mut memory = Memory::new(renderer, quality);
+                let mut frame = renderer.frame(top..top + 3, memory.lend(quality)).expect("a frame");
+                while !frame.step(&mut screen, u32::MAX).expect("a step").is_done() {}
+            }
+            assert!(picture_on(&screen) == expected);
+        });
+    }
+    let eye = Vec3::new(-4.0, -2.0, -4.0);
+    let vertices = [eye, Vec3::new(-4.0, -1.916465, -4.0), Vec3::new(-3.5440392, -2.0, -4.2051826)];
+    let objects = [Object::new(Shape::Triangle(Triangle { vertices, normals: None }), 0)];
+    let mut scene = staged(&objects, eye, Vec3::new(-3.5140393, -1.96, -4.2051826), 1.4552734);
+    scene.camera.up = Vec3::new(0.3, 0.5, 0.8);
+    check::<f32>(&scene);
+    check::<f64>(&scene);
+    check::<Fixed>(&scene);
+}
+
 #[test]
 fn stepping_with_any_budget_is_bounded_and_gives_the_same_bytes() {
     let quality = Realtime::new();

@@ -92,9 +92,9 @@ const FRACTION: u32 = 24;
 /// | flat shapes, boxes, polyhedra, meshes | 1/32 of the farthest coordinate |
 ///
 /// - Lay the scene around the origin: its extent is smaller, and all of it is more exact.
-/// - Radii (of the tube of a torus, of the wider end of a cone) and half the thickness of boxes and polyhedra
-///   must be a 65,536th of the extent or more, a 32,768th in a scene with infinite planes. Smaller parts may
-///   be refused.
+/// - Radii (of the tube of a torus, of the wider end of a cone), half the thickness of boxes and polyhedra,
+///   and the height of rectangles and triangles above each edge must be a 65,536th of the extent or more, a
+///   32,768th in a scene with infinite planes. Smaller parts may be refused.
 /// - A picture may show a small part of the scene: a 32nd costs few digits (44 dB or more), a 256th more (36
 ///   dB), and a 1,024th shows in mirrors and glass (30 dB).
 /// - The eye sees infinite planes up to about half a degree from the horizon, and most often to a quarter:

@@ -317,8 +317,23 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
     /// Part 0 is the box around the combined solid, which may be thin although its solids are thick. The
     /// further parts are the hulls of the solids, each of which may be thin.
     fn hull(&self, part: usize) -> Option<Hull<R>> {
-        let Some(part) = part.checked_sub(1) else { return self.tree.bounds.map(Hull::aligned) };
-        self.solids.iter().flat_map(|solid| (0..).map_while(|part| solid.hull(part))).nth(part)
+        let Some(mut part) = part.checked_sub(1) else { return self.tree.bounds.map(Hull::aligned) };
+        // Solids before that of the part are skipped by their number of hulls: listing all hulls would else
+        // take a time that grows with the square of their number.
+        for solid in self.solids {
+            let hulls = solid.hulls();
+            if part < hulls {
+                return solid.hull(part);
+            }
+            part -= hulls;
+        }
+        None
+    }
+
+    fn hulls(&self) -> usize {
+        let of_solids = self.solids.iter().map(Silhouette::hulls);
+        // Without an end, the combined solid has no hull 0, and the others are not listed.
+        if self.tree.bounds.is_some() { of_solids.fold(1, usize::saturating_add) } else { 0 }
     }
 
     /// The tips of all solids, which may also be tips of the combined solid.

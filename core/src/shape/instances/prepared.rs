@@ -46,14 +46,14 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
         if let [pose] = self.places.poses { Some(pose) } else { None }
     }
 
-    /// An item, by its number, and its place. The model has a list of items (hulls or tips), which `of_model`
-    /// returns by their numbers; the instances have this list once for each place.
+    /// An item, by its number, and its place. The model has a list of `count` items (hulls or tips), which
+    /// `of_model` returns by their numbers; the instances have this list once for each place.
     fn of_a_pose<T>(
         &self,
         number: usize,
+        count: usize,
         of_model: impl Fn(usize) -> Option<T>,
     ) -> Option<(&'m PreparedPose<R>, T)> {
-        let count = (0..).take_while(|number| of_model(*number).is_some()).count();
         let pose = self.places.poses.get(number.checked_div(count)?)?;
         Some((pose, of_model(number.checked_rem(count)?)?))
     }
@@ -134,15 +134,25 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
             return Some(pose.hull(self.model.hull(part)?));
         }
         let Some(part) = part.checked_sub(1) else { return self.places.bounds.map(Hull::aligned) };
-        let (pose, hull) = self.of_a_pose(part, |part| self.model.hull(part))?;
+        let (pose, hull) = self.of_a_pose(part, self.model.hulls(), |part| self.model.hull(part))?;
         Some(pose.hull(hull))
+    }
+
+    fn hulls(&self) -> usize {
+        let of_model = self.model.hulls();
+        match self.places.poses.len() {
+            1 => of_model,
+            _ if self.places.bounds.is_none() => 0,
+            poses => of_model.saturating_mul(poses).saturating_add(1),
+        }
     }
 
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         if self.places.poses.len() > MOST_TAPERING {
             return None;
         }
-        let (pose, tip) = self.of_a_pose(number, |number| self.model.tip(number))?;
+        let tips = (0..).take_while(|number| self.model.tip(*number).is_some()).count();
+        let (pose, tip) = self.of_a_pose(number, tips, |number| self.model.tip(number))?;
         Some(pose.tip(tip))
     }
 

@@ -1,7 +1,10 @@
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::super::testing::*;
-use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Mesh, Polygon, Silhouette, Sphere, Torus};
+use super::super::{Cone, Csg, CsgStep, Cuboid, Cylinder, Hull, Mesh, Polygon, Silhouette, Sphere, Torus};
 use super::*;
 use crate::math::{Fixed, Interval, Ray, Rotation, Vec3};
+use crate::surface::Surface;
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 const QUARTER: f32 = core::f32::consts::FRAC_PI_2;
@@ -217,6 +220,73 @@ fn the_hull_is_turned_too() {
     let top = hull.center + hull.axes[0];
     assert!((top - Vec3::new(-1.0, 0.0, 1.0)).magnitude() < 1e-6 && hull.radius == 0.25);
     assert_eq!(prepared.hull(1), None);
+}
+
+/// A solid that counts how often one of its hulls is asked for.
+#[derive(Clone, Copy, Debug)]
+struct Counted(&'static AtomicUsize);
+
+impl Geometry for Counted {
+    type Prepared<'m, R: Real> = Self;
+
+    fn extent(&self) -> Extent {
+        Extent::solid(1.0)
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn prepare<'m, R: Real>(&self, _: Scale, _: &mut Arena<'m>) -> Result<Self, Fault>
+    where
+        Self: 'm,
+    {
+        Ok(*self)
+    }
+}
+
+impl<R: Real> Intersect<R> for Counted {
+    fn intersect(&self, _: &Ray<R>, _: Interval<R>) -> Option<R> {
+        None
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        Some(Aabb::point(Vec3::ZERO))
+    }
+
+    fn surface(&self, _: &Ray<R>, _: R) -> Surface<R> {
+        unreachable!("it is never met")
+    }
+
+    fn uv(&self, _: &Surface<R>, _: Scale) -> [R; 2] {
+        [R::ZERO; 2]
+    }
+}
+
+impl<R: Real> Silhouette<R> for Counted {
+    fn hull(&self, part: usize) -> Option<Hull<R>> {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        (part < 17).then(|| Hull::ball(Vec3::ZERO, R::ONE))
+    }
+
+    fn hulls(&self) -> usize {
+        17
+    }
+}
+
+/// Hulls are listed for each ray of realtime quality: pictures of instances of rings took seconds.
+#[test]
+fn each_hull_is_worked_out_once_when_all_are_listed() {
+    static ASKED: AtomicUsize = AtomicUsize::new(0);
+    let solid = CsgStep::Solid(Counted(&ASKED));
+    let steps = [solid, solid, CsgStep::Union, solid, CsgStep::Union];
+    let (three, places) = (Csg::new(&steps), poses::<20>(Vec3::ZERO, 1.0));
+    let mut memory = Memory::new();
+    let prepared = prepared::<_, f32>(Instances::new(&three, &places), &mut memory).unwrap();
+    let listed = (0..).map_while(|part| prepared.hull(part)).count();
+    // A box around all, and for each place a box and three times 17.
+    assert_eq!(listed, 1 + 20 * (1 + 3 * 17));
+    assert_eq!(ASKED.load(Ordering::Relaxed), 20 * 3 * 17);
 }
 
 #[test]

@@ -24,17 +24,22 @@ impl<N: Real<Setup = N>> Stadium<N> {
     /// elsewhere by f · (δ c_z - c δ_z) / (c_z (c_z + δ_z)), which is at most f · r |c| / (c_z (c_z - r)) for
     /// a hull of radius r. That is largest at one of the corners.
     pub(super) fn new<R: Real<Setup = N>>(viewport: &Viewport<R>, hull: &Hull<R>) -> Option<Self> {
-        let radius = hull.radius.to_setup();
         let (mut places, mut count) = ([(N::ZERO, N::ZERO); CORNERS], 0);
         let (mut slant, mut nearest) = (N::ZERO, N::FARTHEST);
+        let mut largest = viewport.eye().to_setup().magnitude();
         for (corner, place) in hull.corners().zip(&mut places) {
             let corner = corner.to_setup();
             *place = place_of(viewport, corner)?;
             let (depth, distance) = viewport.depth(corner);
             slant = slant.larger(distance / depth);
             nearest = nearest.smaller(depth);
+            largest = largest.larger(corner.magnitude());
             count += 1;
         }
+        // Rounding moves the hull, and hits beside it (see `Intersect::bounds`): a corner at the eye is seen
+        // anywhere.
+        let rounding = R::offset(R::from_setup(largest)).to_setup();
+        let radius = hull.radius.to_setup() + rounding + rounding;
         nearest = nearest - radius;
         if !(nearest > radius) {
             return None;
@@ -119,6 +124,30 @@ pub(super) fn place_of<N: Real<Setup = N>, R: Real<Setup = N>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::Camera;
+    use crate::math::{Fixed, Scale};
+
+    /// The stadium of a parallelogram that has a corner at the eye.
+    fn at_the_eye<R: Real>(eye: Vec3, [right, up]: [Vec3; 2]) -> Option<Stadium<R::Setup>> {
+        let target = eye + right + up;
+        let camera = Camera { eye, target, up: Vec3::new(0.3, 0.5, 0.8), vertical_fov: 1.0 };
+        let scale = Scale::ONE.enlarged(1.0 / 64.0);
+        let viewport = Viewport::new(&camera.prepare::<R>(scale).unwrap(), 20, 15);
+        // Off by a rounding toward the target.
+        let corner = scale.point::<R>(eye.to());
+        let corner = corner + (scale.point(target.to()) - corner) * R::from_f32(2e-6);
+        let [right, up] = [right, up].map(|edge| scale.point::<R>(edge.to()));
+        Stadium::new(&viewport, &Hull::edges(corner, [right, up, Vec3::ZERO]))
+    }
+
+    /// A triangle was shown or not, depending on the bands, by an eye at its corner.
+    #[test]
+    fn what_begins_at_the_eye_is_seen_anywhere() {
+        let eye = Vec3::new(-4.0, -2.0, -4.0);
+        let edges = [Vec3::new(0.0, 0.5, 0.0), Vec3::new(0.456, 0.0, -0.205)];
+        assert!(at_the_eye::<f32>(eye, edges).is_none());
+        assert!(at_the_eye::<Fixed>(eye, edges).is_none());
+    }
 
     #[test]
     fn a_slanted_line_is_narrow_between_two_heights() {
