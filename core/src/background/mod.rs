@@ -115,7 +115,7 @@ pub(crate) enum Surroundings<'m, R: Real> {
 
 impl<R: Real> PreparedBackground<'_, R> {
     /// The color that is seen along `direction`, a unit vector.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         match self {
             Self::Solid(color) => *color,
@@ -124,7 +124,7 @@ impl<R: Real> PreparedBackground<'_, R> {
     }
 
     /// The color of a background that is the same in all directions.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn solid(&self) -> Option<LinearRgb<R>> {
         match self {
             Self::Solid(color) => Some(*color),
@@ -135,7 +135,7 @@ impl<R: Real> PreparedBackground<'_, R> {
     /// A number for the part of the background that is seen along `direction`, in this color. Two directions
     /// have different numbers where interpolating between their two colors would be wrong. A solid background
     /// has the number 0.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn mark(&self, direction: Vec3<R>, color: LinearRgb<R>) -> u32 {
         match self {
             Self::Solid(_) => 0,

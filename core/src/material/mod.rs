@@ -193,14 +193,14 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
     }
 
     /// Whether mirrored or refracted rays may start at its surface.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn sends_rays(&self) -> bool {
         self.reflectance > R::ZERO || self.transmittance > R::ZERO || self.optics().is_some()
     }
 
     /// The extensions of the models of Phong and Whitted, if the material has any. Without the feature
     /// `optics` this is `None` at compile time, and the code for it is dropped.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn optics(&self) -> Option<&'m PreparedOptics<R>> {
         if cfg!(feature = "optics") { self.optics } else { None }
     }

@@ -212,7 +212,7 @@ impl<R: Real> PreparedOptics<R> {
 
     /// The share of light that is left after this distance in front of the surface or behind it. A `length`
     /// of `None` is infinite; a result of `None` means that all light is left.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn left_after(&self, in_front: bool, length: Option<R>) -> Option<Throughput<R>> {
         let absorption = if in_front { &self.outside } else { &self.absorption };
         absorption.as_ref().map(|absorption| absorption.left_after(length))

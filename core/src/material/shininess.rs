@@ -40,7 +40,7 @@ impl<R: Real> Shininess<R> {
 
     /// Whether a highlight may be visible between these unit vectors. The test is against a bound of their
     /// cosine, and may be true for an invisible highlight.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn may_be_visible(&self, mirrored: Vec3<R>, toward: Vec3<R>) -> bool {
         let (_, most) = mirrored.dot_bounds(toward);
         self.is_visible(most)

@@ -30,7 +30,7 @@ impl<R: Real> Aabb<R> {
     }
 
     /// [`union`](Self::union), inlined: for loops over many boxes.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn joined(self, other: Self) -> Self {
         let (a, b) = (self, other);
         Self {

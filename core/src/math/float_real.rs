@@ -68,7 +68,7 @@ macro_rules! impl_real_for_float {
             const FARTHEST: Self = 1e30;
             const RAY_OFFSET: Self = $offset;
 
-            #[inline(always)]
+            #[inline]
             fn abs(self) -> Self {
                 self.abs()
             }
@@ -151,12 +151,12 @@ macro_rules! impl_real_for_float {
                 $halved(self)
             }
 
-            #[inline(always)]
+            #[inline]
             fn no_larger<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
                 $no_larger(numbers, others)
             }
 
-            #[inline(always)]
+            #[inline]
             fn less<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
                 $less(numbers, others)
             }

@@ -21,7 +21,7 @@ impl<R: Real> Interval<R> {
     }
 
     /// The first of two distances, `near` and `far` in this order, that lies inside.
-    #[inline(always)]
+    #[inline]
     pub fn first(self, near: R, far: R) -> Option<R> {
         let first = if near > self.min { near } else { far };
         if first > self.min && first < self.max { Some(first) } else { None }

@@ -41,7 +41,7 @@ pub(crate) fn halved(times: f32) -> f32 {
 }
 
 /// The binary logarithm of a number above 0. Below 2⁻¹²⁶, about -126.
-#[inline(always)]
+#[inline]
 fn log2(x: f32) -> f32 {
     // x = m · 2^e, with m between the roots of 1/2 and 2.
     const ROOT_OF_HALF: u32 = 0x3F35_04F3;

@@ -20,7 +20,7 @@ impl<R: Real> Ray<R> {
     /// The point of the ray's whole line that is nearest to `place`, relative to `place`, and its distance
     /// along the ray. Numbers that a shape computes from this point are of the size of the shape, however far
     /// away the ray begins.
-    #[inline(always)]
+    #[inline]
     pub fn nearest_to(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let advance = (place - self.origin).dot(self.direction);
         (self.at(advance) - place, advance)
@@ -28,7 +28,7 @@ impl<R: Real> Ray<R> {
 
     /// [`nearest_to`](Self::nearest_to) with a second step, which removes the rounding error of the first
     /// where a ray begins far away. For shapes that square small distances.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn nearest_to_twice(&self, place: Vec3<R>) -> (Vec3<R>, R) {
         let (from_place, advance) = self.nearest_to(place);
         let rest = -from_place.dot(self.direction);
@@ -46,13 +46,13 @@ impl<R: Real> Ray<R> {
     }
 
     /// `true` if a ray leaves a surface to the side of the normal.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn is_outward(normal: Vec3<R>, direction: Vec3<R>) -> bool {
         !(normal.dot(direction) < R::ZERO)
     }
 
     /// [`spawn`](Self::spawn) for a known side: `outward` is the side of the normal.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn spawn_to(
         outward: bool,
         point: Vec3<R>,

@@ -86,7 +86,7 @@ pub trait Real: Kernel {
     }
 
     /// The unit vector along a vector. If the vector's length is 0, the unit vector has no meaning.
-    #[inline(always)]
+    #[inline]
     fn unit(vector: [Self; 3]) -> [Self; 3] {
         Self::unit_and_length(vector).0
     }
@@ -178,13 +178,13 @@ pub trait Kernel:
 
     /// An amount of light times a share of 0 to 1. The share may be cut to 16 bits: a display shows fewer
     /// levels.
-    #[inline(always)]
+    #[inline]
     fn attenuated(self, share: Self) -> Self {
         self * share
     }
 
     /// The squared length of a vector, not yet rounded.
-    #[inline(always)]
+    #[inline]
     fn length_squared_wide(vector: [Self; 3]) -> Self::Product
     where
         Self: Real,
@@ -193,7 +193,7 @@ pub trait Kernel:
     }
 
     /// A unit vector times [`offset`](Real::offset) of `magnitude`, or the opposite vector if not `outward`.
-    #[inline(always)]
+    #[inline]
     fn offset_along(unit: [Self; 3], magnitude: Self, outward: bool) -> [Self; 3]
     where
         Self: Real,
@@ -204,7 +204,7 @@ pub trait Kernel:
 
     /// The sum of three products, where the first vector often lies along an axis, as the normals of floors
     /// and walls do.
-    #[inline(always)]
+    #[inline]
     fn dot3_sparse(sparse: [Self; 3], other: [Self; 3]) -> Self
     where
         Self: Real,
@@ -214,7 +214,7 @@ pub trait Kernel:
 
     /// A lower and an upper bound of the scalar product of two unit vectors: 2⁻¹² apart where products are
     /// slow, else both the exact product. If a bound decides a comparison, the exact product is not needed.
-    #[inline(always)]
+    #[inline]
     fn dot3_bounds(a: [Self; 3], b: [Self; 3]) -> (Self, Self)
     where
         Self: Real,
@@ -225,7 +225,7 @@ pub trait Kernel:
 
     /// `true` if a test that is faster than an intersection shows that a ray misses a ball; `false` proves
     /// nothing.
-    #[inline(always)]
+    #[inline]
     fn misses_ball(_ray: &Ray<Self>, _center: Vec3<Self>, _radius: Self) -> bool {
         false
     }
@@ -233,7 +233,7 @@ pub trait Kernel:
     /// From the way from a point to a light: the unit vector, the length, and the cosine of the angle with a
     /// unit normal; `None` if the light is not above the surface. The direction may have fewer digits than
     /// others, see [`toward_light_error`](Self::toward_light_error).
-    #[inline(always)]
+    #[inline]
     fn toward_light(way: [Self; 3], normal: [Self; 3]) -> Option<([Self; 3], Self, Self)>
     where
         Self: Real,
@@ -259,13 +259,13 @@ pub trait Kernel:
     }
 
     /// Which of some numbers are no larger than as many others, up to 32: a bit for each.
-    #[inline(always)]
+    #[inline]
     fn no_larger<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
         float::no_larger(numbers, others)
     }
 
     /// Which of some numbers are less than as many others, up to 32: a bit for each.
-    #[inline(always)]
+    #[inline]
     fn less<const N: usize>(numbers: &[Self; N], others: &[Self; N]) -> u32 {
         float::less(numbers, others)
     }

@@ -33,14 +33,14 @@ impl<R: Real> Rotation<R> {
     }
 
     /// The vector, turned.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn turn(&self, vector: Vec3<R>) -> Vec3<R> {
         let [x, y, z] = self.rows;
         Vec3::new(x.dot(vector), y.dot(vector), z.dot(vector))
     }
 
     /// The vector, turned by the opposite rotation.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn back(&self, vector: Vec3<R>) -> Vec3<R> {
         let [x, y, z] = self.rows;
         let column = |a: R, b: R, c: R| Vec3::new(a, b, c).dot(vector);

@@ -42,13 +42,13 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The scalar product of a vector that often lies along an axis, as the normals of floors and walls do.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn dot_sparse(self, other: Self) -> R {
         R::dot3_sparse([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
 
     /// A lower and an upper bound of the scalar product of two unit vectors, see [`Kernel::dot3_bounds`].
-    #[inline(always)]
+    #[inline]
     pub(crate) fn dot_bounds(self, other: Self) -> (R, R) {
         R::dot3_bounds([self.x, self.y, self.z], [other.x, other.y, other.z])
     }
@@ -90,7 +90,7 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The unit vector of the same direction. If the length is 0, it has no meaning.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn unit(self) -> Self {
         let [x, y, z] = R::unit([self.x, self.y, self.z]);
         Self::new(x, y, z)
@@ -130,7 +130,7 @@ impl<R: Real> Vec3<R> {
     }
 
     /// `true` if a ray may begin at this point: in fixed point the range of numbers is small.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn is_in_reach(self) -> bool {
         !R::IS_FIXED_POINT || self.magnitude() < R::FARTHEST
     }

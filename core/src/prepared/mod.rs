@@ -78,13 +78,13 @@ impl<R: Real> Hit<R> {
     };
 
     /// The side of the surface to which a ray of this direction leaves it.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn departure(&self, direction: Vec3<R>) -> Departure {
         Departure { object: self.object, outward: Ray::is_outward(self.surface.normal, direction) }
     }
 
     /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
         let Surface { point, normal, magnitude, .. } = self.surface;
         Ray::spawn_to(from.outward, point, normal, direction, magnitude)
@@ -189,7 +189,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// The ambient light, where it is not white.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn ambient(&self) -> Option<LinearRgb<R>> {
         if cfg!(feature = "optics") { self.ambient } else { None }
     }
@@ -200,13 +200,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses
     /// them.
-    #[inline(always)]
+    #[inline]
     fn candidates(&self) -> Option<&Candidates<'m, R>> {
         if cfg!(feature = "candidates") { self.candidates.as_ref() } else { None }
     }
 
     /// The hierarchy. Without the feature there is none, and the compiler drops the code that uses it.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn hierarchy(&self) -> Option<&Hierarchy<'m, R, WIDE>> {
         if cfg!(feature = "hierarchy") { self.hierarchy.as_ref() } else { None }
     }

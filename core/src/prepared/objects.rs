@@ -35,7 +35,7 @@ pub(crate) enum Enclosure<R> {
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The material of an object.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn material(&self, object: usize) -> Option<&'m PreparedMaterial<'m, R>> {
         self.objects.get(object).map(|object| object.material)
     }
@@ -49,7 +49,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The throughput of a ray after a `length`; `None` stands for a ray to the background. The material of
     /// the surface that the ray left absorbs light on either side, and may let reflections fade with
     /// distance.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn dimmed(
         &self,
         throughput: Throughput<R>,

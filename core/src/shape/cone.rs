@@ -173,7 +173,7 @@ struct Passage<R: Real> {
 impl<R: Real> Passage<R> {
     /// The two places at which the line meets the cone, if the discriminant is positive. If the line is
     /// parallel to a line of the cone, it meets the cone once, and both results are that place.
-    #[inline(always)]
+    #[inline]
     fn roots(&self) -> (R, R) {
         let root = self.discriminant.sqrt();
         let q = if self.b > R::ZERO { -self.b - root } else { root - self.b };
@@ -206,14 +206,14 @@ impl<R: Real> Passage<R> {
 
 /// Whether a line meets the cone twice, by the first coefficient of the quadratic equation: it does unless it
 /// is parallel to a line of the cone.
-#[inline(always)]
+#[inline]
 fn is_met_twice<R: Real>(a: R) -> bool {
     a.abs() > R::RAY_OFFSET * R::RAY_OFFSET
 }
 
 /// α and β: `sine` and `other`, both divided by `larger`, which is the larger of their absolute values; 0 if
 /// that is 0.
-#[inline(always)]
+#[inline]
 fn shares<R: Real>(sine: R, other: R, larger: R) -> (R, R) {
     if sine < larger {
         (sine / larger, if other < R::ZERO { -R::ONE } else { R::ONE })
@@ -230,7 +230,7 @@ impl<R: Real> PreparedCone<R> {
     ///
     /// Before the first is squared, its error is at most 2⁻²¹ of the distance from the base. This is less
     /// than the room for rounding in the reach, or less than the root of `doubt`.
-    #[inline(always)]
+    #[inline]
     fn passing(&self, ray: &Ray<R>) -> (R, R) {
         let to_base = self.base - ray.origin;
         let across = ray.direction.cross(self.axis);
@@ -240,7 +240,7 @@ impl<R: Real> PreparedCone<R> {
     }
 
     /// The point of the ray where a passage begins. `None` where the ray passes by.
-    #[inline(always)]
+    #[inline]
     fn approach(&self, ray: &Ray<R>) -> Option<Approach<R>> {
         if !R::IS_FIXED_POINT {
             let (distance, reach) = self.passing(ray);
@@ -289,7 +289,7 @@ impl<R: Real> PreparedCone<R> {
     }
 
     /// `None` where the ray passes by.
-    #[inline(always)]
+    #[inline]
     fn passage(&self, ray: &Ray<R>) -> Option<Passage<R>> {
         let Approach { from_base, advance, climb, across, sine } = self.approach(ray)?;
         let height = from_base.dot(self.axis);
@@ -314,7 +314,7 @@ impl<R: Real> PreparedCone<R> {
     }
 
     /// As [`approach`](Self::approach), in floating point; `None` where all four pass by.
-    #[inline(always)]
+    #[inline]
     #[allow(clippy::indexing_slicing)] // By places of four.
     fn approach_four(&self, rays: &FourRays<R>) -> Option<FourApproaches<R>> {
         let passing = each(|i| self.passing(&rays.ray(i)));
@@ -351,7 +351,7 @@ impl<R: Real> PreparedCone<R> {
     }
 
     /// No hit is farther than this from the point where a passage begins.
-    #[inline(always)]
+    #[inline]
     fn farthest(&self) -> R {
         self.size + self.size
     }

@@ -158,7 +158,7 @@ pub trait Intersect<R: Real> {
     /// distance of a ray that misses is arbitrary. Only processors that compute four floating-point numbers
     /// at once call it. By default the rays are tested one by one: write it for a shape that takes much of
     /// the time.
-    #[inline(always)]
+    #[inline]
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         rays.one_by_one(max, |ray, range| self.intersect(ray, range))
     }

@@ -47,7 +47,7 @@ impl<R: Real> Patch<R> {
     }
 
     /// The distance at which a ray meets the part of the plane whose two coordinates are `inside`.
-    #[inline(always)]
+    #[inline]
     pub(super) fn meet(
         &self,
         ray: &Ray<R>,
@@ -62,7 +62,7 @@ impl<R: Real> Patch<R> {
 
     /// [`meet`](Self::meet) for four rays: a bit for each ray that meets the plane nearer than its `max`, the
     /// four distances, and both coordinates of the four hits.
-    #[inline(always)]
+    #[inline]
     #[allow(clippy::indexing_slicing)] // All indices are below 4.
     pub(super) fn meet_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4], [R; 4], [R; 4]) {
         let PreparedPlane { normal, distance } = self.plane;

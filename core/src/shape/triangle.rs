@@ -89,7 +89,7 @@ impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
         self.patch.meet(ray, range, inside)
     }
 
-    #[inline(always)]
+    #[inline]
     #[allow(clippy::indexing_slicing)] // All indices are below 4.
     fn intersect_four(&self, rays: &FourRays<R>, max: &[R; 4]) -> (u32, [R; 4]) {
         let (met, t, b, c) = self.patch.meet_four(rays, max);

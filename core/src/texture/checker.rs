@@ -59,13 +59,13 @@ pub(crate) struct PreparedChecker<R: Real> {
 }
 
 impl<R: Real> PreparedChecker<R> {
-    #[inline(always)]
+    #[inline]
     fn cells(&self, point: Vec3<R>) -> [i32; 3] {
         let [x, y, z] = self.cells_per_unit;
         [point.x.cell(x), point.y.cell(y), point.z.cell(z)]
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn color(&self, point: Vec3<R>) -> LinearRgb<R> {
         let [x, y, z] = self.cells(point);
         if (x ^ y ^ z) & 1 == 0 { self.even } else { self.odd }

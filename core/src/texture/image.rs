@@ -131,7 +131,7 @@ impl<R: Real> PreparedImage<'_, R> {
     }
 
     /// The column and the line, counted from below, of a position from 0 to 1.
-    #[inline(always)]
+    #[inline]
     fn cells(&self, x: R, y: R) -> (LatticeCoordinate<R>, LatticeCoordinate<R>) {
         let place = Vec3::new(x, y, R::ZERO);
         (self.column.split_at(place), self.line.split_at(place))

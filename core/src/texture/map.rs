@@ -170,7 +170,7 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         &[]
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.all().is_empty()
     }

@@ -162,7 +162,7 @@ impl<R: Real> PreparedTexture<'_, R> {
 
     /// The color at the point where a ray hit a surface. `uv` computes its texture coordinates and is called
     /// only by textures that use them.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn color(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
         match self {
             Self::Solid(color) => *color,

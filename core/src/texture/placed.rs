@@ -52,7 +52,7 @@ impl<'m, T> Needing<'m, T> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn get(&self) -> &'m T {
         #[cfg(feature = "textures")]
         return self.reference;
@@ -162,7 +162,7 @@ enum PreparedFigure<'m, R: Real> {
 
 impl<R: Real> PreparedPlaced<'_, R> {
     /// The color at a point of the surface.
-    #[inline(always)]
+    #[inline]
     pub(super) fn color(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
         self.figure.color(self.placement.coordinates(self.placement.place(point, uv)))
     }

@@ -120,7 +120,7 @@ pub(super) struct PreparedPlacement<R: Real> {
 
 impl<R: Real> PreparedPlacement<R> {
     /// The point of the scene, or u and v, at which the pattern is evaluated.
-    #[inline(always)]
+    #[inline]
     pub(super) fn place(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Vec3<R> {
         match self.space {
             Space::Scene => point,

@@ -68,7 +68,7 @@ const fn sqrt(x: f64) -> f64 {
 }
 
 /// The value of a line at `x`, whose upper seven bits are the number of the piece.
-#[inline(always)]
+#[inline]
 pub(super) fn at(line: Line, x: u32) -> u32 {
     // The word still holds the fall below the value: that adds less than a unit.
     let along = x >> 9 & 0xFFFF;
@@ -101,7 +101,7 @@ pub(super) struct Root {
 impl Root {
     /// The coordinate of a unit vector, from that of a vector of this length, in units of 2⁻²⁴. `product`
     /// gives a product exactly.
-    #[inline(always)]
+    #[inline]
     pub(super) fn unit_coordinate(self, coordinate: i32, product: impl FnOnce(i32, i32) -> i64) -> i32 {
         // The coordinate is shifted up as far as it fits before it is scaled, and rounded afterwards.
         let upper = (product(coordinate << self.up, self.inverse as i32) >> 32) as i32;

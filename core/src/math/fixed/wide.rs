@@ -14,23 +14,23 @@ use crate::math::real::Product;
 pub struct FixedProduct(i64);
 
 impl FixedProduct {
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(bits: i64) -> Self {
         Self(bits)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn bits(self) -> i64 {
         self.0
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn dot3(a: [Fixed; 3], b: [Fixed; 3]) -> Self {
         Self(arch::dot3_wide(a.map(Fixed::to_bits), b.map(Fixed::to_bits)))
     }
 
     /// The sum of three squares.
-    #[inline(always)]
+    #[inline]
     pub(super) fn length_squared(vector: [Fixed; 3]) -> Self {
         Self(arch::length_squared(vector.map(Fixed::to_bits)))
     }
@@ -50,7 +50,7 @@ impl FixedProduct {
 
 impl Add for FixedProduct {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self(self.0.wrapping_add(other.0))
     }
@@ -58,7 +58,7 @@ impl Add for FixedProduct {
 
 impl Sub for FixedProduct {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self(self.0.wrapping_sub(other.0))
     }

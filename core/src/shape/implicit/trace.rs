@@ -58,7 +58,7 @@ impl<R: Real> TracedLine<R> {
 
     /// The first distance along the ray, inside `range` and in the box, at which a function changes its sign.
     /// `look` returns its value at a place along the line, and a distance within which it keeps its sign.
-    #[inline(always)]
+    #[inline]
     pub(super) fn first_crossing(
         &self,
         half: Vec3<R>,

@@ -53,7 +53,7 @@ pub(super) struct Meeting<R> {
 }
 
 impl<R: Real> MeshRay<R> {
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(ray: &Ray<R>) -> Self {
         let Ray { origin, direction: d } = *ray;
         let (x, y, z) = (d.x.abs(), d.y.abs(), d.z.abs());
@@ -77,7 +77,7 @@ impl<R: Real> MeshRay<R> {
     }
 
     /// The hit of the ray's whole line, if it meets a triangle. A triangle that is seen edge-on is not met.
-    #[inline(always)]
+    #[inline]
     pub(super) fn meet(&self, corners: [Vec3<R>; 3]) -> Option<Meeting<R>> {
         let seen = corners.map(|corner| corner - self.origin);
         let [u, v] = self.across;

@@ -13,7 +13,7 @@ const OFF: i32 = 27 << DIGITS;
 
 /// A lower and an upper bound of the scalar product of two unit vectors, in units of 2⁻²⁴, from 15 digits of
 /// each coordinate.
-#[inline(always)]
+#[inline]
 pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
     let digits = |number: i32| number >> 9;
     let ([ax, ay, az], [bx, by, bz]) = (a.map(digits), b.map(digits));
@@ -26,7 +26,7 @@ pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
 
 /// `true` if a ray surely misses a ball: its origin is given as seen from the middle of the ball, its
 /// direction is a unit vector. Sees no miss from an origin with a coordinate of 1 or more.
-#[inline(always)]
+#[inline]
 pub(crate) fn misses_ball(from_center: [i32; 3], direction: [i32; 3], radius: i32) -> bool {
     let [x, y, z] = from_center.map(|number| number ^ number >> 31);
     if (x | y | z) >> 24 != 0 {

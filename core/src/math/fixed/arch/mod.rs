@@ -56,7 +56,7 @@ pub(super) const LOW_COSINE: i32 = 1 << 13;
 /// The 16 bits of a share below 2 that [`attenuated`] uses: those from 1 to 2⁻¹⁵. A display shows so few
 /// levels that light is off by 1/128 of a step of 255 at most, and ARMv6-M takes two products of 16 bits in
 /// place of four.
-#[inline(always)]
+#[inline]
 fn share_digits(share: i32) -> i32 {
     share >> 9 & 0xFFFF
 }

@@ -3,52 +3,52 @@
 use super::share_digits;
 use crate::math::fixed::newton::{self, RECIPROCAL_ROOTS, Root};
 
-#[inline(always)]
+#[inline]
 pub(crate) fn product(a: i32, b: i32) -> i64 {
     i64::from(a).wrapping_mul(i64::from(b))
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn unsigned_product(a: u32, b: u32) -> u64 {
     u64::from(a).wrapping_mul(u64::from(b))
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn scaled_product(a: i32, b: i32) -> i32 {
     (product(a, b) >> 24) as i32
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
     (unsigned_product(a, b) >> 32) as u32
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn attenuated(light: i32, share: i32) -> i32 {
     (product(light, share_digits(share)) >> 15) as i32
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn dot3(a: [i32; 3], b: [i32; 3]) -> i32 {
     (dot3_wide(a, b) >> 24) as i32
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn dot3_wide([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> i64 {
     product(ax, bx).wrapping_add(product(ay, by)).wrapping_add(product(az, bz))
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn length_squared(vector: [i32; 3]) -> i64 {
     dot3_wide(vector, vector)
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn leading_zeros(bits: u32) -> u32 {
     bits.leading_zeros()
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn shifted(bits: i64, down: u32) -> i32 {
     let bits = bits >> (down & 63);
     let low = bits as i32;
@@ -61,12 +61,12 @@ pub(crate) fn shifted(bits: i64, down: u32) -> i32 {
     }
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn reciprocal(x: u32) -> u32 {
     newton::reciprocal(x, upper_product)
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn inverse(number: i32) -> (u32, i32) {
     let digits = number.unsigned_abs();
     let zeros = digits.leading_zeros() & 31;
@@ -74,7 +74,7 @@ pub(crate) fn inverse(number: i32) -> (u32, i32) {
 }
 
 /// 1/√x in units of 2⁻¹⁵ by the line alone, for x from 2³⁰ up in units of 2⁻³².
-#[inline(always)]
+#[inline]
 #[allow(clippy::indexing_slicing)] // There are 128 pieces.
 fn line_of_reciprocal_root(x: u32) -> u32 {
     newton::at(RECIPROCAL_ROOTS[(x >> 25) as usize], x)
@@ -91,7 +91,7 @@ fn reciprocal_root(x: u32) -> u32 {
 }
 
 /// The square root by the line and a step of Heron's method.
-#[inline(always)]
+#[inline]
 pub(crate) fn square_root(squared: u64) -> u32 {
     let (zeros, x) = even_zeros(squared);
     let y = line_of_reciprocal_root(x);
@@ -102,7 +102,7 @@ pub(crate) fn square_root(squared: u64) -> u32 {
     (root << 15).wrapping_add(correction as u32) >> shift_of_root(zeros)
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn root(squared: u64) -> Root {
     let (zeros, digits) = even_zeros(squared);
     let inverse = reciprocal_root(digits);
@@ -110,7 +110,7 @@ pub(crate) fn root(squared: u64) -> Root {
     Root { length: (upper_product(digits, inverse) << 1) >> up, inverse, up }
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn unit(vector: [i32; 3]) -> [i32; 3] {
     let root = root(length_squared(vector) as u64);
     vector.map(|coordinate| root.unit_coordinate(coordinate, product))
@@ -119,7 +119,7 @@ pub(crate) fn unit(vector: [i32; 3]) -> [i32; 3] {
 /// The leading zeros of a number, rounded down to an even number up to 62, and the 32 digits after them.
 ///
 /// With the digits in units of 2⁻³², a number that is not 0 is digits · 2⁶⁴⁻ᶻᵉʳᵒˢ with digits in [1/4, 1).
-#[inline(always)]
+#[inline]
 fn even_zeros(bits: u64) -> (u32, u32) {
     // A word at a time: processors of 32 bits take 10 instructions so, in place of 14. The lowest bit is set
     // so that 0 has 30 zeros; it changes no other result.
@@ -135,7 +135,7 @@ fn even_zeros(bits: u64) -> (u32, u32) {
 }
 
 /// How far a root is shifted down, from the leading zeros of the number.
-#[inline(always)]
+#[inline]
 fn shift_of_root(zeros: u32) -> u32 {
     zeros.saturating_sub(1) >> 1 & 31
 }
@@ -143,7 +143,7 @@ fn shift_of_root(zeros: u32) -> u32 {
 // On every processor: the direction has 15 digits of each coordinate of the way, which moves shadows by a
 // small part of a pixel. It is divided by the exact length of those digits: it must be as long as any unit
 // vector, or rays would meet the surface that they leave.
-#[inline(always)]
+#[inline]
 pub(crate) fn toward_light(way: [i32; 3], normal: [i32; 3]) -> Option<([i32; 3], i32, i32)> {
     // Lights behind a surface are frequent: find them first.
     let (wide, [nx, ny, nz]) = (way.map(i64::from), normal.map(|number| i64::from(number >> 10)));
@@ -170,19 +170,19 @@ pub(crate) fn toward_light(way: [i32; 3], normal: [i32; 3]) -> Option<([i32; 3],
     Some((unit, length as i32, cosine as i32))
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn dot3_sparse(sparse: [i32; 3], other: [i32; 3]) -> i32 {
     dot3(sparse, other)
 }
 
-#[inline(always)]
+#[inline]
 pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
     let product = dot3(a, b);
     (product, product)
 }
 
 // Products are fast: to intersect the ball takes no longer.
-#[inline(always)]
+#[inline]
 pub(crate) fn misses_ball(_from_center: [i32; 3], _direction: [i32; 3], _radius: i32) -> bool {
     false
 }
