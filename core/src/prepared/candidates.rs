@@ -231,7 +231,8 @@ impl<'m, R: Real> Candidates<'m, R> {
     }
 
     /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
-    /// [`between`](Self::between), [`shadow_ray_deviation`](Self::shadow_ray_deviation) and [`not_passed_by`](Self::not_passed_by).
+    /// [`between`](Self::between), [`shadow_ray_deviation`](Self::shadow_ray_deviation) and
+    /// [`not_passed_by`](Self::not_passed_by).
     #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
