@@ -216,6 +216,8 @@ pub enum Fault {
 }
 
 impl fmt::Display for Fault {
+    // A table of messages.
+    #[allow(clippy::too_many_lines)]
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NotFinite => "a number is NaN or infinite; replace it",

@@ -89,6 +89,8 @@
 //! stack. [`Scene::features`] lists those that a scene needs.
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
+// The limit is in clippy.toml.
+#![cfg_attr(not(test), warn(clippy::too_many_lines))]
 
 mod arena;
 mod background;

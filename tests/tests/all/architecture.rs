@@ -79,3 +79,50 @@ fn one_door_for_each_external_crate() {
         }
     }
 }
+
+/// The names of types that have more generic parameters than five, lifetimes included.
+fn crowded_types(text: &str) -> Vec<String> {
+    let mut crowded = Vec::new();
+    for line in text.lines().map(|line| line.trim_start().trim_start_matches("pub ")) {
+        let line = line.strip_prefix("pub(").and_then(|rest| rest.split_once(") ")).map_or(line, |(_, l)| l);
+        let is_type = ["struct ", "enum ", "trait ", "type "].iter().any(|word| line.starts_with(word));
+        let Some((name, rest)) = line.split_once('<').filter(|_| is_type) else { continue };
+        let (mut depth, mut parameters) = (1, 1);
+        for letter in rest.chars().take_while(|_| depth > 0) {
+            match letter {
+                '<' => depth += 1,
+                '>' => depth -= 1,
+                ',' if depth == 1 => parameters += 1,
+                _ => {}
+            }
+        }
+        if parameters > 5 {
+            crowded.push(name.to_owned());
+        }
+    }
+    crowded
+}
+
+#[test]
+fn no_type_has_more_than_five_generic_parameters() {
+    for file in files(&core()) {
+        let text = std::fs::read_to_string(&file).expect("a file");
+        assert_eq!(crowded_types(&text), <[String; 0]>::default(), "{}", file.display());
+    }
+    // The search itself finds such types.
+    let twin =
+        "pub(super) struct Many<'a, 'b, R: Real<A, B>, S, C, P> {\nstruct Five<'a, 'b, R, S: T<U, V>, C> {";
+    assert_eq!(crowded_types(twin), ["struct Many"]);
+}
+
+/// The functions of the core whose inlining is forced: the number may fall.
+const MOST_FORCED: usize = 159;
+
+/// The compiler decides about inlining, but for a few functions that a measurement names.
+#[test]
+fn inlining_is_seldom_forced() {
+    let lines = files(&core()).into_iter().map(|file| std::fs::read_to_string(file).expect("a file"));
+    let forced = |line: &&str| line.contains("inline(always)") || line.contains("inline(never)");
+    let forced: usize = lines.map(|text| text.lines().filter(forced).count()).sum();
+    assert!((1..=MOST_FORCED).contains(&forced), "{forced} functions");
+}
