@@ -80,8 +80,8 @@
 //! - The same scene and settings give the same bytes on every processor, unless the feature `micromath` is
 //!   on.
 //! - Once scene, settings and buffers are accepted, only the display can fail.
-//! - A pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
-//!   ([`RayCounts`]).
+//! - A trace of a pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
+//!   ([`RayCounts`]). Realtime quality traces some pixels twice.
 //!
 //! # Features
 //!

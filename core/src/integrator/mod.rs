@@ -74,7 +74,7 @@ impl RayBudget {
     }
 }
 
-/// All that the rays of one pixel have in common.
+/// All that the rays of one sample have in common.
 struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     scene: &'t PreparedScene<'m, R, S>,
     limits: RayLimits<R>,

@@ -1,4 +1,4 @@
-//! The rays of one pixel, one after the other.
+//! The rays of one sample, one after the other.
 
 use heapless::Vec;
 

@@ -146,7 +146,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The scene without candidates and hierarchy: its pictures have the same bytes and take longer. For
+    /// The scene without candidates and hierarchy: exact pictures have the same bytes and take longer. For
     /// measurements of acceleration, and for tests that it changes nothing.
     pub fn without_acceleration(self) -> Self {
         Self { candidates: None, hierarchy: None, ..self }

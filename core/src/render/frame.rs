@@ -16,7 +16,8 @@ use crate::shape::Geometry;
 ///
 /// # Guarantees
 /// [`step`](Self::step) performs a bounded amount of work. A picture that is drawn in steps, in any order
-/// of lines, has the same bytes as one that is drawn at once.
+/// of lines, has the same bytes as one that is drawn at once, unless a budget of rays makes realtime quality
+/// coarser.
 #[derive(Debug)]
 pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> {
     renderer: &'r Renderer<'r, 'm, R, S>,
@@ -88,8 +89,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
     ///
     /// A step spends less than `budget_rays` plus
     /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel) for each pixel of the last piece of
-    /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a square
-    /// of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines. In realtime quality it is a cell with its
+    /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a group
+    /// of as many pixels as a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines has. In realtime quality it is a cell with its
     /// sides, and each pixel counts twice, because some are traced once more without lights.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Lines in groups: squares of neighboring pixels that are traced side by side.
+//! Lines in groups: squares of neighboring pixels that are traced side by side, or rows if one line is lent.
 //!
 //! The rays of a square lie closer together than the rays of a row, so several lines at once take less time
 //! than the same lines one by one.

@@ -34,7 +34,7 @@ use crate::shape::Geometry;
 use lane::take_run;
 use ways::{BEAM_LIGHTS, Ways};
 
-/// The most pixels in a group: a square, and a multiple of four.
+/// The most pixels in a group: those of a square, and a multiple of four.
 pub(crate) const WIDTH: usize = LINES_AT_ONCE * LINES_AT_ONCE;
 /// The most objects that a beam lists.
 const MOST_LISTED: usize = 24;

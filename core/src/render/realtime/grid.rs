@@ -1,6 +1,7 @@
-//! The grid of pixels that are always traced.
+//! The grid of pixels that are traced first.
 
-/// The distance of the pixels that are always traced.
+/// The distance of the pixels that are traced first: all but those around which no object can be seen, and
+/// those that a budget leaves out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grid {
     /// Every second pixel of every second line.

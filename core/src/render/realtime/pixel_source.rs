@@ -11,7 +11,7 @@ pub(super) trait PixelSource {
     fn trace_tone(&mut self, x: usize, y: usize) -> Sample;
 
     /// The pixel between `a` and `b`, which are `distance` pixels apart: traced, or a copy of the one of the
-    /// two that meets the same objects under the same lights.
+    /// two that has the same path digest, and so most likely meets the same objects.
     fn trace_between(&mut self, point: (usize, usize), a: Sample, b: Sample, distance: usize) -> Sample;
 
     /// Whether two pixels at this distance differ so much that something may lie between them.

@@ -4,7 +4,7 @@ use super::grid::Grid;
 
 /// How much realtime quality may differ from the exact picture.
 ///
-/// Every fourth or eighth pixel of every fourth or eighth line is traced. The pixels between two neighbors
+/// Every second, fourth or eighth pixel of as many lines is traced ([`Grid`]). The pixels between two neighbors
 /// are interpolated if both neighbors saw the same things in a similar color, and traced if not. A thing that
 /// lies between the traced pixels and is seen by none of them can be lost, in one frame and not in the next.
 /// Small things are searched for before the first ray, but these can still be lost:
@@ -46,7 +46,7 @@ use super::grid::Grid;
 /// | 64×48 | 991 | 1,310 | 1,182 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realtime {
-    /// The distance of the pixels that are always traced.
+    /// The distance of the pixels that are traced first.
     pub grid: Grid,
     /// The largest difference in color between two traced neighbors that is interpolated, in any channel and
     /// in units of 1/65536 of what the display can show.

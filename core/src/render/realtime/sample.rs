@@ -14,7 +14,7 @@ pub struct Sample {
 
 /// Flag: the pixel was traced, not interpolated.
 const TRACED: u32 = 1 << 31;
-/// Flag: a small highlight is near, which interpolation could lose.
+/// Flag: something is near that interpolation could lose: a small highlight, a tip, or a low shadow.
 const GLINT: u32 = 1 << 30;
 /// Bits of the [`PathDigest`]: 7 bits that are never all 0.
 const PATH: u32 = ((1 << 7) - 1) << 16;
@@ -91,7 +91,7 @@ impl Sample {
         self.rest & TRACED != 0
     }
 
-    /// The digest of the objects that its rays met.
+    /// The digest of what its rays met: objects, their parts and checks, and the background.
     pub(super) fn path(self) -> PathDigest {
         PathDigest(self.rest & PATH)
     }
