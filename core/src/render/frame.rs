@@ -89,9 +89,10 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
     ///
     /// A step spends less than `budget_rays` plus
     /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel) for each pixel of the last piece of
-    /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a group
-    /// of as many pixels as a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines has. In realtime quality it is a cell with its
-    /// sides, and each pixel counts twice, because some are traced once more without lights.
+    /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a group of
+    /// as many pixels as a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines has. In realtime
+    /// quality it is a cell with its sides, and each pixel counts twice, because some are traced once more
+    /// without lights.
     ///
     /// # Errors
     /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next

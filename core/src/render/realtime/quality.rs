@@ -4,10 +4,10 @@ use super::grid::Grid;
 
 /// How much realtime quality may differ from the exact picture.
 ///
-/// Every second, fourth or eighth pixel of as many lines is traced ([`Grid`]). The pixels between two neighbors
-/// are interpolated if both neighbors saw the same things in a similar color, and traced if not. A thing that
-/// lies between the traced pixels and is seen by none of them can be lost, in one frame and not in the next.
-/// Small things are searched for before the first ray, but these can still be lost:
+/// Every second, fourth or eighth pixel of as many lines is traced ([`Grid`]). The pixels between two
+/// neighbors are interpolated if both neighbors saw the same things in a similar color, and traced if not. A
+/// thing that lies between the traced pixels and is seen by none of them can be lost, in one frame and not in
+/// the next. Small things are searched for before the first ray, but these can still be lost:
 /// - **Thin parts of a larger object.** Objects that are thin as a whole are traced in full, and so are thin
 ///   parts of tori, rings, instances and compound objects. Thin parts of meshes are searched for and
 ///   followed: of slats one pixel wide, a tenth is lost. More is lost of their mirror images, and of meshes

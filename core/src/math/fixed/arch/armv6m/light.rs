@@ -16,8 +16,8 @@ macro_rules! scale {
     };
 }
 
-/// The height of the light above the surface in `r7`, from the way in `r0` to `r2` and 15 digits of the normal
-/// in `r3` to `r5`. Overwrites `r3` to `r6`.
+/// The height of the light above the surface in `r7`, from the way in `r0` to `r2` and 15 digits of the
+/// normal in `r3` to `r5`. Overwrites `r3` to `r6`.
 macro_rules! height_above {
     () => {
         concat!(
