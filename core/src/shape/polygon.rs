@@ -121,9 +121,12 @@ impl Geometry for Polygon<'_> {
             let slope = if next_v == v { R::ZERO } else { (next_u - u) / (next_v - v) };
             Vec3::new(u, v, slope)
         })?;
-        let sides = |vertex: &Vec3| (vertex.to::<R::Setup>() - first.to()).magnitude();
-        let extent = vertices.iter().map(sides).fold(R::Setup::ZERO, R::Setup::larger);
-        check_size(scale.length::<R>(extent))?;
+        // In floating point no size is too small for a polygon that has an area.
+        if R::IS_FIXED_POINT {
+            let sides = |vertex: &Vec3| (vertex.to::<R::Setup>() - first.to()).magnitude();
+            let extent = vertices.iter().map(sides).fold(R::Setup::ZERO, R::Setup::larger);
+            check_size(scale.length::<R>(extent))?;
+        }
         let plane = PreparedPlane::new(normal, normal.dot(first.to()), scale);
         Ok(PreparedPolygon { plane, dropped, edges, rectangle: rectangle(edges) })
     }

@@ -88,8 +88,9 @@ fn crowded_types(text: &str) -> Vec<String> {
         let is_type = ["struct ", "enum ", "trait ", "type "].iter().any(|word| line.starts_with(word));
         let Some((name, rest)) = line.split_once('<').filter(|_| is_type) else { continue };
         let (mut depth, mut parameters) = (1, 1);
-        for letter in rest.chars().take_while(|_| depth > 0) {
+        for letter in rest.chars() {
             match letter {
+                '>' if depth == 1 => break,
                 '<' => depth += 1,
                 '>' => depth -= 1,
                 ',' if depth == 1 => parameters += 1,
