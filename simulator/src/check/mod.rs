@@ -237,10 +237,10 @@ mod tests {
         }
     }
 
-    /// Earlier estimates left out the 12 KB of the hierarchy.
+    /// Earlier estimates left out the 14 KB of the hierarchy.
     #[test]
     fn estimated_flash_includes_the_hierarchy() {
-        for (scene, measured) in [(&FLAKE_10, 32348.0), (&FLAKE, 47164.0), (&FLAKE_820, 64680.0)] {
+        for (scene, measured) in [(&FLAKE_10, 32616.0), (&FLAKE, 48664.0), (&FLAKE_820, 66180.0)] {
             let estimated = demand(scene, "nrf52840dk").flash as f64;
             // Large scenes take more bytes in a program than in a file.
             assert!((estimated / measured - 1.0).abs() < 0.07, "{estimated}, {measured}");
