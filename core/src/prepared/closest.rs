@@ -14,14 +14,13 @@ pub(crate) type Closest<R> = (R, u32);
 /// In place of an object's position.
 pub(crate) const NO_OBJECT: u32 = u32::MAX;
 
-/// A hit, and the material of the object that was hit.
-pub(crate) type HitOn<'m, R> = (Hit<R>, &'m PreparedMaterial<'m, R>);
-
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The first object that a ray meets inside `range`: of several at the same distance, the lowest in
     /// [`Scene::objects`](crate::Scene::objects).
     pub fn closest_hit(&self, ray: &Ray<R>, range: Interval<R>) -> Option<Hit<R>> {
-        self.hit(ray, self.closest(ray, range, Among::All)).map(|(hit, _)| hit)
+        let mut hit = Hit::BLANK;
+        self.write_hit(ray, self.closest(ray, range, Among::All), &mut hit)?;
+        Some(hit)
     }
 
     /// Distance and position of the first object that a ray meets inside `range`.
@@ -73,15 +72,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         [(a, e), (b, f), (c, g), (d, h)]
     }
 
-    /// The hit at a known distance on a known object, with the material there.
-    #[inline(always)]
-    pub(crate) fn hit(&self, ray: &Ray<R>, closest: Option<(R, usize)>) -> Option<HitOn<'m, R>> {
-        let (t, index) = closest?;
-        let object = self.objects.get(index)?;
-        Some((Hit { t, object: index, surface: object.shape.surface(ray, t) }, object.material))
-    }
-
-    /// Writes the hit at a known distance on a known object into `hit`, and returns the material there.
+    /// Writes the hit at a known distance on a known object into `hit`, and returns the material there. In
+    /// place: an `Option` of a hit would be copied.
     #[inline(always)]
     pub(crate) fn write_hit(
         &self,

@@ -67,8 +67,8 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
             let (x, y) = (x as u16, y.wrapping_add(down as u16));
-            let row = viewport.row((y, CENTER));
-            lane.begin(viewport.ray((x, CENTER), row), RayBudget(rays_per_pixel));
+            let ray = viewport.ray((x, CENTER), self.renderer.centers(y));
+            lane.begin(ray, RayBudget(rays_per_pixel));
         }
         self.group.trace(lanes, limits, probe);
         let mut spent: u32 = 0;

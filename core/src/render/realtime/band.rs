@@ -7,6 +7,7 @@ use core::ops::Range;
 use super::budget::{Budget, Detail, Spent};
 use super::buffer::RealtimeBuffer;
 use super::cell::{Cell, Corners};
+use super::grid::beyond;
 use super::marks::FAINT;
 use super::paint::Paint;
 use super::pixel_source::PixelSource;
@@ -134,8 +135,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         Band {
             top,
             left: 0,
-            // The grid ends below the picture: such lines are defined too.
-            rows: from_fn(|y| renderer.centers(u16::try_from(top + y as u32).unwrap_or(u16::MAX))),
+            rows: from_fn(|y| renderer.centers(beyond(top, y))),
             has_top: self.row == Some(top),
             is_left_refined: false,
             strip,

@@ -23,6 +23,12 @@ impl Grid {
     }
 }
 
+/// The column or line at a distance from the first one of a cell. The grid ends beyond the picture: such
+/// pixels are defined too.
+pub(super) fn beyond(first: u32, distance: usize) -> u16 {
+    u16::try_from(first + distance as u32).unwrap_or(u16::MAX)
+}
+
 /// The largest size of a cell: of a side, in pixels. A cell is the square between four neighbors on the grid.
 pub(super) const LARGEST_SIZE: usize = 8;
 

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::grid::beyond;
 use super::marks::{FAINT, MarkProbe};
 use super::pixel_source::PixelSource;
 use super::sample::Sample;
@@ -121,10 +122,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             }
         };
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
-        // The grid ends beyond the picture: such pixels are defined too.
-        let place = |first: u32, i: usize| u16::try_from(first + i as u32).unwrap_or(u16::MAX);
         let row = view.rows.get(y).copied().unwrap_or(Row::TOP);
-        let pixel = Pixel { x: place(view.left, x), y: place(view.top, y), row };
+        let pixel = Pixel { x: beyond(view.left, x), y: beyond(view.top, y), row };
         let sight = Sight::among(view.among);
         let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Objects {
