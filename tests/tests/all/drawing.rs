@@ -12,9 +12,9 @@ use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
-    Background, Camera, DrawError, Light, LineError, LinearRgb, Material, Object, PreparedScene, Progress,
-    Realtime, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer, Vec3, Workspace,
-    prepared_bytes,
+    Background, Camera, DrawError, Event, Light, LineError, LinearRgb, Material, Object, PreparedScene,
+    Probe, Progress, Realtime, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
+    Vec3, Workspace, prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -34,6 +34,27 @@ fn picture(renderer: &Renderer<f32>) -> Vec<Rgb888> {
         renderer.line(y, line).expect("a line");
     }
     pixels
+}
+
+/// A single sample lies in the center: the ray of the middle pixel is the line of sight.
+#[test]
+fn one_sample_is_the_center() {
+    struct FirstRay(Option<Vec3>);
+    impl Probe<f32> for FirstRay {
+        fn record(&mut self, event: Event<f32>) {
+            if let Event::Ray { ray, .. } = event {
+                self.0.get_or_insert(ray.direction);
+            }
+        }
+    }
+    let (width, height) = (SMALL.width, SMALL.height);
+    assert!(width % 2 == 1 && height % 2 == 1);
+    with_renderer(&CLASSIC, SMALL, |renderer| {
+        let mut first = FirstRay(None);
+        renderer.pixel((width / 2) as u16, (height / 2) as u16, &mut first);
+        let direction = first.0.expect("a ray");
+        assert!((direction - Vec3::new(0.0, 0.0, -1.0)).length() < 1e-6, "{direction:?}");
+    });
 }
 
 #[test]
