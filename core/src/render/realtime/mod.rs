@@ -14,7 +14,8 @@
 //!   traced.
 //! - **A pixel between two neighbors needs no lights** if they met different objects under the same lights,
 //!   and are two pixels apart. It is traced without lights, only to find out which of the two it is like.
-//! - **Where no object can be seen**, nothing is traced. Each cell knows that before the first ray.
+//! - **Where no object can be seen** before a background of one color, nothing is traced. Most cells know
+//!   that before the first ray.
 //!
 //! # The way of a band
 //!
