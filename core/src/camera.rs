@@ -189,14 +189,14 @@ impl<R: Real> Viewport<R> {
     }
 
     /// The row of rays at a height in the picture, given in pixels from the top and 65536ths of a pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn row(&self, (y, down): (u16, u16)) -> Row<R> {
         Row(self.down * R::from_pixel(y, down, self.shift))
     }
 
     /// The ray of a row at a distance from the left, given in pixels and 65536ths of a pixel: pixel (0, 0)
     /// has its center at (0.5, 0.5).
-    #[inline(always)]
+    #[inline]
     pub(crate) fn ray(&self, (x, right): (u16, u16), row: Row<R>) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
         let direction = self.corner + self.right * x + row.0;
