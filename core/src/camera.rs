@@ -88,9 +88,9 @@ pub(crate) struct Viewport<R: Real> {
 /// A row of camera rays: the part of their directions that their height in the picture adds. It is the same
 /// for all pixels of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Row<R>(Vec3<R>);
+pub(crate) struct RayRow<R>(Vec3<R>);
 
-impl<R: Real> Row<R> {
+impl<R: Real> RayRow<R> {
     /// The row along the picture's upper side.
     pub(crate) const TOP: Self = Self(Vec3::ZERO);
 }
@@ -190,14 +190,14 @@ impl<R: Real> Viewport<R> {
 
     /// The row of rays at a height in the picture, given in pixels from the top and 65536ths of a pixel.
     #[inline]
-    pub(crate) fn row(&self, (y, down): (u16, u16)) -> Row<R> {
-        Row(self.down * R::from_pixel(y, down, self.shift))
+    pub(crate) fn row(&self, (y, down): (u16, u16)) -> RayRow<R> {
+        RayRow(self.down * R::from_pixel(y, down, self.shift))
     }
 
     /// The ray of a row at a distance from the left, given in pixels and 65536ths of a pixel: pixel (0, 0)
     /// has its center at (0.5, 0.5).
     #[inline]
-    pub(crate) fn ray(&self, (x, right): (u16, u16), row: Row<R>) -> Ray<R> {
+    pub(crate) fn ray(&self, (x, right): (u16, u16), row: RayRow<R>) -> Ray<R> {
         let x = R::from_pixel(x, right, self.shift);
         let direction = self.corner + self.right * x + row.0;
         // The length is at least 1, the distance of the picture from the eye.

@@ -2,7 +2,7 @@
 
 use super::line_candidates::LineCandidates;
 use super::{DisplayColor, Dither, Light16, Pixel, Quantizer, Renderer};
-use crate::camera::Row;
+use crate::camera::RayRow;
 use crate::integrator::Sight;
 use crate::math::Real;
 use crate::probe::Probe;
@@ -13,7 +13,7 @@ pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
     renderer: &'r Renderer<'r, 'm, R, S>,
     y: u16,
     /// The rays through the centers of the pixels.
-    row: Row<R>,
+    row: RayRow<R>,
     candidates: Option<LineCandidates<'r>>,
     /// The color of a pixel that sees no object, if all such pixels have the same.
     background: Option<C>,

@@ -53,7 +53,7 @@ use outlines::Outlines;
 
 use embedded_graphics::draw_target::DrawTarget;
 
-use crate::camera::{Row, Viewport};
+use crate::camera::{RayRow, Viewport};
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, Sight, radiance};
 use crate::math::Real;
@@ -85,7 +85,7 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
 struct Pixel<R> {
     x: u16,
     y: u16,
-    row: Row<R>,
+    row: RayRow<R>,
 }
 
 impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
@@ -138,7 +138,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     }
 
     /// The rays through the centers of a line's pixels.
-    fn centers(&self, y: u16) -> Row<R> {
+    fn centers(&self, y: u16) -> RayRow<R> {
         self.viewport.row((y, CENTER))
     }
 
@@ -189,7 +189,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
 
     /// The place of one of several samples of a pixel: its distance from the pixel's left side, and its row.
     #[inline(never)]
-    fn sample_place(&self, (x, y): (u16, u16), sample: u16) -> (u16, Row<R>) {
+    fn sample_place(&self, (x, y): (u16, u16), sample: u16) -> (u16, RayRow<R>) {
         let (right, down) = sample_position(x, y, sample, self.settings.seed);
         (right, self.viewport.row((y, down)))
     }

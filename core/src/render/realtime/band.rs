@@ -19,7 +19,7 @@ use super::small::{SmallThings, ThinCells, TipPoints};
 use super::strip::Strip;
 use super::tolerance::Tolerance;
 use super::tracer::{CellView, Tracer, UnlitScene, nothing_met};
-use crate::camera::Row;
+use crate::camera::RayRow;
 use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
@@ -38,7 +38,7 @@ pub(super) struct Band<R> {
     /// The left column of the next cell.
     pub(super) left: u32,
     /// The camera rays of each line, and of the first line below.
-    rows: [Row<R>; POINTS],
+    rows: [RayRow<R>; POINTS],
     /// Whether the lent row of samples holds the upper row of the grid, from `left` on.
     has_top: bool,
     /// Whether the left side of the next cell is refined, and not interpolated.

@@ -9,7 +9,7 @@ use super::sample::Sample;
 use super::side::POINTS;
 use super::small::{TipPoints, Watch};
 use super::tolerance::Tolerance;
-use crate::camera::Row;
+use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayLimits, Sight};
 use crate::math::{Ray, Real, Vec3};
@@ -53,7 +53,7 @@ pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     pub(super) left: u32,
     pub(super) top: u32,
     /// The camera rays of the cell's lines.
-    pub(super) rows: &'c [Row<R>; POINTS],
+    pub(super) rows: &'c [RayRow<R>; POINTS],
     pub(super) watch: Option<&'c mut Watch<R>>,
 }
 
@@ -122,7 +122,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             }
         };
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
-        let row = view.rows.get(y).copied().unwrap_or(Row::TOP);
+        let row = view.rows.get(y).copied().unwrap_or(RayRow::TOP);
         let pixel = Pixel { x: beyond(view.left, x), y: beyond(view.top, y), row };
         let sight = Sight::among(view.among);
         let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
