@@ -188,18 +188,36 @@ impl<R: Real> Viewport<R> {
         (unit, unit * R::Setup::from_f32((1u32 << (shift & 31)) as f32))
     }
 
-    /// The row of rays at a height in the picture, given in pixels from the top and 65536ths of a pixel.
+    /// The row of rays at a height in the picture.
     #[inline]
-    pub(crate) fn row(&self, (y, down): (u16, u16)) -> RayRow<R> {
-        RayRow(self.down * R::from_pixel(y, down, self.shift))
+    pub(crate) fn row(&self, height: (u16, i32)) -> RayRow<R> {
+        RayRow(self.down * self.across(height))
     }
 
-    /// The ray of a row at a distance from the left, given in pixels and 65536ths of a pixel: pixel (0, 0)
-    /// has its center at (0.5, 0.5).
+    /// A distance from the left or upper side of the picture, given in pixels and 65536ths of a pixel: pixel
+    /// 0 has its center at (0, 32768). The place may lie a few pixels outside of the picture.
     #[inline]
-    pub(crate) fn ray(&self, (x, right): (u16, u16), row: RayRow<R>) -> Ray<R> {
-        let x = R::from_pixel(x, right, self.shift);
-        let direction = self.corner + self.right * x + row.0;
+    pub(crate) fn across(&self, (pixel, within): (u16, i32)) -> R {
+        if let Ok(within) = u16::try_from(within) {
+            return R::from_pixel(pixel, within, self.shift);
+        }
+        self.beside((pixel, within))
+    }
+
+    /// [`across`](Self::across) beside the pixel.
+    #[inline(never)]
+    fn beside(&self, (pixel, within): (u16, i32)) -> R {
+        let place = (i64::from(pixel) << 16) + i64::from(within);
+        // The last pixel of the widest picture has none to its right.
+        let distance = u32::try_from(place.unsigned_abs()).unwrap_or(u32::MAX);
+        let distance = R::from_pixel((distance >> 16) as u16, distance as u16, self.shift);
+        if place < 0 { -distance } else { distance }
+    }
+
+    /// The ray of a row at a distance from the left, see [`across`](Self::across).
+    #[inline]
+    pub(crate) fn ray(&self, across: R, row: RayRow<R>) -> Ray<R> {
+        let direction = self.corner + self.right * across + row.0;
         // The length is at least 1, the distance of the picture from the eye.
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }
@@ -271,12 +289,12 @@ mod tests {
     #[test]
     fn a_right_angle_sees_as_far_up_as_forward() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
-        let top = viewport.ray((100, 0), viewport.row((0, 0)));
+        let top = viewport.ray(viewport.across((100, 0)), viewport.row((0, 0)));
         assert_eq!(top.origin, Vec3::new(1.0, 2.0, 3.0));
         let half = core::f64::consts::FRAC_1_SQRT_2;
         assert!((top.direction - Vec3::new(0.0, half, -half)).length() < 1e-7);
         // Twice as wide as high: 63.4° to the right.
-        let right = viewport.ray((200, 0), viewport.row((50, 0))).direction;
+        let right = viewport.ray(viewport.across((200, 0)), viewport.row((50, 0))).direction;
         assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
     }
 
@@ -284,13 +302,13 @@ mod tests {
     fn points_are_seen_where_their_rays_go() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
         for (x, y) in [(0, 0), (31, 77), (100, 50), (199, 3)] {
-            let ray = viewport.ray((x, 0x8000), viewport.row((y, 0x8000)));
+            let ray = viewport.ray(viewport.across((x, 0x8000)), viewport.row((y, 0x8000)));
             let seen = viewport.project(ray.at(7.0)).unwrap();
             let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
             assert!((seen.0 - x).abs() < 1e-4 && (seen.1 - y).abs() < 1e-4, "{seen:?}");
         }
         assert_eq!(viewport.project(viewport.eye()), None);
-        let behind = viewport.ray((5, 0), viewport.row((5, 0))).at(-7.0);
+        let behind = viewport.ray(viewport.across((5, 0)), viewport.row((5, 0))).at(-7.0);
         assert_eq!(viewport.project(behind), None);
     }
 

@@ -45,7 +45,7 @@
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`,
 //! `color`, `falloff`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `camera`,
-//! `background`, `scene`, `prepared`, `probe`, `sampler`, `integrator`, `render`, `builtin`, `bake`.
+//! `background`, `scene`, `prepared`, `probe`, `sampling`, `integrator`, `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
@@ -112,7 +112,7 @@ mod probe;
 #[cfg(feature = "serde")]
 pub mod read;
 mod render;
-mod sampler;
+mod sampling;
 mod scene;
 pub mod shape;
 mod surface;
@@ -134,6 +134,7 @@ pub use render::{
     Digest, DisplayColor, Dither, DrawError, Frame, Grid, Interleave, Light16, LineError, Pattern, Progress,
     Quality, Quantizer, Realtime, RealtimeBuffer, Renderer, Sample, Settings, SettingsError, Tone, Transfer,
 };
+pub use sampling::{Adaptive, Reconstruction, Sampler, Sampling};
 #[cfg(feature = "serde")]
 pub use scene::BytesError;
 pub use scene::{FASTER, MaterialId, Object, Scene, SceneBuf};

@@ -8,8 +8,8 @@ use std::str::FromStr;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
-use rayline::{Dither, Settings, Transfer};
-use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions};
+use rayline::{Adaptive, Dither, Reconstruction, Sampler, Sampling, Settings, Transfer};
+use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, Show};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -69,6 +69,9 @@ pub(crate) struct Render {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
+    /// What the picture shows: the colors, or how many samples each pixel takes, from black to white for all
+    #[arg(long, value_name = "WHAT", default_value = "colors", value_enum, conflicts_with = "mode")]
+    pub(crate) show: Show,
     /// Trace every pixel, or interpolate pixels whose neighbors hit the same
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     pub(crate) mode: Mode,
@@ -194,43 +197,97 @@ pub(crate) struct Look {
     /// The curve from light to the display's codes: that of sRGB, or linear
     #[arg(long, value_name = "CURVE", default_value = "srgb", value_parser = transfer())]
     transfer: Transfer,
-    /// Samples for each pixel; more make edges smooth
+    #[command(flatten)]
+    sampling: SamplingArgs,
+    /// The most rays for one pixel, shadow rays included [default: the scene's own, else 4096]
     #[arg(
         long,
         value_name = "N",
-        default_value_t = 1,
-        value_parser = value_parser!(u16).range(1..=i64::from(u16::MAX)),
-    )]
-    samples: u16,
-    /// Seed for the positions of samples in the pixel; has no effect unless --samples is above 1
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    seed: u32,
-    /// The most rays for one pixel, shadow rays included
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 4096,
         value_parser = value_parser!(u32).range(1..=i64::from(u32::MAX)),
     )]
-    rays_per_pixel: u32,
-    /// Leave out rays whose share in the pixel is smaller, 0 to 1 [default: 1/256]
+    rays_per_pixel: Option<u32>,
+    /// Leave out rays whose share in the pixel is smaller, 0 to 1 [default: the scene's own, else 1/256]
     #[arg(long, value_name = "SHARE", value_parser = share)]
     cutoff: Option<f32>,
+}
+
+/// The options that decide where the rays of a pixel go.
+#[derive(Debug, Args)]
+struct SamplingArgs {
+    /// Samples for each pixel; more make edges smooth [default: the scene's own, else 1]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = value_parser!(u16).range(1..=i64::from(u16::MAX)),
+    )]
+    samples: Option<u16>,
+    /// How the samples are spread [default: the scene's own, else r2]
+    #[arg(long, value_name = "HOW", value_parser = named(&SAMPLERS))]
+    sampler: Option<Sampler>,
+    /// The weight of the light around the center of a pixel [default: the scene's own, else box]
+    #[arg(long, value_name = "FILTER", value_parser = named(&FILTERS))]
+    filter: Option<Reconstruction>,
+    /// Take N samples of each pixel, 2 or more, and the others only where these differ [default: the
+    /// scene's own; 4 if no N is given]
+    #[arg(
+        long,
+        value_name = "N",
+        num_args = 0..=1,
+        default_missing_value = "4",
+        value_parser = value_parser!(u16).range(2..=i64::from(u16::MAX)),
+    )]
+    adaptive: Option<u16>,
+    /// Seed of the samples [default: the scene's own, else 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u32>,
+}
+
+const SAMPLERS: [(&str, Sampler); 6] = [
+    ("r2", Sampler::R2),
+    ("grid", Sampler::Grid),
+    ("random", Sampler::Random),
+    ("jittered", Sampler::Jittered),
+    ("poisson", Sampler::Poisson),
+    ("sobol", Sampler::Sobol),
+];
+const FILTERS: [(&str, Reconstruction); 3] =
+    [("box", Reconstruction::Box), ("tent", Reconstruction::Tent), ("gaussian", Reconstruction::Gaussian)];
+
+/// A parser of values that have names.
+fn named<T: Copy + Send + Sync>(values: &'static [(&'static str, T)]) -> impl TypedValueParser<Value = T> {
+    let names = PossibleValuesParser::new(values.iter().map(|(name, _)| *name));
+    names.try_map(|given| {
+        let value = values.iter().find(|(name, _)| *name == given);
+        value.map(|(_, value)| *value).ok_or("the name is unknown")
+    })
+}
+
+impl SamplingArgs {
+    /// The samples that these options ask for in place of `own` ones.
+    fn over(&self, own: Sampling) -> Sampling {
+        let adaptive = self.adaptive.map(|at_first| Adaptive { at_first, ..Adaptive::NEW });
+        Sampling {
+            samples: self.samples.unwrap_or(own.samples),
+            sampler: self.sampler.unwrap_or(own.sampler),
+            filter: self.filter.unwrap_or(own.filter),
+            adaptive: adaptive.or(own.adaptive),
+            seed: self.seed.unwrap_or(own.seed),
+        }
+    }
 }
 
 impl Look {
     /// The options for a picture of this scene.
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
-        let meant = scene.options();
-        let (width, height) = self.size.unwrap_or(scene.size);
+        let (meant, own) = (scene.options(), &scene.settings);
+        let (width, height) = self.size.unwrap_or((own.width, own.height));
         let settings = Settings {
             width,
             height,
-            bounces: self.bounces.unwrap_or(scene.bounces),
-            rays_per_pixel: self.rays_per_pixel,
-            cutoff: self.cutoff.unwrap_or(meant.settings.cutoff),
-            samples_per_pixel: self.samples,
-            seed: self.seed,
+            bounces: self.bounces.unwrap_or(own.bounces),
+            rays_per_pixel: self.rays_per_pixel.unwrap_or(own.rays_per_pixel),
+            cutoff: self.cutoff.unwrap_or(own.cutoff),
+            sampling: self.sampling.over(own.sampling),
             transfer: self.transfer,
             dither: self.dither,
         };

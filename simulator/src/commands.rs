@@ -69,6 +69,7 @@ fn render(arguments: &Render) -> Outcome {
     }
     let options = RenderOptions {
         mode: arguments.mode,
+        show: arguments.show,
         lines: arguments.lines.clone(),
         threads: arguments.threads.map_or(0, usize::from),
         ..arguments.look.options(&scene)
@@ -135,8 +136,8 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     let scene = open(&arguments.scene.source, &arena, false)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let (width, height) = arguments.size;
-    let bounces = arguments.bounces.unwrap_or(scene.bounces);
-    let settings = Settings { bounces, ..Settings::new(width, height) };
+    let bounces = arguments.bounces.unwrap_or(scene.settings.bounces);
+    let settings = Settings { width, height, bounces, ..scene.settings };
     let boards = BOARDS.iter().filter(|board| arguments.board.as_ref().is_none_or(|name| name == board.name));
     let demands = Demands::new(&scene.scene, boards, settings).map_err(|error| explain(&scene, error))?;
     let mut out = io::stdout();

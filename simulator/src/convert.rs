@@ -7,6 +7,7 @@ use rayline::bake::{self, BakeError};
 use rayline::math::Fixed;
 use rayline::{BytesError, Scene, Settings};
 
+use crate::loaded::FILE_SETTINGS;
 use crate::povray::{PovrayError, to_povray};
 use crate::{FileError, Number, check_writable, ron, write_file};
 
@@ -74,7 +75,7 @@ impl SceneFile {
         &self.path
     }
 
-    /// Writes the scene, with the settings if the format is POV-Ray's, and returns the length of the file in
+    /// Writes the scene, with the settings if the format has them, and returns the length of the file in
     /// bytes.
     ///
     /// # Errors
@@ -82,7 +83,7 @@ impl SceneFile {
     /// unchanged.
     pub fn write(&self, scene: &Scene<'_>, settings: &Settings) -> Result<usize, ConvertError> {
         let bytes = match self.format {
-            Format::Ron => ron::write(scene).map_err(ConvertError::Format)?.into_bytes(),
+            Format::Ron => ron::write(scene, settings, &FILE_SETTINGS).map_err(ConvertError::Format)?.into_bytes(),
             Format::Bytes => to_bytes(scene)?,
             Format::Povray => to_povray(scene, settings).map_err(ConvertError::Povray)?.into_bytes(),
             Format::Rust(number) => {

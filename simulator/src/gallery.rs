@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
-use rayline::{Settings, Transfer};
+use rayline::{Sampling, Settings, Transfer};
 
 use crate::povray::{self, RunError};
 use crate::table::Table;
@@ -24,7 +24,8 @@ pub struct Gallery {
     files: Vec<PathBuf>,
     /// The width and height of the pictures, in pixels.
     pub size: (u32, u32),
-    /// The samples for each pixel of the pictures. Measurements use one sample.
+    /// The samples for each pixel of the pictures, in scenes without settings of their own. Measurements use
+    /// one sample there.
     pub samples: u16,
 }
 
@@ -116,11 +117,16 @@ impl Gallery {
         write_file(&page, self.page(&exhibits).as_bytes()).map_err(GalleryError::File)
     }
 
+    /// The samples of a scene's picture: its own, or enough for smooth edges.
+    fn sampling(&self, own: Sampling) -> Sampling {
+        if own.samples > 1 { own } else { Sampling::new(self.samples) }
+    }
+
     fn exhibit(&self, file: &Path) -> Result<Exhibit, GalleryError> {
         let arena = Bump::new();
         let scene = LoadedScene::open(file, &arena).map_err(GalleryError::Load)?;
         let (width, height) = self.size;
-        let meant = Settings { bounces: scene.bounces, ..Settings::new(width, height) };
+        let meant = Settings { width, height, ..scene.settings };
         let draw = |settings, number| {
             let options = RenderOptions { number, ..RenderOptions::new(settings) };
             render(&scene.scene, &options).map_err(|error| {
@@ -131,7 +137,7 @@ impl Gallery {
             })
         };
 
-        let smooth = draw(Settings { samples_per_pixel: self.samples, ..meant }, Number::F32)?;
+        let smooth = draw(Settings { sampling: self.sampling(meant.sampling), ..meant }, Number::F32)?;
         let picture = PictureFile::new(&file.with_extension("png")).map_err(GalleryError::File)?;
         picture.write(&smooth).map_err(GalleryError::File)?;
 

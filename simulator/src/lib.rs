@@ -48,7 +48,7 @@ pub use display::Display;
 pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
 pub use gallery::{Gallery, GalleryError};
 pub use loaded::{LoadError, LoadedScene};
-pub use options::{Mode, Number, RenderOptions};
+pub use options::{Mode, Number, RenderOptions, Show};
 pub use orbit::Orbit;
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::builtin;
-use rayline::{BytesError, Part, Scene, SceneError};
+use rayline::{BytesError, Part, Scene, SceneError, Settings};
 
 use crate::RenderOptions;
 use crate::gltf::{self, GltfError};
@@ -16,21 +16,27 @@ use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
 use crate::ron::{self, Position, RonError};
 
-/// A built-in scene or a scene from a file, with the size and bounces of its picture.
+/// A built-in scene or a scene from a file, with the settings of its picture.
 #[derive(Clone, Debug)]
 pub struct LoadedScene<'a> {
     /// The name of the scene, also for the files of its pictures.
     pub name: String,
     /// The scene.
     pub scene: Scene<'a>,
-    /// The width and height of its picture, in pixels.
-    pub size: (u32, u32),
-    /// The number of bounces that the scene was made for.
-    pub bounces: u8,
+    /// The settings that its picture is meant to have.
+    pub settings: Settings,
     /// Notes about everything that was added to the contents of the file, or left out.
     pub notes: Vec<String>,
     /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
+}
+
+/// The usual settings of files in Rayline's own formats.
+pub(crate) const FILE_SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(640, 480) };
+
+/// The settings for the scenes of other formats.
+const fn of_size((width, height): (u32, u32)) -> Settings {
+    Settings::new(width, height)
 }
 
 /// The imported scene, with the positions of its parts in the file as far as they are known.
@@ -126,36 +132,36 @@ impl<'a> LoadedScene<'a> {
 
     fn read_ron(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let import = ron::read(arena, path).map_err(LoadError::Ron)?;
-        Ok(Self::of_file(path, import.scene, Import::Ron(import)))
+        let settings = import.settings.over(FILE_SETTINGS);
+        Ok(Self { settings, ..Self::of_file(path, import.scene, Import::Ron(import)) })
     }
 
     fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let mut import = obj::read(arena, path).map_err(LoadError::Obj)?;
-        let (size, notes) = (import.resolution, core::mem::take(&mut import.notes));
-        Ok(Self { size, notes, bounces: 4, ..Self::of_file(path, import.scene, Import::Obj(import)) })
+        let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
+        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Obj(import)) })
     }
 
     fn read_gltf(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let mut import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
-        let (size, notes) = (import.resolution, core::mem::take(&mut import.notes));
-        Ok(Self { size, notes, bounces: 4, ..Self::of_file(path, import.scene, Import::Gltf(import)) })
+        let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
+        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Gltf(import)) })
     }
 
     fn read_nff(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let bytes = read(path)?;
         let import = nff::parse_bytes(arena, &bytes)
             .map_err(|error| LoadError::Nff { path: path.to_owned(), error })?;
-        let size = import.resolution;
-        Ok(Self { size, bounces: 4, ..Self::of_file(path, import.scene, Import::Nff(import)) })
+        let settings = of_size(import.resolution);
+        Ok(Self { settings, ..Self::of_file(path, import.scene, Import::Nff(import)) })
     }
 
-    /// A scene from a file, with the default size and bounces.
+    /// A scene from a file, with the usual settings.
     fn of_file(path: &Path, scene: Scene<'a>, import: Import<'a>) -> Self {
         Self {
             name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
             scene,
-            size: (640, 480),
-            bounces: 6,
+            settings: FILE_SETTINGS,
             notes: Vec::new(),
             file: Some((path.to_owned(), import)),
         }
@@ -167,20 +173,15 @@ impl<'a> LoadedScene<'a> {
         Ok(Self {
             name: builtin.name.to_owned(),
             scene: *builtin.scene,
-            size: (640, 480),
-            bounces: builtin.bounces,
+            settings: Settings { bounces: builtin.bounces, ..FILE_SETTINGS },
             notes: Vec::new(),
             file: None,
         })
     }
 
-    /// The options for its picture, with its size and bounces.
+    /// The options for its picture, with its settings.
     pub fn options(&self) -> RenderOptions {
-        let (width, height) = self.size;
-        RenderOptions::new(rayline::Settings {
-            bounces: self.bounces,
-            ..rayline::Settings::new(width, height)
-        })
+        RenderOptions::new(self.settings)
     }
 
     /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.

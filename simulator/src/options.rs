@@ -23,6 +23,8 @@ pub struct RenderOptions {
     pub display: Display,
     /// The quality of the picture.
     pub mode: Mode,
+    /// What the picture shows.
+    pub show: Show,
     /// The lines to render; `None` for all.
     pub lines: Option<Range<u32>>,
     /// The number of threads; 0 for one on each processor. The picture does not depend on it.
@@ -37,6 +39,16 @@ pub enum Mode {
     Exact,
     /// Pixels are interpolated where the rays of their neighbors hit the same.
     Realtime,
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Show {
+    /// The colors of the pixels.
+    #[default]
+    Colors,
+    /// The samples that each pixel takes: black for none, white for as many as it may take.
+    Samples,
 }
 
 /// A number system of the core.
@@ -59,6 +71,7 @@ impl RenderOptions {
             number: Number::F32,
             display: Display::Rgb888,
             mode: Mode::Exact,
+            show: Show::Colors,
             lines: None,
             threads: 0,
         }

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use crate::display::ForColor;
 use crate::realtime::Bands;
-use crate::{Mode, Number, RenderOptions};
+use crate::{Mode, Number, RenderOptions, Show};
 
 /// A picture as a display shows it, with the numbers of its rays and its memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -123,6 +123,9 @@ fn render_in<R: Real>(
     let mut rgb = blank(width, height)?;
     let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
     let rays = pool.install(|| match options.mode {
+        _ if options.show == Show::Samples => {
+            SampleCounts { renderer, options, first: lines.start, line_done }.render(rgb_lines)
+        }
         Mode::Exact => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
         Mode::Realtime => options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done }),
     });
@@ -178,6 +181,37 @@ impl<R: Real> Lines<'_, '_, R> {
             .enumerate()
             .map_init(blank_lines, lines)
             .try_reduce(RayCounts::default, sum)
+    }
+}
+
+/// Some lines that show how many samples their pixels take.
+struct SampleCounts<'j, 'm, R: Real> {
+    renderer: &'j Renderer<'j, 'm, R>,
+    options: &'j RenderOptions,
+    first: u32,
+    line_done: &'j (dyn Fn() + Sync),
+}
+
+impl<R: Real> SampleCounts<'_, '_, R> {
+    fn render(&self, rgb: &mut [u8]) -> Result<RayCounts, LineError> {
+        let most = f64::from(self.options.settings.sampling.samples);
+        let line = |(down, rgb): (usize, &mut [u8])| {
+            let y = self.first + down as u32;
+            let mut sum = RayCounts::default();
+            for (x, pixel) in rgb.chunks_exact_mut(3).enumerate() {
+                let mut rays = RayCounts::default();
+                self.renderer.pixel(x as u16, y as u16, &mut rays);
+                pixel.fill((rays.camera as f64 / most * 255.0).round() as u8);
+                sum += rays;
+            }
+            (self.line_done)();
+            sum
+        };
+        let lines = rgb.par_chunks_mut((self.renderer.width() as usize * 3).max(1)).enumerate().map(line);
+        Ok(lines.reduce(RayCounts::default, |mut a, b| {
+            a += b;
+            a
+        }))
     }
 }
 

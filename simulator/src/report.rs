@@ -66,7 +66,7 @@ fn report_in<R: Real>(
         samples: 0,
         direction: None,
         share: LinearRgb::BLACK,
-        sample_share: 1.0 / f32::from(options.settings.samples_per_pixel),
+        sample_share: 1.0 / f32::from(options.settings.sampling.samples),
         unit: 1.0 / prepared.scale(),
     };
     let (light, rays) = renderer.pixel(x, y, &mut tree);

@@ -18,10 +18,12 @@
 mod group;
 mod path;
 mod pending_ray;
+mod seen;
 mod shaded_hit;
 mod shadow_rays;
 
 pub(crate) use group::{Lane, Lanes, PixelGroup, WIDTH};
+pub(crate) use seen::{Seen, fold};
 pub(crate) use shadow_rays::{Blockers, OUTLINED_LIGHTS};
 
 use path::{Path, Waiting};
@@ -80,7 +82,17 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     limits: RayLimits<R>,
     /// The rays that are left.
     rays: RayBudget,
+    seen: Seen,
     probe: &'t mut P,
+}
+
+/// What the samples of a pixel have in common, and what the last one found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SampleRays {
+    /// The rays that are left.
+    pub(crate) left: RayBudget,
+    /// What the rays of the last sample met.
+    pub(crate) seen: Seen,
 }
 
 /// The light that comes to the origin of a camera ray from where it points.
@@ -90,12 +102,12 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     ray: Ray<R>,
     sight: Sight<'_>,
     limits: &RayLimits<R>,
-    rays: &mut RayBudget,
+    rays: &mut SampleRays,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut trace = Trace { scene, limits: *limits, rays: *rays, probe };
+    let mut trace = Trace { scene, limits: *limits, rays: rays.left, seen: Seen::NOTHING, probe };
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
-    *rays = trace.rays;
+    *rays = SampleRays { left: trace.rays, seen: trace.seen };
     path.light
 }

@@ -92,6 +92,7 @@ impl<R: Real> Path<R> {
         let (scene, is_reflected) = (trace.scene, kind == RayKind::Reflected);
         let Some((hit, mut material)) = met else {
             let color = scene.background.color(ray.direction);
+            trace.seen.miss();
             let throughput = scene.dimmed(throughput, from, is_reflected, None);
             trace.probe.record(Event::Miss { ray, color, throughput: throughput.color() });
             self.receive(throughput, color);
@@ -106,6 +107,7 @@ impl<R: Real> Path<R> {
             normal = material.maps.bumped(&hit.surface, ray.direction, uv);
             material = &mapped;
         }
+        trace.seen.hit(hit);
         let shaded = ShadedHit::new(scene, &ray, hit, normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadow_rays.begin_at(hit.object);

@@ -161,6 +161,9 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             }
             let color = facing.share.map_or(light.color, |share| light.color * share);
             let throughput = through.throughput();
+            if throughput.largest() < R::ONE {
+                trace.seen.shadow(index);
+            }
             let highlight = sum.add(&facing, self.material, color, throughput);
             if trace.probe.is_enabled() {
                 let shown = throughput.of(self.lit(color, facing.cosine, highlight));

@@ -22,8 +22,29 @@ pub enum SettingsError {
     },
     /// Not even one ray per pixel. Allow at least 1.
     RaysPerPixel,
-    /// Not even one sample per pixel. Take at least 1.
-    SamplesPerPixel,
+    /// Not even one sample for each pixel. Take at least 1.
+    Samples,
+    /// More samples than rays for each pixel. Allow more rays, or take fewer samples.
+    SamplesBeyondRays {
+        /// Samples of a pixel.
+        samples: u16,
+        /// The most rays of a pixel.
+        rays: u32,
+    },
+    /// Adaptive sampling cannot begin with this number of samples. Begin with 2 to all of them.
+    AtFirst {
+        /// The number of samples at first.
+        given: u16,
+        /// The number of all samples.
+        samples: u16,
+    },
+    /// The contrast of adaptive sampling is not between 0 and 1. Mitchell's is 0.3.
+    Contrast,
+    /// A setting needs a feature that this build of the crate does not have. Switch the feature on.
+    WithoutFeature {
+        /// The name of the feature.
+        feature: &'static str,
+    },
     /// The cut-off is not between 0 and 1. Use 0 to follow every ray.
     Cutoff,
 }
@@ -34,7 +55,19 @@ impl fmt::Display for SettingsError {
             Self::Size { side, most } => write!(f, "a side of {side} pixels is too long; use at most {most}"),
             Self::Bounces { given, most } => write!(f, "{given} bounces are too many; use at most {most}"),
             Self::RaysPerPixel => f.write_str("no rays per pixel; allow at least 1"),
-            Self::SamplesPerPixel => f.write_str("no samples per pixel; take at least 1"),
+            Self::Samples => f.write_str("no samples for a pixel; take at least 1"),
+            Self::SamplesBeyondRays { samples, rays } => write!(
+                f,
+                "{samples} samples of a pixel need more than {rays} rays; allow more rays or take fewer samples"
+            ),
+            Self::AtFirst { given, samples } => write!(
+                f,
+                "adaptive sampling cannot begin with {given} of {samples} samples; begin with 2 to {samples}"
+            ),
+            Self::Contrast => f.write_str("the contrast is not between 0 and 1; 0.3 is usual"),
+            Self::WithoutFeature { feature } => {
+                write!(f, "the settings need the feature `{feature}` of the crate rayline; switch it on")
+            }
             Self::Cutoff => f.write_str("the cut-off is not between 0 and 1; use 0 to follow every ray"),
         }
     }

@@ -1,7 +1,8 @@
 //! One line of the picture in exact quality, pixel after pixel.
 
 use super::line_candidates::LineCandidates;
-use super::{DisplayColor, Dither, Light16, Pixel, Quantizer, Renderer};
+use super::pixel::Pixel;
+use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
 use crate::camera::RayRow;
 use crate::integrator::Sight;
 use crate::math::Real;
@@ -24,7 +25,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         let settings = &renderer.settings;
         let candidates = LineCandidates::new(&renderer.outlines, y);
         let background = match renderer.scene.background.solid() {
-            Some(color) if settings.dither == Dither::None && settings.samples_per_pixel == 1 => {
+            Some(color) if settings.dither == Dither::None && settings.sampling.samples == 1 => {
                 Some(C::from_light(Light16::new(color), &Quantizer::new(settings, 0, y)))
             }
             _ => None,

@@ -1,14 +1,14 @@
 //! From light to the display, line by line.
 //!
-//! A [`Renderer`] is one picture: scene, settings and size. [`line`] traces the pixels of a line in exact
-//! quality, each by itself; [`groups`] traces neighboring pixels of large scenes together; [`realtime`]
+//! A [`Renderer`] is one picture: scene, settings and size. [`pixel`] traces the samples of one pixel.
+//! [`line`] traces the pixels of a line in exact quality, each by itself; [`groups`] traces neighboring pixels of large scenes together; [`realtime`]
 //! traces few pixels and interpolates the rest. Pixels leave the tracer as [`LinearRgb`], become
 //! [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
 //!
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].
 //!
-//! Nothing below [`Renderer::light_in`] is generic over the color. With the feature `hierarchy`, the code
+//! Nothing below `Renderer::light_in` is generic over the color. With the feature `hierarchy`, the code
 //! that traces a pixel is therefore compiled once for all colors; without it, that code is inlined into each
 //! painter, which is faster on small processors.
 
@@ -25,6 +25,7 @@ mod outline;
 mod outlines;
 mod painter;
 mod pattern;
+mod pixel;
 mod quality;
 mod quantize;
 mod realtime;
@@ -53,13 +54,13 @@ use outlines::Outlines;
 
 use embedded_graphics::draw_target::DrawTarget;
 
-use crate::camera::{RayRow, Viewport};
+use crate::camera::Viewport;
 use crate::color::LinearRgb;
-use crate::integrator::{RayBudget, RayLimits, Sight, radiance};
+use crate::integrator::{RayLimits, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
-use crate::sampler::{CENTER, sample_position};
+use crate::sampling::Sampling;
 use crate::shape::{Geometry, Shape};
 
 /// Renders any line of one picture, of a size that is fixed when the renderer is made.
@@ -73,19 +74,14 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     width: u16,
     height: u16,
     limits: RayLimits<R>,
-    sample_weight: R,
+    /// The share of each sample in the light of its pixel: of the first samples, and of all.
+    sample_weights: [R; 2],
+    /// The share of the first samples, if all are taken.
+    first_share: R,
     settings: Settings,
     /// The places at which objects and shadows can be seen. They are known for the centers of pixels, so
     /// for one sample a pixel.
     outlines: Outlines,
-}
-
-/// A pixel, with the rays through the centers of its line.
-#[derive(Clone, Copy, Debug)]
-struct Pixel<R> {
-    x: u16,
-    y: u16,
-    row: RayRow<R>,
 }
 
 impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
@@ -96,17 +92,21 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
         let (width, height) = settings.check()?;
         let viewport = Viewport::new(scene.camera(), width, height);
+        let Sampling { samples, adaptive, .. } = settings.sampling;
+        let at_first = adaptive.map_or(samples, |adaptive| adaptive.at_first);
+        let number = R::Setup::from_u16;
         let mut renderer = Self {
             scene,
             viewport,
             width,
             height,
             limits: RayLimits { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
-            sample_weight: R::from_setup(R::Setup::from_u16(settings.samples_per_pixel).recip()),
+            sample_weights: [at_first, samples].map(|count| R::from_setup(number(count).recip())),
+            first_share: R::from_setup(number(at_first) / number(samples)),
             settings,
             outlines: Outlines::UNKNOWN,
         };
-        if settings.samples_per_pixel == 1 {
+        if samples == 1 {
             renderer.outlines.find(scene, &renderer.viewport);
             renderer.outlines.find_shadows(scene, &renderer.viewport);
         }
@@ -130,68 +130,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// width and height.
     pub fn pixel(&self, x: u16, y: u16, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
         self.light_at(self.pixel_at(x, y), Sight::among(self.scene.all()), probe)
-    }
-
-    /// The pixel in this column and line.
-    fn pixel_at(&self, x: u16, y: u16) -> Pixel<R> {
-        Pixel { x, y, row: self.centers(y) }
-    }
-
-    /// The rays through the centers of a line's pixels.
-    fn centers(&self, y: u16) -> RayRow<R> {
-        self.viewport.row((y, CENTER))
-    }
-
-    /// As [`pixel`](Self::pixel), for a camera ray of which something is known.
-    fn light_at(&self, pixel: Pixel<R>, sight: Sight<'_>, probe: &mut impl Probe<R>) -> (LinearRgb<R>, u32) {
-        self.light_in(self.scene, &self.limits, pixel, sight, probe)
-    }
-
-    /// As [`light_at`](Self::light_at), in another scene and with other limits.
-    // For `classic` on an M4F, 610 instructions a pixel; without it, 625.
-    #[inline(always)]
-    fn light_in(
-        &self,
-        scene: &PreparedScene<'m, R, S>,
-        limits: &RayLimits<R>,
-        Pixel { x, y, row }: Pixel<R>,
-        sight: Sight<'_>,
-        probe: &mut impl Probe<R>,
-    ) -> (LinearRgb<R>, u32) {
-        let Settings { samples_per_pixel: samples, rays_per_pixel, .. } = self.settings;
-        let mut rays = RayBudget(rays_per_pixel);
-        let mut light = LinearRgb::BLACK;
-        // In fixed point, the sum of many samples may overflow where their mean does not.
-        let weighs_first = R::IS_FIXED_POINT && samples > 1;
-        let (mut sample, mut place) = (0, (CENTER, row));
-        if samples > 1 {
-            place = self.sample_place((x, y), sample);
-        }
-        loop {
-            let (right, row) = place;
-            let ray = self.viewport.ray((x, right), row);
-            let shown = radiance(scene, ray, sight, limits, &mut rays, probe);
-            if samples <= 1 {
-                return (shown, rays_per_pixel.saturating_sub(rays.0));
-            }
-            light = light + if weighs_first { shown.scaled(self.sample_weight) } else { shown };
-            sample += 1;
-            if sample >= samples {
-                break;
-            }
-            place = self.sample_place((x, y), sample);
-        }
-        if !weighs_first {
-            light = light.scaled(self.sample_weight);
-        }
-        (light, rays_per_pixel.saturating_sub(rays.0))
-    }
-
-    /// The place of one of several samples of a pixel: its distance from the pixel's left side, and its row.
-    #[inline(never)]
-    fn sample_place(&self, (x, y): (u16, u16), sample: u16) -> (u16, RayRow<R>) {
-        let (right, down) = sample_position(x, y, sample, self.settings.seed);
-        (right, self.viewport.row((y, down)))
     }
 
     /// Renders line `y` into a slice of the picture's width.

@@ -2,6 +2,7 @@
 
 use super::SettingsError;
 use crate::limits::{MAX_BOUNCES, MAX_SIDE};
+use crate::sampling::{Adaptive, Sampling};
 
 /// How a picture is rendered.
 ///
@@ -23,11 +24,8 @@ pub struct Settings {
     pub rays_per_pixel: u32,
     /// Rays of which a smaller share of light than this reaches the pixel are left out: 0 to 1.
     pub cutoff: f32,
-    /// The number of rays from the eye through each pixel: 1 or more. One goes through the center; more
-    /// make edges smooth.
-    pub samples_per_pixel: u16,
-    /// Chooses the places of several samples inside each pixel.
-    pub seed: u32,
+    /// The rays from the eye through each pixel: how many, and where.
+    pub sampling: Sampling,
     /// The curve from light to the codes of a display.
     pub transfer: Transfer,
     /// The rounding of light to the levels of a display.
@@ -35,7 +33,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Four bounces, one sample per pixel, sRGB, no dithering.
+    /// Four bounces, one sample for each pixel, sRGB, no dithering.
     pub const fn new(width: u32, height: u32) -> Self {
         Self {
             width,
@@ -43,8 +41,7 @@ impl Settings {
             bounces: 4,
             rays_per_pixel: 4096,
             cutoff: 1.0 / 256.0,
-            samples_per_pixel: 1,
-            seed: 0,
+            sampling: Sampling::CENTER,
             transfer: Transfer::Srgb,
             dither: Dither::None,
         }
@@ -59,13 +56,34 @@ impl Settings {
         if self.rays_per_pixel == 0 {
             return Err(SettingsError::RaysPerPixel);
         }
-        if self.samples_per_pixel == 0 {
-            return Err(SettingsError::SamplesPerPixel);
-        }
+        self.check_sampling()?;
         if !(0.0..=1.0).contains(&self.cutoff) {
             return Err(SettingsError::Cutoff);
         }
         Ok((side(self.width)?, side(self.height)?))
+    }
+
+    fn check_sampling(&self) -> Result<(), SettingsError> {
+        let Sampling { samples, adaptive, .. } = self.sampling;
+        if samples == 0 {
+            return Err(SettingsError::Samples);
+        }
+        // Each sample takes a ray or more.
+        if u32::from(samples) > self.rays_per_pixel {
+            return Err(SettingsError::SamplesBeyondRays { samples, rays: self.rays_per_pixel });
+        }
+        if let Some(Adaptive { at_first, contrast }) = adaptive {
+            if !(2..=samples).contains(&at_first) {
+                return Err(SettingsError::AtFirst { given: at_first, samples });
+            }
+            if !(0.0..=1.0).contains(&contrast) {
+                return Err(SettingsError::Contrast);
+            }
+        }
+        if !cfg!(feature = "distributed") && self.sampling.needs_distributed() {
+            return Err(SettingsError::WithoutFeature { feature: "distributed" });
+        }
+        Ok(())
     }
 }
 

@@ -21,7 +21,7 @@
 //!
 //! | in | field | default |
 //! |---|---|---|
-//! | scene | `background`, `lights` | black, none |
+//! | scene | `background`, `lights`, `settings` | black, none, the usual ones |
 //! | material | `color`, `diffuse`, `ior` | white, 1, 1 |
 //! | | all others | 0, none |
 //! | `optics` | all | [`Optics::PLAIN`](rayline::Optics::PLAIN) |
@@ -42,11 +42,14 @@
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
 //!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`. Both names are relative to the folder
 //!   of the scene's file.
+//! - `settings` of the scene say how its picture is meant to be drawn, see [`FileSettings`]; options of the
+//!   command line overrule them.
 //! - `Some` and the inner parentheses of `Sphere((center: …))` are omitted.
 
 mod error;
 mod names;
 mod scan;
+mod settings;
 #[cfg(test)]
 mod tests;
 
@@ -57,7 +60,7 @@ use std::path::Path;
 
 use bumpalo::Bump;
 use rayline::read::{Reader, Seed};
-use rayline::{Fault, Part, Scene};
+use rayline::{Fault, Part, Scene, Settings};
 use ron::Options;
 use ron::extensions::Extensions;
 
@@ -66,12 +69,16 @@ use crate::text;
 pub use error::{Position, RonError, RonFault};
 use names::Known;
 pub use names::PRESETS;
+use settings::File;
+pub use settings::FileSettings;
 
 /// A scene that was read from a file.
 #[derive(Clone, Debug)]
 pub struct Import<'a> {
     /// The scene; it is checked when it is prepared.
     pub scene: Scene<'a>,
+    /// How its picture is meant to be drawn.
+    pub settings: FileSettings,
     text: &'a str,
 }
 
@@ -130,9 +137,9 @@ fn parse<'a>(
     loop {
         let memory = arena.alloc_slice_fill_copy(bytes, MaybeUninit::uninit());
         let mut reader = Reader::new(memory).with_names(names);
-        let scene = options().from_str_seed(text, Seed::<Scene<'a>>::new(&mut reader));
-        match (scene, reader.failure()) {
-            (Ok(scene), _) => return Ok(Import { scene, text }),
+        let file = options().from_str_seed(text, Seed::<File<'a>>::new(&mut reader));
+        match (file, reader.failure()) {
+            (Ok(File { scene, settings }), _) => return Ok(Import { scene, settings, text }),
             // The items that names stand for may be much longer than the text.
             (Err(_), Some(Fault::Memory { .. })) => bytes = bytes.saturating_mul(4),
             (Err(error), _) => return Err(RonFault::from_ron(error, known.unknown())),
@@ -140,14 +147,22 @@ fn parse<'a>(
     }
 }
 
-/// Writes a scene as text.
+/// Writes a scene as text, with those settings that differ from the `usual` ones of a file.
 ///
 /// # Errors
 /// The format cannot express the scene.
-pub fn write(scene: &Scene<'_>) -> Result<String, ron::Error> {
+pub fn write(scene: &Scene<'_>, settings: &Settings, usual: &Settings) -> Result<String, ron::Error> {
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
     let style = style.depth_limit(5).separate_tuple_members(false);
     let mut text = options().to_string_pretty(scene, style)?;
+    let settings = FileSettings::beside(usual, settings);
+    if settings != FileSettings::default()
+        && let Some(fields) = text.strip_suffix("\n)").map(str::to_owned)
+    {
+        let settings = options().to_string(&settings)?;
+        let comma = if fields.ends_with(',') { "" } else { "," };
+        text = format!("{fields}{comma}\n    settings: {settings},\n)");
+    }
     text.push('\n');
     Ok(text)
 }

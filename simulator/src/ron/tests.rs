@@ -5,12 +5,13 @@ use rayline::shape::{
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
+    Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
     Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object, Onto,
-    Optics, Panorama, Pixels, Placed, Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
+use crate::loaded::FILE_SETTINGS;
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GRAY: LinearRgb = LinearRgb::gray(0.25);
@@ -163,11 +164,39 @@ fn written_scenes_are_read_back() {
     let panorama = Panorama { image, rotation: UP };
     let around = Scene { background: Background::Image(&panorama), ..*builtin::ALL[0].scene };
     for scene in builtins.into_iter().chain([everything(&arena), around]) {
-        let text = write(&scene).unwrap();
+        let text = write(&scene, &FILE_SETTINGS, &FILE_SETTINGS).unwrap();
         match parsed(&arena, &text) {
             Ok(import) => assert_eq!(import.scene, scene),
             Err((position, fault)) => panic!("{position:?} {fault}\n{text}"),
         }
+    }
+}
+
+#[test]
+fn settings_are_read_and_written_back() {
+    let arena = Bump::new();
+    let end = SMALL.rfind("\n)").unwrap();
+    let with = |settings: &str| format!("{}\n    settings: {settings},{}", &SMALL[..end], &SMALL[end..]);
+    let text = with("(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()))");
+    let import = parsed(&arena, &text).unwrap();
+    let sampling =
+        Sampling { sampler: Sampler::Sobol, adaptive: Some(Adaptive::NEW), ..Sampling::new(16) };
+    let meant = Settings { width: 64, height: 48, bounces: 3, sampling, ..FILE_SETTINGS };
+    assert_eq!(import.settings.over(FILE_SETTINGS), meant);
+    assert_eq!(parsed(&arena, SMALL).unwrap().settings, FileSettings::default());
+
+    let again = parsed(&arena, &write(&import.scene, &meant, &FILE_SETTINGS).unwrap()).unwrap();
+    assert_eq!(again.scene, import.scene);
+    // The size is that of the picture at hand, not of the scene.
+    assert_eq!(again.settings, FileSettings { size: None, ..import.settings });
+
+    for (settings, said) in [
+        ("(sampels: 4)", "there is no field of FileSettings `sampels`"),
+        ("(sampling: (samples: -1))", "Expected"),
+        ("(sampling: (sampler: Halton))", "there is no variant of Sampler `Halton`"),
+    ] {
+        let (position, fault) = parsed(&arena, &with(settings)).unwrap_err();
+        assert!(position.line == 17 && fault.to_string().contains(said), "{position:?} {fault}");
     }
 }
 

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rayline::{Grid, Realtime, Settings};
+use rayline::{Grid, Realtime, Sampling, Settings};
 
 use crate::choices::Choices;
 
@@ -82,11 +82,12 @@ impl Case {
             1 => [choices.between(1, 3), choices.between(1, 30)],
             _ => [choices.between(7, 20), choices.between(7, 16)],
         };
+        let samples = if choices.chance(4) { choices.between(2, 3) as u32 } else { 1 };
         let settings = Settings {
             bounces,
             rays_per_pixel,
             cutoff: choices.one_of([0.0, 1.0 / 256.0, 0.1]),
-            samples_per_pixel: if choices.chance(4) { choices.between(2, 3) as u16 } else { 1 },
+            sampling: Sampling::new(samples.min(rays_per_pixel) as u16),
             ..Settings::new(width as u32, height as u32)
         };
         let portions = match choices.below(8) {
@@ -111,13 +112,13 @@ impl Case {
 /// and budget of realtime quality.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Settings { width, height, bounces, rays_per_pixel, cutoff, samples_per_pixel, .. } =
+        let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } =
             self.settings;
         let per_cutoff = if cutoff > 0.0 { (1.0 / cutoff).round() } else { 0.0 };
         let name = self.number.name();
         write!(f, "{name}-{width}x{height}-b{bounces}-r{rays_per_pixel}-c{per_cutoff}")?;
-        if samples_per_pixel > 1 {
-            write!(f, "-s{samples_per_pixel}")?;
+        if sampling.samples > 1 {
+            write!(f, "-s{}", sampling.samples)?;
         }
         match self.portions {
             Portions::All => {}
@@ -175,7 +176,7 @@ impl FromStr for Case {
                     "b" => case.settings.bounces = number as u8,
                     "r" => case.settings.rays_per_pixel = number,
                     "c" if number > 0 => case.settings.cutoff = 1.0 / number as f32,
-                    "s" => case.settings.samples_per_pixel = number as u16,
+                    "s" => case.settings.sampling.samples = number as u16,
                     _ => {}
                 }
             }

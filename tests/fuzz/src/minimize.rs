@@ -131,7 +131,7 @@ impl<'a> Smallest<'a> {
     fn simplify_case(&mut self, bench: &mut Bench) -> bool {
         let mut is_smaller = self.try_out(bench, |_, case| case.realtime = None);
         is_smaller |= self.try_out(bench, |_, case| case.portions = Portions::All);
-        is_smaller |= self.try_out(bench, |_, case| case.settings.samples_per_pixel = 1);
+        is_smaller |= self.try_out(bench, |_, case| case.settings.sampling.samples = 1);
         for bounces in 0..self.case.settings.bounces {
             is_smaller |= self.try_out(bench, |_, case| case.settings.bounces = bounces);
         }

@@ -289,9 +289,11 @@ pub(crate) fn plain<R: rayline_plain::Real>(
     let memory = lend(&mut room.memory, scene.bytes::<R>());
     let prepared = rayline_plain::PreparedScene::<R>::new(&scene, memory);
     let prepared = prepared.map_err(|error| Stop::Refused(error.to_string()))?;
-    let Settings { width, height, bounces, rays_per_pixel, cutoff, samples_per_pixel, .. } = settings;
+    let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = settings;
     let settings = rayline_plain::Settings::new(width, height);
-    let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, samples_per_pixel, ..settings };
+    let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, ..settings };
+    let sampling = rayline_plain::Sampling::new(sampling.samples);
+    let settings = rayline_plain::Settings { sampling, ..settings };
     let renderer = rayline_plain::Renderer::new(&prepared, settings).map_err(broken)?;
     picture.clear();
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {

@@ -13,7 +13,7 @@ use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Event, Light, LineError, LinearRgb, Material, Object, PreparedScene,
-    Probe, Progress, Realtime, Renderer, Sample, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
+    Probe, Progress, Realtime, Renderer, Sample, Sampling, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
     Vec3, Workspace, prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
@@ -387,7 +387,7 @@ fn bad_settings_are_refused() {
     let bounces = SettingsError::Bounces { given: 17, most: 16 };
     assert_eq!(refused(Settings { bounces: 17, ..SMALL }), Some(bounces));
     assert_eq!(refused(Settings { rays_per_pixel: 0, ..SMALL }), Some(SettingsError::RaysPerPixel));
-    assert_eq!(refused(Settings { samples_per_pixel: 0, ..SMALL }), Some(SettingsError::SamplesPerPixel));
+    assert_eq!(refused(Settings { sampling: Sampling::new(0), ..SMALL }), Some(SettingsError::Samples));
     for cutoff in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
         assert_eq!(refused(Settings { cutoff, ..SMALL }), Some(SettingsError::Cutoff));
     }
@@ -395,8 +395,8 @@ fn bad_settings_are_refused() {
 
 #[test]
 fn several_samples_smooth_and_depend_on_the_seed_alone() {
-    let picture_with = |samples_per_pixel, seed| {
-        with_renderer(&CLASSIC, Settings { samples_per_pixel, seed, ..SMALL }, picture)
+    let picture_with = |samples, seed| {
+        with_renderer(&CLASSIC, Settings { sampling: Sampling { seed, ..Sampling::new(samples) }, ..SMALL }, picture)
     };
     assert!(picture_with(1, 0) == picture_with(1, 9), "one sample is the center");
     assert!(picture_with(4, 0) == picture_with(4, 0));

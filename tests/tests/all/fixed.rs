@@ -13,7 +13,7 @@ use rayline::math::Fixed;
 use rayline::shape::{Blob, Cone, Ellipsoid, Metaballs, Plane, Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, Checker, Digest, Falloff, Fault, Lamp, Light, LinearRgb, Material, Object, Part,
-    PreparedScene, Real, Renderer, Scene, SceneError, Settings, Texture, Transfer, Vec3,
+    PreparedScene, Real, Renderer, Sampling, Scene, SceneError, Settings, Texture, Transfer, Vec3,
 };
 use rayline_simulator::LoadedScene;
 use rayline_tests::{Picture, backgrounds, core_picture, lights, numbers, optics, shapes, vectors};
@@ -505,7 +505,7 @@ fn many_samples_keep_their_mean() {
     let white = Scene { background: Background::gray(0.75), objects: &[], ..CLASSIC };
     let mut memory = vec![MaybeUninit::uninit(); white.bytes::<Fixed>()];
     let prepared = PreparedScene::<Fixed>::new(&white, &mut memory).unwrap();
-    let settings = Settings { samples_per_pixel: 1000, rays_per_pixel: 1000, ..Settings::new(4, 4) };
+    let settings = Settings { sampling: Sampling::new(1000), rays_per_pixel: 1000, ..Settings::new(4, 4) };
     let (light, _) = Renderer::new(&prepared, settings).unwrap().pixel(1, 1, &mut ());
     assert!((light.g.to_f32() - 0.75).abs() < 1e-3, "{light:?}");
 }

@@ -18,7 +18,7 @@ use rayline::shape::{
 use rayline::{
     Background, Camera, DrawError, Encoding, Ends, Event, Figure, Filter, Grid, Image, Interleave, Light,
     LineError, LinearRgb, Map, Material, Object, Onto, Pattern, Pixels, Placed, Placement, PreparedScene,
-    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings, Texture,
+    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Sampling, Scene, Settings, Texture,
     Vec3,
 };
 use rayline_simulator::{LoadedScene, Orbit};
@@ -730,7 +730,7 @@ fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
 
 #[test]
 fn several_samples_per_pixel_and_other_numbers_are_interpolated_too() {
-    let settings = Settings { samples_per_pixel: 4, bounces: 2, ..Settings::new(80, 60) };
+    let settings = Settings { sampling: Sampling::new(4), bounces: 2, ..Settings::new(80, 60) };
     with_renderer::<f64, _>(&CLASSIC, settings, |renderer| {
         let mut rays = RayCounts::default();
         let close = psnr(&exact(renderer, &mut ()), &realtime(renderer, Realtime::fine(), &mut rays));
@@ -1177,7 +1177,7 @@ fn shadows_and_mirrored_pictures_of_a_fence_are_shown() {
 
 #[test]
 fn thin_objects_are_shown_whole_with_several_samples() {
-    let settings = Settings { samples_per_pixel: 4, ..Settings::new(160, 120) };
+    let settings = Settings { sampling: Sampling::new(4), ..Settings::new(160, 120) };
     let bead = Object::new(Shape::Sphere(Sphere::new(Vec3::new(-4.0, 3.0, 0.0), 0.1)), 0);
     for angle in [0.1f32, 0.8, 1.4, 2.3] {
         let along = Vec3::new(3.5 * angle.cos(), 3.5 * angle.sin(), 0.0);

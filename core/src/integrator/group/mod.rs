@@ -23,7 +23,7 @@ use heapless::Vec;
 
 use super::path::Waiting;
 use super::shadow_rays::Blockers;
-use super::{RayBudget, RayLimits, Trace};
+use super::{RayBudget, RayLimits, Seen, Trace};
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::{FOUR_AT_ONCE, FourRays, Interval, Real};
@@ -70,7 +70,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
         limits: &RayLimits<R>,
         probe: &mut impl Probe<R>,
     ) {
-        let mut trace = Trace { scene: self.scene, limits: *limits, rays: RayBudget(0), probe };
+        let (rays, seen) = (RayBudget(0), Seen::NOTHING);
+        let mut trace = Trace { scene: self.scene, limits: *limits, rays, seen, probe };
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;

@@ -6,6 +6,7 @@
 use super::sample::{Near, PathDigest, Sample};
 use super::small::Watch;
 use crate::color::LinearRgb;
+use crate::integrator::fold;
 use crate::material::PreparedMaterial;
 use crate::math::{Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
@@ -132,12 +133,6 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
             self.shade = fold(self.shade, what);
         }
     }
-}
-
-/// The digest of `digest` and one thing more.
-#[inline]
-fn fold(digest: u32, what: u32) -> u32 {
-    (digest.rotate_left(5) ^ what).wrapping_mul(0x9E37_79B9)
 }
 
 impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for MarkProbe<'_, '_, R, S, P> {

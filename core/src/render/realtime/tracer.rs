@@ -16,7 +16,8 @@ use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe};
-use crate::render::{DisplayColor, Light16, Pixel, Quantizer, Renderer, Tone};
+use crate::render::pixel::Pixel;
+use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
 use crate::shape::Geometry;
 
 /// Pixels up to this distance from a straight edge are traced, in 1/16 of a pixel: the places where an edge

@@ -1,0 +1,48 @@
+//! A digest of what the rays of a sample met, for adaptive sampling.
+
+use crate::math::Real;
+use crate::prepared::Hit;
+
+/// A digest of the objects, facets and shadows that the rays of a sample met. Samples that met the same have
+/// the same digest. Without the feature `distributed` nothing is recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Seen(u32);
+
+impl Seen {
+    /// No ray was traced.
+    pub(crate) const NOTHING: Self = Self(0);
+
+    /// Records a hit.
+    #[inline]
+    pub(super) fn hit<R: Real>(&mut self, hit: &Hit<R>) {
+        // The facets of a body are told apart, the parts of a smooth surface are not.
+        let is_flat = hit.surface.shading_normal == hit.surface.normal;
+        let part = if is_flat { hit.surface.part.rotate_left(17) } else { 0 };
+        self.record(hit.object as u32 ^ part);
+    }
+
+    /// Records that a ray met nothing.
+    #[inline]
+    pub(super) fn miss(&mut self) {
+        self.record(u32::MAX);
+    }
+
+    /// Records a light that is blocked, in full or in part.
+    #[inline]
+    pub(super) fn shadow(&mut self, light: usize) {
+        self.record(1 << 24 | light as u32);
+    }
+
+    #[inline]
+    fn record(&mut self, what: u32) {
+        if cfg!(feature = "distributed") {
+            self.0 = fold(self.0, what);
+        }
+    }
+}
+
+/// The digest of `digest` and one thing more.
+#[inline]
+pub(crate) fn fold(digest: u32, what: u32) -> u32 {
+    (digest.rotate_left(5) ^ what).wrapping_mul(0x9E37_79B9)
+}
