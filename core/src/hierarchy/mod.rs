@@ -340,7 +340,6 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
 
     /// Calls `test` for all objects in boxes that pass a test, in any order, until it returns `true`. Returns
     /// whether it did.
-    #[inline(always)]
     fn any_in_boxes(&self, boxes: &impl BoxTest<R, W>, mut test: impl FnMut(usize) -> bool) -> bool {
         let unbounded = self.order.get(..self.unbounded).unwrap_or_default();
         if unbounded.iter().any(|object| test(usize::from(*object))) {
@@ -376,7 +375,6 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
     }
 
     /// [`walk`](Self::walk) with the test of boxes for the number system.
-    #[inline(always)]
     fn walk_boxes(&self, mut ray: impl RayTest<R, W>, mut test: impl FnMut(usize) -> R) {
         let mut waiting: Vec<WaitingBox<R>, MOST_WAITING> = Vec::new();
         let mut objects = self.order.get(..self.unbounded).unwrap_or_default();
@@ -406,7 +404,6 @@ impl<'m, R: Real, const W: usize> Hierarchy<'m, R, W> {
 }
 
 /// The nearest box of a node that a ray meets. The others are added to `waiting`.
-#[inline(always)]
 fn nearest<R: Real, const W: usize>(
     ray: &impl RayTest<R, W>,
     node: &Node<R, W>,

@@ -29,6 +29,7 @@ pub(super) struct Path<R> {
 
 impl<R: Real> Path<R> {
     /// Begins with a camera ray that can meet these objects.
+    // Forced, as in the rest of this file: without it, `classic` takes an M4F 1.10 times the instructions.
     #[inline(always)]
     pub(super) fn new(ray: Ray<R>, among: ObjectSet) -> Self {
         let next = PendingRay {

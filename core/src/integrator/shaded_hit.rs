@@ -56,6 +56,8 @@ struct LampLight<R> {
 /// the way.
 pub(super) trait ShadowRays<R: Real> {
     /// The next hit lies on this object.
+    // Forced, as in the rest of this file: without it, `classic` takes an M3 1.09 times the instructions, and
+    // an M0 1.07 times.
     #[inline(always)]
     fn begin_at(&mut self, _object: usize) {}
 

@@ -33,14 +33,12 @@ impl Blockers {
 }
 
 impl<R: Real> ShadowRays<R> for &Blockers {
-    #[inline(always)]
     fn begin_at(&mut self, object: usize) {
         if self.receiver != object {
             *self = &Blockers::UNKNOWN;
         }
     }
 
-    #[inline(always)]
     fn through<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,

@@ -132,6 +132,8 @@ impl<'m, R: Real> PreparedLight<'m, R> {
     /// The share of its light that a lamp sends to a point; `None` for a light that is no lamp. `toward` is
     /// the unit vector to the lamp, at this distance. Without the feature `optics` the compiler drops the
     /// code for it.
+    // Forced, as in `seen_from`: without it, `classic` takes an M0 1.05 times the instructions in realtime
+    // quality.
     #[inline(always)]
     pub(crate) fn share(&self, point: Vec3<R>, toward: Vec3<R>, distance: R) -> Option<R> {
         let lamp = if cfg!(feature = "optics") { self.lamp? } else { return None };

@@ -65,7 +65,6 @@ impl<R: Real> BallFromLight<R> {
     /// Rules nothing out: the product with the vector 0 is 0.
     const UNKNOWN: Self = Self { toward_center: Vec3::ZERO, least_opposite: R::ONE, least_glinting: R::ONE };
 
-    #[inline(never)]
     fn new(form: Form<R>, shininess: &Shininess<R>, light: &Source<R>, reach: R) -> Self {
         let (Form::Ball { center, radius }, Source::At(position)) = (form, light) else {
             return Self::UNKNOWN;
@@ -98,13 +97,11 @@ impl<R: Real> BallFromLight<R> {
     }
 
     /// Whether a shadow ray of this direction surely misses the ball.
-    #[inline(always)]
     fn is_passed_by(&self, toward_light: Vec3<R>) -> bool {
         self.toward_center.dot_bounds(toward_light).0 > self.least_opposite
     }
 
     /// Whether the ball may show a highlight at a place where rays are mirrored into this direction.
-    #[inline(always)]
     fn may_have_highlight(&self, mirrored: Vec3<R>) -> bool {
         !(self.toward_center.dot_bounds(mirrored).0 > self.least_glinting)
     }
@@ -112,7 +109,6 @@ impl<R: Real> BallFromLight<R> {
 
 /// The largest distance between a shadow ray and the straight way from a hit within `reach` to a light: the
 /// ray begins off the surface by the ray offset of its `magnitude`, and its direction is rounded.
-#[inline(never)]
 fn shadow_ray_deviation<R: Real>((reach, magnitude): (R, R), light: &Source<R>) -> R::Setup {
     let (largest, farthest) = match light {
         Source::At(position) => {
@@ -197,7 +193,6 @@ impl<'m, R: Real> Candidates<'m, R> {
 
     /// The candidates of a ray that leaves a surface; for a ray into a ball, up to the place where it comes
     /// out.
-    #[inline(always)]
     pub(crate) fn leaving(&self, from: Departure) -> ObjectSet {
         match self.leaving.get(from.object) {
             Some([inward, outward]) => {
@@ -218,7 +213,6 @@ impl<'m, R: Real> Candidates<'m, R> {
     }
 
     /// The objects that can stand between a surface and a light, for hits that [are near](Self::are_near).
-    #[inline(always)]
     pub(crate) fn between(&self, from: Departure, light: usize) -> ObjectSet {
         let set = self.pair(from.object, light).map_or(self.all, |pair| pair.between);
         if from.outward { set } else { set.with(from.object) }
@@ -233,26 +227,22 @@ impl<'m, R: Real> Candidates<'m, R> {
     /// Whether a hit of this [`Surface::magnitude`](crate::Surface::magnitude) is near enough for
     /// [`between`](Self::between), [`shadow_ray_deviation`](Self::shadow_ray_deviation) and
     /// [`not_passed_by`](Self::not_passed_by).
-    #[inline(always)]
     pub(super) fn are_near(&self, magnitude: R) -> bool {
         magnitude <= self.reach
     }
 
     /// Whether an object may have a highlight of a light at a place where rays are mirrored into this
     /// direction.
-    #[inline(always)]
     pub(super) fn may_have_highlight(&self, object: usize, light: usize, mirrored: Vec3<R>) -> bool {
         self.pair(object, light).is_none_or(|pair| pair.ball.may_have_highlight(mirrored))
     }
 
-    #[inline(always)]
     fn pair(&self, object: usize, light: usize) -> Option<&Pair<R>> {
         self.pairs.get(object.wrapping_mul(self.lights).wrapping_add(light))
     }
 
     /// The set without balls that a shadow ray of this direction surely misses. In floating point only the
     /// balls before the first other object are left out: the test takes as long as an intersection there.
-    #[inline(always)]
     pub(super) fn not_passed_by(&self, mut set: ObjectSet, light: usize, toward_light: Vec3<R>) -> ObjectSet {
         let is_passed =
             |object| self.pair(object, light).is_some_and(|pair| pair.ball.is_passed_by(toward_light));
@@ -309,7 +299,6 @@ impl<R: Real> BoundingBall<R> {
     /// Room for rounding, relative: well above the errors of the tests below.
     const SLACK: f32 = 1e-3;
 
-    #[inline(never)]
     pub(super) fn around<P: Intersect<R>>(object: &PreparedObject<'_, R, P>) -> Option<Self> {
         let (center, radius) = match object.shape.form() {
             Form::Ball { center, radius } => (center.to_setup(), radius.to_setup()),
@@ -335,7 +324,6 @@ impl<R: Real> BoundingBall<R> {
     }
 
     /// Whether any of `other` may stand between the light and a hit inside, of at most this magnitude.
-    #[inline(never)]
     fn is_shaded_by(&self, other: &Blocker<R>, (light, magnitude): (&Source<R>, R)) -> bool {
         // How far beside its way a shadow ray may be: it begins off the receiver's surface by the ray offset,
         // which may be more than that of the ball: a part that is cut out of a long cone is hit with the

@@ -35,6 +35,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// Distance and position of the first object ahead of a ray: a camera ray that can only meet `among`, or
     /// a ray that leaves a surface and was given the set of [`leaving`](Self::leaving).
+    // Forced, as in the rest of this file: without it, `classic` takes an M4F 1.05 times the instructions.
     #[inline(always)]
     pub(crate) fn closest_from(&self, ray: &Ray<R>, from: Departure, among: ObjectSet) -> Option<(R, usize)> {
         if self.candidates().is_none() {

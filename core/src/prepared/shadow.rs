@@ -53,6 +53,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// [`light_through`](Self::light_through) for a ray that can only meet `among`.
+    // Forced, as in the rest of this file: without it, a flake of 91 balls takes an M4F 1.04 times the
+    // instructions, and `whitted` an M3 1.02 times.
     #[inline(always)]
     pub(crate) fn light_through_among(
         &self,

@@ -35,6 +35,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
 
     /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
     /// Returns how many pixels it rendered, and the rays that they took. `x` must not decrease.
+    // Forced, as in `groups`, `pixel` and `outlines`: without it, `classic` takes an M4F 1.03 times the
+    // instructions, and an M0 1.02 times.
     #[inline(always)]
     pub(super) fn paint(
         &mut self,

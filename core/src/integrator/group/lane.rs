@@ -42,7 +42,6 @@ impl<'m, R: Real> Lane<'m, R> {
 
     /// Begins with a camera ray and the rays that it may spend. In place: a copy would wait for what was just
     /// written to reach memory.
-    #[inline(always)]
     pub(crate) fn begin(&mut self, ray: Ray<R>, rays: RayBudget) {
         self.path = Path::new(ray, ObjectSet::UNKNOWN);
         self.rays = rays;
@@ -65,14 +64,12 @@ impl<'m, R: Real> Lane<'m, R> {
     }
 
     /// Notes that the ray at hand ends at this distance, on the object of this position.
-    #[inline(always)]
     pub(super) fn meet<S: Geometry>(&mut self, scene: &PreparedScene<'m, R, S>, closest: Option<(R, usize)>) {
         self.material = scene.write_hit(&self.path.next.ray, closest, &mut self.hit);
     }
 }
 
 /// Takes the first lanes that have the same key.
-#[inline(always)]
 pub(super) fn take_run<'l, 'm, R: Real, K: PartialEq>(
     rest: &mut &'l mut [Lane<'m, R>],
     key: impl Fn(&Lane<'m, R>) -> K,

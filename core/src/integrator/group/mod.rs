@@ -96,7 +96,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     }
 
     /// Finds the hits of rays that leave the same surface to the same side.
-    #[inline(always)]
     fn meet(&self, run: &mut [Lane<'m, R>]) {
         let Some(first) = run.first().filter(|lane| lane.goes_on) else { return };
         let mut list = None;
@@ -126,7 +125,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     }
 
     /// Finds the hits of rays that can only meet listed objects, four rays at a time.
-    #[inline(always)]
     fn meet_by_four(&self, run: &mut [Lane<'m, R>], list: &[u16]) {
         // Write the hits one after the other at the end: where four are written at once, each waits for the
         // one before.
@@ -156,7 +154,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     }
 
     /// Shades hits on one object, and takes the next ray of each pixel.
-    #[inline(always)]
     fn shade<P: Probe<R>>(
         &mut self,
         run: &mut [Lane<'m, R>],
@@ -180,7 +177,6 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
     }
 
     /// The objects that a beam can meet, without object `but`; `None` if there are many.
-    #[inline(never)]
     fn list(&self, beam: &Beam<R>, but: Option<usize>) -> Option<List> {
         let mut list = List::new();
         let is_full = self

@@ -41,7 +41,6 @@ pub(super) struct Ways<'t, 'p, 'm, R: Real, S: Geometry + 'm> {
 
 impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     /// The ways from the hits of these lanes.
-    #[inline(always)]
     pub(super) fn new(group: &'t mut PixelGroup<'p, 'm, R, S>, run: &[Lane<'m, R>]) -> Self {
         let scene = group.scene;
         let mut ways = Self {
@@ -64,7 +63,6 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
     }
 
     /// The way to a light; `None` if the points are too few for a beam.
-    #[inline(always)]
     fn to(&mut self, light: usize) -> Option<&Way> {
         self.points?;
         if let Way::New = self.lights.get(light)? {
@@ -73,7 +71,6 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
         self.lights.get(light)
     }
 
-    #[inline(never)]
     fn look_up(&mut self, light: usize) {
         let list = self.beam_to(light).and_then(|beam| self.group.list(&beam, self.receiver));
         if let Some(way) = self.lights.get_mut(light) {
@@ -99,7 +96,6 @@ impl<'t, 'p, 'm, R: Real, S: Geometry + 'm> Ways<'t, 'p, 'm, R, S> {
 }
 
 impl<R: Real, S: Geometry> ShadowRays<R> for Ways<'_, '_, '_, R, S> {
-    #[inline(always)]
     fn through<T: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, T>,

@@ -136,6 +136,8 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
 }
 
 impl<R: Real, S: Geometry, P: Probe<R>> Probe<R> for MarkProbe<'_, '_, R, S, P> {
+    // Forced, as in the probe `()`: without it, `classic` takes an M4F 1.18 times the instructions in
+    // realtime quality.
     #[inline(always)]
     fn record(&mut self, event: Event<R>) {
         self.probe.record(event);

@@ -65,7 +65,6 @@ impl Paint<'_> {
     }
 
     // Called from `smooth` and `refined`: one copy is enough.
-    #[inline(never)]
     fn dithered<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
         let quantizer = Quantizer::new(self.settings, (self.left + x) as u16, (self.top + y as u32) as u16);
         C::from_tone(tone, &quantizer)

@@ -20,7 +20,6 @@ impl Cell {
     /// Draws the points of a side whose ends are known. If the ends differ, the point in the middle is
     /// traced, and so on for both halves; else the points between are interpolated.
     // Called from many places: one copy is enough.
-    #[inline(never)]
     pub(super) fn refine_side(&mut self, side: Side, pixels: &mut impl PixelSource) {
         let length = side.length();
         let mut samples = self.side_mut(side);
@@ -93,7 +92,6 @@ impl Cell {
 
     /// Draws row `across` of a square of four pixels that a steep edge crosses, or the column of a flat edge.
     // Called in a loop of three: one copy is enough.
-    #[inline(never)]
     fn fill_across(
         &mut self,
         edge: &Edge,

@@ -109,7 +109,6 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
 
     /// Traces the pixel at a point, as far as its purpose needs.
     // Called from many places: one copy is enough.
-    #[inline(never)]
     fn trace_for(&mut self, purpose: Purpose, x: usize, y: usize) -> Sample {
         let view = &mut self.view;
         let (scene, limits) = match purpose {

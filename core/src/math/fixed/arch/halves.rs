@@ -3,6 +3,7 @@
 //! [`portable`](super::portable), where the functions are described; ARMv6-M takes a quarter of the
 //! instructions of its compiler's library for a product.
 
+// Forced, as in the rest of this file: without it, `classic` takes an M0 1.009 times the instructions.
 #[inline(always)]
 fn halves(number: i32) -> (i32, i32) {
     (number >> 16, number & 0xFFFF)

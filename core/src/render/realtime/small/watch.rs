@@ -105,7 +105,6 @@ impl<R: Real> Watch<R> {
     /// A ray hits something. `mirrored` is the direction of the mirrored ray there.
     // Cold, and kept out of line: else the tracing of every pixel would need its registers.
     #[cold]
-    #[inline(never)]
     pub(in crate::render::realtime) fn hit<S: Geometry>(
         &mut self,
         scene: &PreparedScene<'_, R, S>,

@@ -65,6 +65,7 @@ macro_rules! call {
 /// A register that a function does not read.
 const UNUSED: MaybeUninit<i32> = MaybeUninit::uninit();
 
+// Forced, as in the rest of this file: without it, `classic` takes an M0 1.009 times the instructions.
 #[inline(always)]
 pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
     halves::upper_product(a, b, opaque)
