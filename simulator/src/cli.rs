@@ -163,6 +163,13 @@ pub(crate) struct BenchArgs {
     /// Render small pictures once each, to test the command; the times mean nothing
     #[arg(long, conflicts_with = "runs")]
     pub(crate) quick: bool,
+    /// Measure instead how the error of a scene's picture falls with the number of samples, print a table,
+    /// and write a plot
+    #[arg(long, value_name = "FILE.svg", conflicts_with = "runs")]
+    pub(crate) convergence: Option<PathBuf>,
+    /// The scene for --convergence
+    #[arg(value_name = "SCENE", default_value = "classic", requires = "convergence")]
+    pub(crate) source: PathBuf,
 }
 
 #[derive(Debug, Args)]

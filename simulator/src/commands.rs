@@ -9,9 +9,9 @@ use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
 use rayline_simulator::{
-    BOARDS, Bench, Demand, Demands, Gallery, LoadedScene, Picture, PictureFile, RenderError, RenderOptions,
-    ReportError, SceneFile, Stats, check, check_apart, check_writable, half_blocks, render_watched,
-    report_pixel, write_file,
+    BOARDS, Bench, Convergence, Demand, Demands, Gallery, LoadedScene, Picture, PictureFile, RenderError,
+    RenderOptions, ReportError, SceneFile, Stats, check, check_apart, check_writable, half_blocks,
+    render_watched, report_pixel, write_file,
 };
 
 use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
@@ -205,6 +205,9 @@ fn window(arguments: &Window) -> Outcome {
 }
 
 fn bench(arguments: &BenchArgs) -> Outcome {
+    if let Some(plot) = &arguments.convergence {
+        return convergence(&arguments.source, plot);
+    }
     let bench = match arguments.quick {
         true => Bench::QUICK,
         false => Bench { runs: usize::from(arguments.runs), ..Bench::FULL },
@@ -225,6 +228,20 @@ fn bench(arguments: &BenchArgs) -> Outcome {
         None => writeln!(io::stdout(), "POV-Ray is not installed: nothing to compare with.")?,
     }
     Ok(())
+}
+
+/// Measures the error of small pictures against the number of samples.
+fn convergence(source: &Path, plot: &Path) -> Outcome {
+    check_writable(plot)?;
+    let arena = Bump::new();
+    let scene = open(source, &arena, false)?;
+    let spinner = ProgressBar::new_spinner().with_message("rendering 4096 samples of each pixel, and fewer");
+    spinner.enable_steady_tick(Duration::from_millis(200));
+    let settings = Settings { width: 64, height: 48, ..scene.settings };
+    let measured = Convergence::measure(&scene.scene, settings).map_err(|error| explain(&scene, error))?;
+    spinner.finish_and_clear();
+    write_file(plot, measured.plot().as_bytes())?;
+    Ok(write!(io::stdout(), "{}", measured.table())?)
 }
 
 /// Renders a picture with a progress bar, and measures the time.

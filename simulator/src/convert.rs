@@ -83,7 +83,9 @@ impl SceneFile {
     /// unchanged.
     pub fn write(&self, scene: &Scene<'_>, settings: &Settings) -> Result<usize, ConvertError> {
         let bytes = match self.format {
-            Format::Ron => ron::write(scene, settings, &FILE_SETTINGS).map_err(ConvertError::Format)?.into_bytes(),
+            Format::Ron => {
+                ron::write(scene, settings, &FILE_SETTINGS).map_err(ConvertError::Format)?.into_bytes()
+            }
             Format::Bytes => to_bytes(scene)?,
             Format::Povray => to_povray(scene, settings).map_err(ConvertError::Povray)?.into_bytes(),
             Format::Rust(number) => {

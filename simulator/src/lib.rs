@@ -41,7 +41,7 @@ mod text;
 #[cfg(feature = "window")]
 mod window;
 
-pub use bench::{Bench, BenchError};
+pub use bench::{Bench, BenchError, Convergence, SAMPLES};
 pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;

@@ -17,12 +17,15 @@ pub enum Reconstruction {
     Gaussian,
 }
 
-/// Distances from the center, in 65536ths of a pixel, inside of which 0/32, 1/32 … 32/32 of the Gaussian's
+/// Distances from the center, in 65536ths of a pixel, inside of which 0/64, 1/64 … 64/64 of the Gaussian's
 /// weight lies.
-const GAUSSIAN: [u32; 33] = [
-    0, 1280, 2562, 3849, 5141, 6441, 7751, 9074, 10412, 11767, 13143, 14543, 15969, 17427, 18920, 20453,
-    22032, 23664, 25358, 27121, 28967, 30910, 32969, 35166, 37534, 40116, 42975, 46204, 49958, 54512, 60458,
-    69523, 98304,
+#[rustfmt::skip]
+const GAUSSIAN: [u32; 65] = [
+    0, 640, 1280, 1921, 2562, 3205, 3849, 4494, 5141, 5790, 6441, 7095, 7751, 8411, 9074, 9741, 10412,
+    11087, 11767, 12453, 13143, 13840, 14543, 15253, 15969, 16694, 17427, 18169, 18920, 19681, 20453, 21236,
+    22032, 22841, 23664, 24503, 25358, 26230, 27121, 28033, 28967, 29926, 30910, 31924, 32969, 34048, 35166,
+    36326, 37534, 38795, 40116, 41506, 42975, 44535, 46204, 48002, 49958, 52109, 54512, 57250, 60458, 64379,
+    69523, 77327, 98304,
 ];
 
 impl Reconstruction {
@@ -37,9 +40,9 @@ impl Reconstruction {
             Self::Tent => 0x1_0000 - ((0x8000 - beyond).min(0x7FFF) << 17).isqrt() as i32,
             Self::Gaussian => {
                 let quantile = |index: u32| GAUSSIAN.get(index as usize).copied().unwrap_or(98304);
-                let (index, rest) = (beyond >> 10, beyond & 0x3FF);
+                let (index, rest) = (beyond >> 9, beyond & 0x1FF);
                 let (near, far) = (quantile(index), quantile(index + 1));
-                (near + ((far - near) * rest >> 10)) as i32
+                (near + (((far - near) * rest) >> 9)) as i32
             }
         };
         if share >= 0x8000 { CENTER + distance } else { CENTER - distance }

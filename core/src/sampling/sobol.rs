@@ -34,7 +34,7 @@ fn reorder(number: u32, bits: u32, seed: u32) -> u32 {
     let mut above = 0;
     while shift >= 2 {
         shift -= 2;
-        let order = (hash(above, seed ^ shift) >> 16) * 24 >> 16;
+        let order = ((hash(above, seed ^ shift) >> 16) * 24) >> 16;
         let order = ORDERS.get(order as usize).copied().unwrap_or(0b11_10_01_00);
         let pair = number >> shift & 3;
         above = above << 2 | u32::from(order) >> (pair * 2) & 3;
@@ -46,18 +46,13 @@ fn reorder(number: u32, bits: u32, seed: u32) -> u32 {
 }
 
 /// The orders of four values: two bits for each value, the value 0 in the lowest.
-static ORDERS: [u8; 24] = {
-    let (mut orders, mut count, mut order) = ([0; 24], 0, 0u32);
-    while order < 256 {
-        let seen = 1 << (order & 3) | 1 << (order >> 2 & 3) | 1 << (order >> 4 & 3) | 1 << (order >> 6);
-        if seen == 0b1111 {
-            orders[count] = order as u8;
-            count += 1;
-        }
-        order += 1;
-    }
-    orders
-};
+#[rustfmt::skip]
+static ORDERS: [u8; 24] = [
+    0b00_01_10_11, 0b00_01_11_10, 0b00_10_01_11, 0b00_10_11_01, 0b00_11_01_10, 0b00_11_10_01,
+    0b01_00_10_11, 0b01_00_11_10, 0b01_10_00_11, 0b01_10_11_00, 0b01_11_00_10, 0b01_11_10_00,
+    0b10_00_01_11, 0b10_00_11_01, 0b10_01_00_11, 0b10_01_11_00, 0b10_11_00_01, 0b10_11_01_00,
+    0b11_00_01_10, 0b11_00_10_01, 0b11_01_00_10, 0b11_01_10_00, 0b11_10_00_01, 0b11_10_01_00,
+];
 
 /// Sobol's second dimension for a number, with its bits in reverse order. The bit j is the sum modulo 2 of
 /// the bits k of the number whose binomial (k over j) is odd, which is so if j has no bit that k has not.
@@ -125,6 +120,17 @@ mod tests {
                 places.iter().for_each(|place| seen[boxes(*place)] += 1);
                 assert!(seen.iter().all(|times| *times == 1), "{samples} samples, {square}: {seen:?}");
             }
+        }
+    }
+
+    #[test]
+    fn every_order_of_four_values_is_there_once() {
+        let mut orders = ORDERS.to_vec();
+        orders.sort_unstable();
+        orders.dedup();
+        assert_eq!(orders.len(), 24);
+        for order in orders {
+            assert_eq!((0..4).fold(0, |seen, value| seen | 1 << (order >> (2 * value) & 3)), 0b1111);
         }
     }
 

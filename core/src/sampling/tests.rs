@@ -2,14 +2,8 @@
 
 use super::*;
 
-const ALL: [Sampler; 6] = [
-    Sampler::R2,
-    Sampler::Grid,
-    Sampler::Random,
-    Sampler::Jittered,
-    Sampler::Poisson,
-    Sampler::Sobol,
-];
+const ALL: [Sampler; 6] =
+    [Sampler::R2, Sampler::Grid, Sampler::Random, Sampler::Jittered, Sampler::Poisson, Sampler::Sobol];
 
 fn sample(sampler: Sampler, samples: u16, (x, y): (u16, u16), index: u16, seed: u32) -> PixelSample {
     PixelSample { sampling: Sampling { sampler, seed, ..Sampling::new(samples) }, x, y, index }
@@ -30,7 +24,10 @@ fn samples_cover_the_pixel_evenly() {
                 Sampler::Grid | Sampler::Jittered | Sampler::Sobol => (16, 16),
                 _ => (12, 20),
             };
-            assert!(quadrants.iter().all(|count| (least..=most).contains(count)), "{sampler:?} {quadrants:?}");
+            assert!(
+                quadrants.iter().all(|count| (least..=most).contains(count)),
+                "{sampler:?} {quadrants:?}"
+            );
         }
     }
 }

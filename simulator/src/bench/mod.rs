@@ -6,8 +6,11 @@
 //! wall-clock times.
 
 mod builtin;
+mod convergence;
 mod povray;
 mod times;
+
+pub use convergence::{Convergence, SAMPLES};
 
 use core::fmt;
 use std::io;

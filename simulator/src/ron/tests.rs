@@ -7,7 +7,8 @@ use rayline::shape::{
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
     Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object, Onto,
-    Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes, Texture,
+    Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -179,8 +180,7 @@ fn settings_are_read_and_written_back() {
     let with = |settings: &str| format!("{}\n    settings: {settings},{}", &SMALL[..end], &SMALL[end..]);
     let text = with("(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()))");
     let import = parsed(&arena, &text).unwrap();
-    let sampling =
-        Sampling { sampler: Sampler::Sobol, adaptive: Some(Adaptive::NEW), ..Sampling::new(16) };
+    let sampling = Sampling { sampler: Sampler::Sobol, adaptive: Some(Adaptive::NEW), ..Sampling::new(16) };
     let meant = Settings { width: 64, height: 48, bounces: 3, sampling, ..FILE_SETTINGS };
     assert_eq!(import.settings.over(FILE_SETTINGS), meant);
     assert_eq!(parsed(&arena, SMALL).unwrap().settings, FileSettings::default());

@@ -112,8 +112,7 @@ impl Case {
 /// and budget of realtime quality.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } =
-            self.settings;
+        let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = self.settings;
         let per_cutoff = if cutoff > 0.0 { (1.0 / cutoff).round() } else { 0.0 };
         let name = self.number.name();
         write!(f, "{name}-{width}x{height}-b{bounces}-r{rays_per_pixel}-c{per_cutoff}")?;

@@ -13,8 +13,8 @@ use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
     Background, Camera, DrawError, Event, Light, LineError, LinearRgb, Material, Object, PreparedScene,
-    Probe, Progress, Realtime, Renderer, Sample, Sampling, Scene, SceneBuf, Settings, SettingsError, Texture, Transfer,
-    Vec3, Workspace, prepared_bytes,
+    Probe, Progress, Realtime, Renderer, Sample, Sampling, Scene, SceneBuf, Settings, SettingsError, Texture,
+    Transfer, Vec3, Workspace, prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -396,7 +396,11 @@ fn bad_settings_are_refused() {
 #[test]
 fn several_samples_smooth_and_depend_on_the_seed_alone() {
     let picture_with = |samples, seed| {
-        with_renderer(&CLASSIC, Settings { sampling: Sampling { seed, ..Sampling::new(samples) }, ..SMALL }, picture)
+        with_renderer(
+            &CLASSIC,
+            Settings { sampling: Sampling { seed, ..Sampling::new(samples) }, ..SMALL },
+            picture,
+        )
     };
     assert!(picture_with(1, 0) == picture_with(1, 9), "one sample is the center");
     assert!(picture_with(4, 0) == picture_with(4, 0));

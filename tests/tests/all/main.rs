@@ -25,4 +25,5 @@ mod povray;
 mod realtime;
 mod reference;
 mod robustness;
+mod sampling;
 mod solids;

@@ -18,8 +18,8 @@ use rayline::shape::{
 use rayline::{
     Background, Camera, DrawError, Encoding, Ends, Event, Figure, Filter, Grid, Image, Interleave, Light,
     LineError, LinearRgb, Map, Material, Object, Onto, Pattern, Pixels, Placed, Placement, PreparedScene,
-    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Sampling, Scene, Settings, Texture,
-    Vec3,
+    Probe, RayCounts, RayKind, Real, Realtime, RealtimeBuffer, Renderer, Sample, Sampling, Scene, Settings,
+    Texture, Vec3,
 };
 use rayline_simulator::{LoadedScene, Orbit};
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
