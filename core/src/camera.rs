@@ -1,9 +1,10 @@
 //! The camera of a scene, and the mapping between pixels and rays.
 
 use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
+use crate::lens::{Lens, PreparedLens};
 use crate::math::{Aabb, Kernel, Ray, Real, Scale, Vec3};
 
-/// A pinhole camera.
+/// A camera: a pinhole, or a thin lens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Camera {
@@ -17,6 +18,9 @@ pub struct Camera {
     /// The full vertical angle of view in radians, between 0 and π. Pixels are square: the horizontal angle
     /// follows from the width and height of the picture.
     pub vertical_fov: f32,
+    /// The lens; `None`: a pinhole, through which everything is sharp.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub lens: Option<Lens>,
 }
 
 #[cfg(feature = "serde")]
@@ -58,6 +62,20 @@ impl Camera {
         }
         let eye = scale.point(self.eye.to());
         Ok(PreparedCamera { eye, forward, right, up: right.cross(forward), half_height })
+    }
+}
+
+impl Camera {
+    /// Checks the lens and converts it.
+    pub(crate) fn prepare_lens<R: Real>(&self, scale: Scale) -> Result<Option<PreparedLens<R>>, Fault> {
+        let Some(lens) = self.lens else { return Ok(None) };
+        let prepared = lens.prepare(scale)?;
+        // Rays begin anywhere on the lens.
+        let edge = Vec3::new(lens.radius, lens.radius, lens.radius);
+        if !(scale.is_near::<R>(self.eye + edge) && scale.is_near::<R>(self.eye - edge)) {
+            return Err(Fault::BeyondReach);
+        }
+        Ok(Some(prepared))
     }
 }
 
@@ -222,6 +240,24 @@ impl<R: Real> Viewport<R> {
         Ray { origin: self.camera.eye, direction: direction.unit() }
     }
 
+    /// As [`ray`](Self::ray), from a place on a lens, given in units of its radius, right and up. All these
+    /// rays meet where the ray through the center of the lens meets the plane in focus.
+    pub(crate) fn ray_from_lens(
+        &self,
+        across: R,
+        row: RayRow<R>,
+        lens: &PreparedLens<R>,
+        [right, up]: [R; 2],
+    ) -> Ray<R> {
+        let [unit_right, unit_up] = self.right_and_up();
+        let beside = unit_right * right + unit_up * up;
+        // The part of the corner along the line of sight is as long as that of all directions.
+        let forward = self.corner.to_setup().dot(self.camera.forward);
+        let turn = R::from_setup(lens.radius_over_focus() * forward);
+        let direction = self.corner + self.right * across + row.0 - beside * turn;
+        Ray { origin: self.camera.eye + beside * lens.radius(), direction: direction.unit() }
+    }
+
     /// The depth of a point along the line of sight, and its distance from the eye.
     pub(crate) fn depth(&self, point: Vec3<R::Setup>) -> (R::Setup, R::Setup) {
         let toward = point - self.camera.eye.to_setup();
@@ -284,6 +320,7 @@ mod tests {
         target: Vec3::new(1.0, 2.0, -7.0),
         up: Vec3::new(0.0, 5.0, 0.0),
         vertical_fov: core::f32::consts::FRAC_PI_2,
+        lens: None,
     };
 
     #[test]

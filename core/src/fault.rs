@@ -128,6 +128,12 @@ pub enum Fault {
     EnergyAboveOne,
     /// The shininess is negative. Use 0 or more.
     NegativeShininess,
+    /// The exponent of [`Optics::gloss`](crate::Optics::gloss) or
+    /// [`Optics::translucency`](crate::Optics::translucency) is negative. Use 0 or more.
+    NegativeExponent,
+    /// The radius of a [`Lens`](crate::Lens) is not more than 0 or is above its distance of focus, or the
+    /// lens has 1, 2 or more than 16 blades. Use a smaller radius, and 0 or 3 to 16 blades.
+    Lens,
     /// A coefficient of a falloff is negative or above 1e6, or all are zero. Use 0 to 1e6, and more than 0
     /// for one of them. [`Falloff::inverse_square`](crate::Falloff::inverse_square) takes a distance from
     /// 0.001 to 1e19.
@@ -313,6 +319,13 @@ impl fmt::Display for Fault {
             }
             Self::EnergyAboveOne => "reflectance and transmittance add up to more than 1; lower one of them",
             Self::NegativeShininess => "the shininess is negative; use 0 or more",
+            Self::NegativeExponent => {
+                "the exponent of `gloss` or `translucency` is negative; use 0 or more, or none for sharp rays"
+            }
+            Self::Lens => {
+                "the radius of a lens is not more than 0 or is above its `focus`, or it has 1, 2 or more \
+                 than 16 blades; use a smaller radius, and 0 or 3 to 16 blades"
+            }
             Self::Falloff => {
                 "a coefficient of a falloff is not within 0 to 1e6, or all are 0; use more than 0 for one of \
                  the three, and give `inverse_square` a distance from 0.001 to 1e19"

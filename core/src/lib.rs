@@ -15,6 +15,7 @@
 //!         target: Vec3::new(0.0, 0.0, 0.0),
 //!         up: Vec3::new(0.0, 1.0, 0.0),
 //!         vertical_fov: 0.7,
+//!         lens: None,
 //!     },
 //!     background: Background::gray(0.05),
 //!     objects: &[Object::new(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), 0)],
@@ -44,8 +45,8 @@
 //! | [`Renderer`] | any line of the picture, into a slice or a display | `render` |
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`,
-//! `color`, `falloff`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `camera`,
-//! `background`, `scene`, `prepared`, `probe`, `sampling`, `integrator`, `render`, `builtin`, `bake`.
+//! `color`, `falloff`, `sampling`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `lens`,
+//! `camera`, `background`, `scene`, `prepared`, `probe`, `integrator`, `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
@@ -103,6 +104,7 @@ mod falloff;
 mod fault;
 mod hierarchy;
 mod integrator;
+mod lens;
 mod light;
 pub mod limits;
 mod material;
@@ -125,6 +127,7 @@ pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;
 pub use fault::{Coefficient, Fault};
+pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};
 pub use math::{Real, Vec3};

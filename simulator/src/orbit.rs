@@ -65,6 +65,7 @@ mod tests {
         target: Vec3::new(0.0, 0.0, 4.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 1.0,
+        lens: None,
     };
 
     fn assert_near(actual: Vec3, expected: Vec3) {

@@ -9,6 +9,7 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
             target: Vec3::new(0.0, 0.8, 0.0),
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.7,
+            lens: None,
         },
         background: Background::Solid(LinearRgb::new(0.3, 0.4, 0.6)),
         objects: &[

@@ -228,6 +228,7 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
                 emission,
                 reflection_falloff: falloff,
                 outside,
+                ..Optics::PLAIN
             };
             Some(&*Box::leak(Box::new(optics)))
         },

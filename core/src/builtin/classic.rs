@@ -60,6 +60,7 @@ pub static CLASSIC: Scene<'static> = Scene {
         target: Vec3::new(0.0, 0.0, -1.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 60f32.to_radians(),
+        lens: None,
     },
     background: Background::Solid(LinearRgb::new(0.2, 0.7, 0.8)),
     objects: &[

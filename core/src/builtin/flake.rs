@@ -99,6 +99,7 @@ const fn scene(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
             target: Vec3::new(0.0, 0.0, 0.0),
             up: Vec3::new(0.0, 0.0, 1.0),
             vertical_fov: 45f32.to_radians(),
+            lens: None,
         },
         background: Background::Solid(LinearRgb::new(0.078, 0.361, 0.753)),
         objects,

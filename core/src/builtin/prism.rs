@@ -48,6 +48,7 @@ pub static PRISM: Scene<'static> = Scene {
         target: at(0.1, 1.3, 0.0),
         up: at(0.0, 1.0, 0.0),
         vertical_fov: 38f32.to_radians(),
+        lens: None,
     },
     background: Background::Solid(LinearRgb::new(0.35, 0.5, 0.7)),
     objects: &[

@@ -122,6 +122,7 @@ pub static TABLE: Scene<'static> = Scene {
         target: at(0.15, 0.75, 0.0),
         up: at(0.0, 1.0, 0.0),
         vertical_fov: 36f32.to_radians(),
+        lens: None,
     },
     background: Background::Solid(LinearRgb::new(0.12, 0.15, 0.2)),
     objects: &OBJECTS,

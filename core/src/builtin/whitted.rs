@@ -45,6 +45,7 @@ pub static WHITTED: Scene<'static> = Scene {
         target: Vec3::new(0.3, 1.45, 0.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 46f32.to_radians(),
+        lens: None,
     },
     background: Background::Solid(LinearRgb::new(0.15, 0.4, 0.75)),
     objects: &[

@@ -32,6 +32,7 @@ use crate::color::LinearRgb;
 use crate::math::{Ray, Real};
 use crate::prepared::{ObjectSet, PreparedScene};
 use crate::probe::Probe;
+use crate::sampling::PixelSample;
 use crate::shape::Geometry;
 
 /// When rays are no longer followed.
@@ -83,6 +84,8 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     /// The rays that are left.
     rays: RayBudget,
     seen: Seen,
+    /// The sample, which draws the directions of its rays.
+    sample: PixelSample,
     probe: &'t mut P,
 }
 
@@ -93,6 +96,8 @@ pub(crate) struct SampleRays {
     pub(crate) left: RayBudget,
     /// What the rays of the last sample met.
     pub(crate) seen: Seen,
+    /// The sample at hand.
+    pub(crate) sample: PixelSample,
 }
 
 /// The light that comes to the origin of a camera ray from where it points.
@@ -105,9 +110,10 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     rays: &mut SampleRays,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut trace = Trace { scene, limits: *limits, rays: rays.left, seen: Seen::NOTHING, probe };
+    let SampleRays { left, sample, .. } = *rays;
+    let mut trace = Trace { scene, limits: *limits, rays: left, seen: Seen::NOTHING, sample, probe };
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
-    *rays = SampleRays { left: trace.rays, seen: trace.seen };
+    (rays.left, rays.seen) = (trace.rays, trace.seen);
     path.light
 }

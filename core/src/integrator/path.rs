@@ -145,6 +145,7 @@ impl<R: Real> Path<R> {
         if let Some(direction) = direction
             && let Some(throughput) = followed(trace, throughput * refracted, bounces)
         {
+            let direction = shaded.spread_refracted(direction, &trace.sample, bounces);
             let ray = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Refracted);
             // There is always a place, as the module explains.
             if waiting.push(ray).is_err() {
@@ -153,8 +154,8 @@ impl<R: Real> Path<R> {
         }
         match reflected {
             Some(throughput) => {
-                self.next =
-                    shaded.leave(trace.scene, shaded.mirrored, throughput, bounces, RayKind::Reflected);
+                let direction = shaded.spread_mirrored(&trace.sample, bounces);
+                self.next = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Reflected);
                 true
             }
             None => take(waiting, &mut self.next),

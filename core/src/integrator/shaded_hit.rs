@@ -8,6 +8,7 @@ use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Departure, Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
+use crate::sampling::{Dimension, PixelSample, lobe};
 use crate::shape::Geometry;
 use crate::surface::Surface;
 use crate::throughput::Throughput;
@@ -269,6 +270,42 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             None => Some(self.cosine),
         };
         (optics.shares((reflectance, transmittance), self.cosine, self.eta(), cosine), refraction)
+    }
+
+    /// The direction of a ray that the surface mirrors: in the lobe of a glossy material.
+    #[inline]
+    pub(super) fn spread_mirrored(&self, sample: &PixelSample, bounces: u8) -> Vec3<R> {
+        match self.material.optics().and_then(|optics| optics.gloss) {
+            Some(exponent) if cfg!(feature = "distributed") => {
+                self.spread(self.mirrored, exponent, sample.pair(Dimension::mirrored(bounces)))
+            }
+            _ => self.mirrored,
+        }
+    }
+
+    /// The direction of a ray that the surface refracts into a direction: in the lobe of a translucent
+    /// material.
+    #[inline]
+    pub(super) fn spread_refracted(&self, direction: Vec3<R>, sample: &PixelSample, bounces: u8) -> Vec3<R> {
+        match self.material.optics().and_then(|optics| optics.translucency) {
+            Some(exponent) if cfg!(feature = "distributed") => {
+                self.spread(direction, exponent, sample.pair(Dimension::refracted(bounces)))
+            }
+            _ => direction,
+        }
+    }
+
+    /// A direction in the lobe around `axis`, on the axis's side of the surface. The part of the lobe that
+    /// lies on the other side is turned around to this side, so that no light is lost.
+    fn spread(&self, axis: Vec3<R>, exponent: R::Factor, pair: [u16; 2]) -> Vec3<R> {
+        let direction = lobe(axis, exponent, pair);
+        let normal = self.hit.surface.normal;
+        let (height, of_axis) = (normal.dot(direction), normal.dot(axis));
+        if (height > R::ZERO) == (of_axis > R::ZERO) {
+            return direction;
+        }
+        let turned = direction - normal * (height + height);
+        turned.normalized().unwrap_or(axis)
     }
 
     /// The ratio of the indices of refraction: on the side that the ray came from over the other side.

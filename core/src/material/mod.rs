@@ -88,6 +88,11 @@ impl<'a> Material<'a> {
         self.optics.is_some()
     }
 
+    /// Whether the material needs the feature `distributed`.
+    pub(crate) fn needs_distributed(&self) -> bool {
+        self.optics.is_some_and(Optics::needs_distributed)
+    }
+
     /// Whether the material needs the feature `textures`.
     pub(crate) const fn needs_textures(&self) -> bool {
         matches!(self.color, Texture::Placed(_)) || !self.maps.is_empty()

@@ -6,7 +6,7 @@ use super::fresnel::{exact, schlick};
 use super::medium::{Absorption, Medium};
 use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
-use crate::fault::{Coefficient, Fault, check_share};
+use crate::fault::{Coefficient, Fault, check_number, check_share};
 use crate::math::{Real, Scale, Vec3};
 use crate::throughput::Throughput;
 
@@ -52,6 +52,13 @@ pub struct Optics {
     /// The medium in front of the surface, where it is not air: for bubbles, for objects in water, and where
     /// two bodies touch. Its absorption dims the rays that leave the surface outward.
     pub outside: Medium,
+    /// Gloss: the exponent n of a lobe around the mirrored direction, 0 or more. Mirrored rays are spread
+    /// with a density that falls with the cosine of their angle to it, to the power n, as Phong's highlight
+    /// of that [`shininess`](super::Material::shininess) does; `None`: a perfect mirror. Needs the feature
+    /// `distributed`.
+    pub gloss: Option<f32>,
+    /// Translucency: as [`gloss`](Self::gloss), for refracted rays; `None`: clear glass.
+    pub translucency: Option<f32>,
 }
 
 impl Optics {
@@ -65,6 +72,8 @@ impl Optics {
         emission: LinearRgb::gray(0.0),
         reflection_falloff: Falloff::NONE,
         outside: Medium::AIR,
+        gloss: None,
+        translucency: None,
     };
 
     /// The optics of clear glass: Fresnel's equations divide the light between reflection and refraction.
@@ -108,6 +117,9 @@ pub(crate) struct PreparedOptics<R: Real> {
     outside: Option<Absorption<R>>,
     pub(crate) emission: LinearRgb<R>,
     falloff: Option<PreparedFalloff<R>>,
+    /// `1 / (n + 1)` for the exponents n of the lobes around mirrored and refracted rays.
+    pub(crate) gloss: Option<R::Factor>,
+    pub(crate) translucency: Option<R::Factor>,
 }
 
 /// The shares of light from the mirrored and the refracted ray.
@@ -140,7 +152,29 @@ impl Optics {
             outside: Absorption::prepare(self.outside.absorption, scale)?,
             emission: emission.to(),
             falloff: self.reflection_falloff.prepare(scale.to_f32())?,
+            gloss: prepare_lobe::<R>(self.gloss)?,
+            translucency: prepare_lobe::<R>(self.translucency)?,
         })
+    }
+}
+
+/// Checks the exponent n of a lobe, and converts it to `1 / (n + 1)`.
+fn prepare_lobe<R: Real>(exponent: Option<f32>) -> Result<Option<R::Factor>, Fault> {
+    let Some(exponent) = exponent else { return Ok(None) };
+    if !cfg!(feature = "distributed") {
+        return Err(Fault::WithoutFeature { feature: "distributed" });
+    }
+    check_number(exponent)?;
+    if exponent < 0.0 {
+        return Err(Fault::NegativeExponent);
+    }
+    Ok(Some(R::factor(1.0 / (exponent + 1.0))))
+}
+
+impl Optics {
+    /// Whether these optics need the feature `distributed`.
+    pub(crate) const fn needs_distributed(&self) -> bool {
+        self.gloss.is_some() || self.translucency.is_some()
     }
 }
 

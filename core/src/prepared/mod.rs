@@ -31,6 +31,7 @@ use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
+use crate::lens::PreparedLens;
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
@@ -46,6 +47,10 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     camera: PreparedCamera<R>,
+    /// `None`: a pinhole.
+    lens: Option<PreparedLens<R>>,
+    /// Whether a material spreads mirrored or refracted rays.
+    has_lobes: bool,
     pub(crate) background: PreparedBackground<'m, R>,
     objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
     pub(crate) lights: &'m [PreparedLight<'m, R>],
@@ -99,6 +104,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
         let Scene { camera, background, objects, materials, lights } = *scene;
         let scale = scene.scale::<R>();
+        let lens = camera.prepare_lens(scale).map_err(Part::Camera.error())?;
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),
@@ -136,6 +142,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
         Ok(Self {
             camera,
+            lens,
+            has_lobes: materials.iter().any(Material::needs_distributed),
             background,
             objects: prepared_objects,
             lights: prepared_lights,
@@ -161,11 +169,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// # Errors
     /// What is wrong with the camera; the old one stays.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
+        let lens = camera.prepare_lens(self.scale).map_err(Part::Camera.error())?;
         let camera = camera.prepare(self.scale).map_err(Part::Camera.error())?;
         if !self.planes_are_near(camera.eye()) {
             return Err(Part::Camera.error()(Fault::BeyondReach));
         }
-        self.camera = camera;
+        (self.camera, self.lens) = (camera, lens);
         Ok(())
     }
 
@@ -196,6 +205,17 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     pub(crate) fn camera(&self) -> &PreparedCamera<R> {
         &self.camera
+    }
+
+    /// The lens, if the camera has one. Without the feature there is none, and the compiler drops the code
+    /// that uses it.
+    pub(crate) fn lens(&self) -> Option<&PreparedLens<R>> {
+        if cfg!(feature = "distributed") { self.lens.as_ref() } else { None }
+    }
+
+    /// Whether rays draw numbers, so that a sample is more than its place in the pixel.
+    pub(crate) fn is_distributed(&self) -> bool {
+        cfg!(feature = "distributed") && (self.lens.is_some() || self.has_lobes)
     }
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses

@@ -21,7 +21,8 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     /// `None` if groups would not be faster, or if the probe needs the events of one pixel after the other.
     #[inline(always)]
     pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, probe: &impl Probe<R>) -> Option<Self> {
-        if probe.needs_order() || renderer.settings.sampling.samples > 1 {
+        let has_one = renderer.settings.sampling.samples <= 1 && !renderer.scene.is_distributed();
+        if probe.needs_order() || !has_one {
             return None;
         }
         Some(Self { renderer, group: PixelGroup::new(renderer.scene)? })

@@ -106,7 +106,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             settings,
             outlines: Outlines::UNKNOWN,
         };
-        if samples == 1 {
+        // A lens blurs outlines, and several samples lie beside them.
+        if samples == 1 && scene.lens().is_none() {
             renderer.outlines.find(scene, &renderer.viewport);
             renderer.outlines.find_shadows(scene, &renderer.viewport);
         }

@@ -4,10 +4,11 @@ use super::Renderer;
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
-use crate::math::Real;
+use crate::lens::PreparedLens;
+use crate::math::{Ray, Real};
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
-use crate::sampling::{Adaptive, CENTER, PixelSample, Sampling};
+use crate::sampling::{Adaptive, CENTER, Dimension, PixelSample, Sampling};
 use crate::shape::Geometry;
 
 /// A pixel, with the rays through the centers of its line.
@@ -106,32 +107,48 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     ) -> (LinearRgb<R>, u32) {
         let has_one = self.settings.sampling.samples <= 1;
         let rays_per_pixel = self.settings.rays_per_pixel;
-        let mut rays = SampleRays { left: RayBudget(rays_per_pixel), seen: Seen::NOTHING };
+        let sample = PixelSample { sampling: self.settings.sampling, x, y, index: 0 };
+        let mut rays = SampleRays { left: RayBudget(rays_per_pixel), seen: Seen::NOTHING, sample };
         let mut samples = Samples { light: LinearRgb::BLACK, taken: 0, spread: None };
-        let mut place = (self.viewport.across((x, CENTER)), row);
+        let (mut across, mut row) = (self.viewport.across((x, CENTER)), row);
         if !has_one {
-            place = self.sample_place((x, y), 0);
+            (across, row) = self.sample_place(&rays.sample);
         }
         loop {
-            let (across, row) = place;
-            let shown = radiance(scene, self.viewport.ray(across, row), sight, limits, &mut rays, probe);
+            let ray = match scene.lens() {
+                Some(lens) => self.ray_from_lens(across, row, lens, &rays.sample),
+                None => self.viewport.ray(across, row),
+            };
+            let shown = radiance(scene, ray, sight, limits, &mut rays, probe);
             if has_one {
                 return (shown, rays_per_pixel.saturating_sub(rays.left.0));
             }
             if !self.add_sample(&mut samples, shown, rays.seen) {
                 return (samples.light, rays_per_pixel.saturating_sub(rays.left.0));
             }
-            place = self.sample_place((x, y), samples.taken);
+            rays.sample.index = samples.taken;
+            (across, row) = self.sample_place(&rays.sample);
         }
     }
 
     /// The place of one of several samples of a pixel: its distance from the picture's left side, and its
     /// row.
     #[inline(never)]
-    fn sample_place(&self, (x, y): (u16, u16), index: u16) -> (R, RayRow<R>) {
-        let sample = PixelSample { sampling: self.settings.sampling, x, y, index };
+    fn sample_place(&self, sample: &PixelSample) -> (R, RayRow<R>) {
         let [right, down] = sample.place();
-        (self.viewport.across((x, right)), self.viewport.row((y, down)))
+        (self.viewport.across((sample.x, right)), self.viewport.row((sample.y, down)))
+    }
+
+    /// The ray of a sample that begins at its place on the lens.
+    fn ray_from_lens(
+        &self,
+        across: R,
+        row: RayRow<R>,
+        lens: &PreparedLens<R>,
+        sample: &PixelSample,
+    ) -> Ray<R> {
+        let place = lens.place(sample.pair(Dimension::LENS));
+        self.viewport.ray_from_lens(across, row, lens, place)
     }
 
     /// Adds the light of one of several samples. Returns whether the pixel needs another one; if not, the sum

@@ -19,9 +19,11 @@ mod sobol;
 mod strata;
 #[cfg(test)]
 mod tests;
+mod warp;
 
 pub(crate) use dimension::Dimension;
 pub use reconstruction::Reconstruction;
+pub(crate) use warp::{disc, lobe};
 
 use hash::hash;
 
@@ -143,9 +145,15 @@ pub(crate) struct PixelSample {
 }
 
 impl PixelSample {
+    /// A sample that draws nothing.
+    pub(crate) const CENTER: Self = Self { sampling: Sampling::CENTER, x: 0, y: 0, index: 0 };
+
     /// The distance of the sample from the left and the upper side of its pixel, in 65536ths of a pixel. It
-    /// may lie beside the pixel, as far as the filter reaches.
+    /// may lie beside the pixel, as far as the filter reaches. A single sample lies in the center.
     pub(crate) fn place(&self) -> [i32; 2] {
+        if self.sampling.samples <= 1 {
+            return [CENTER; 2];
+        }
         let pair = self.pair(Dimension::PIXEL);
         if cfg!(feature = "distributed") {
             pair.map(|position| self.sampling.filter.place(position))

@@ -14,6 +14,7 @@ use crate::material::Material;
 /// use rayline::{Background, Camera, Light, LinearRgb, Material, SceneBuf, Vec3, shape::Sphere};
 /// let camera = Camera {
 ///     eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+///     lens: None,
 /// };
 /// let mut scene = SceneBuf::<Sphere, 8, 2, 1>::new(camera, Background::gray(0.1));
 /// let red = scene.add_material(Material::matte(LinearRgb::new(0.9, 0.2, 0.1))).unwrap();
@@ -38,7 +39,7 @@ use crate::material::Material;
 /// };
 /// # let camera = Camera {
 /// #     eye: Vec3::new(0.0, 1.0, 8.0), target: Vec3::new(0.0, 1.0, 0.0), up: Vec3::new(0.0, 1.0, 0.0),
-/// #     vertical_fov: 0.7,
+/// #     vertical_fov: 0.7, lens: None,
 /// # };
 /// # let white = LinearRgb::WHITE;
 /// let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(camera, Background::gray(0.1));

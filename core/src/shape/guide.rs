@@ -86,6 +86,7 @@
 //! let mut memory = rayline::Workspace::<{ rayline::prepared_bytes::<f32, Table>(2, 2, 0, 0) }>::new();
 //! # let camera = rayline::Camera {
 //! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! #     lens: None,
 //! # };
 //! # let white = rayline::LinearRgb::WHITE;
 //! # let materials = [rayline::Material::matte(white); 2];
@@ -250,6 +251,7 @@
 //! # const TOP: Plane = Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0));
 //! # const CAMERA: Camera = Camera {
 //! #     eye: Vec3::new(0.0, 3.0, 4.0), target: Vec3::ZERO, up: Vec3::new(0.0, 1.0, 0.0), vertical_fov: 0.7,
+//! #     lens: None,
 //! # };
 //! # const FALLOFF: Falloff = Falloff::inverse_square(4.0);
 //! # const LAMP: Lamp =

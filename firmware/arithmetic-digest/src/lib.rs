@@ -1,9 +1,11 @@
-//! A digest of the results of arithmetic on many numbers.
+//! A digest of the results of arithmetic on many numbers, and of pictures with several samples.
 //!
 //! Board and host both compute it, and the two must agree to the bit. Pictures do not test that enough: few
 //! of them have coordinates far from the origin, where halves of products overflow.
 
 #![cfg_attr(not(test), no_std)]
+
+mod samples;
 
 use rayline::Digest;
 use rayline::math::{Product, Real, Vec3};
@@ -29,6 +31,7 @@ pub fn digest<R: Real>() -> u64 {
     for _ in 0..RANDOM {
         results.compute(random.vector());
     }
+    samples::update::<R>(&mut results.digest);
     results.digest.value()
 }
 

@@ -49,6 +49,7 @@ fn described(placed: &Placed<'_>, perspective: &Perspective, bounds: Aabb<f32>) 
         target: eye + forward * depth(eye, forward, bounds),
         up,
         vertical_fov: perspective.yfov,
+        lens: None,
     })
 }
 

@@ -55,5 +55,5 @@ pub(crate) fn of(bounds: Aabb<f32>) -> Camera {
         let across = corner.dot(upward).abs().max(corner.dot(right).abs() / ASPECT);
         distance.max(across * MARGIN / TANGENT_OF_HALF + corner.dot(backward))
     });
-    Camera { eye: target + backward * distance, target, up, vertical_fov: FOV }
+    Camera { eye: target + backward * distance, target, up, vertical_fov: FOV, lens: None }
 }

@@ -218,7 +218,7 @@ fn view(tokens: &mut Tokens<'_>) -> Result<(Camera, (u32, u32)), NffError> {
     tokens.keyword("`resolution`")?;
     let width = tokens.count("the width in pixels, 1 to 65535", 1, MAX_SIDE)?;
     let height = tokens.count("the height in pixels, 1 to 65535", 1, MAX_SIDE)?;
-    Ok((Camera { eye, target, up, vertical_fov }, (width, height)))
+    Ok((Camera { eye, target, up, vertical_fov, lens: None }, (width, height)))
 }
 
 fn material(tokens: &mut Tokens<'_>) -> Result<Material<'static>, NffError> {

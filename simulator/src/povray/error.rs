@@ -8,6 +8,8 @@ use core::fmt;
 pub enum PovrayError {
     /// The background cannot be written. Replace it.
     Background(Lack),
+    /// The camera cannot be written. Replace its lens.
+    Camera(Lack),
     /// A light cannot be written. Replace it.
     Light {
         /// The position of the light.
@@ -32,10 +34,14 @@ pub enum PovrayError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Lack {
+    /// A lens with blades: POV-Ray's aperture is round.
+    Blades,
     /// Bump maps: POV-Ray tilts normals by another rule.
     Bumps,
     /// A light that falls off with a linear term, or a constant below 1.
     Falloff,
+    /// Mirrored or refracted rays in a lobe.
+    Lobes,
     /// Noise, marble and wood: POV-Ray's noise has other values.
     Noise,
     /// Texture coordinates of a CSG, of instances, of a polyhedron, quadric or implicit surface, or of a mesh
@@ -54,8 +60,10 @@ pub enum Lack {
 impl fmt::Display for Lack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
             Self::Falloff => "its lights fall off only as 1 / (1 + (d / distance)²)",
+            Self::Lobes => "its mirrored and refracted rays are sharp",
             Self::Noise => "its noise has other values",
             Self::Place => "texture coordinates on this surface have no formula",
             Self::ReflectionFalloff => "its reflections do not fade with distance",
@@ -72,6 +80,7 @@ impl fmt::Display for PovrayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Background(lack) => write!(f, "the background cannot be written for POV-Ray: {lack}"),
+            Self::Camera(lack) => write!(f, "the lens cannot be written for POV-Ray: {lack}"),
             Self::Light { index, lack } => write!(f, "light {index} cannot be written for POV-Ray: {lack}"),
             Self::Material { index, lack } => {
                 write!(f, "material {index} cannot be written for POV-Ray: {lack}")

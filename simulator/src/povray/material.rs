@@ -45,8 +45,11 @@ fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinate
 /// The material without maps.
 fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
     let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
-    let Optics { fresnel, reflection_color, emission, reflection_falloff, .. } =
+    let Optics { fresnel, reflection_color, emission, reflection_falloff, gloss, translucency, .. } =
         *material.optics.unwrap_or(&Optics::PLAIN);
+    if gloss.is_some() || translucency.is_some() {
+        return Err(Lack::Lobes);
+    }
     if reflection_falloff != Falloff::NONE {
         return Err(Lack::ReflectionFalloff);
     }

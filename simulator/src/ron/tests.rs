@@ -6,9 +6,9 @@ use rayline::shape::{
 };
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
-    Highlight, Image, Lamp, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object, Onto,
-    Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes, Texture,
-    Vec3, Wood, builtin,
+    Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object,
+    Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes,
+    Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -118,6 +118,8 @@ fn everything(arena: &Bump) -> Scene<'_> {
         emission: GRAY,
         reflection_falloff: Falloff { constant: 1.0, linear: 0.5, quadratic: 0.25 },
         outside: Medium { ior: 1.25, absorption: GRAY },
+        gloss: Some(30.0),
+        translucency: Some(0.5),
     };
     let materials = textures.into_iter().chain(more).map(|color| Material {
         color,
@@ -141,7 +143,8 @@ fn everything(arena: &Bump) -> Scene<'_> {
         lamp(Some(LightCone { direction: UP, bright: 0.1, dark: 0.2 })),
         Light::Ambient { color: GRAY },
     ];
-    let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7 };
+    let lens = Some(Lens { radius: 0.1, focus: 4.0, blades: 6 });
+    let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7, lens };
     Scene {
         camera,
         background: Background::Gradient(

@@ -230,7 +230,8 @@ fn with_accepted<R: Real>(
     lights: Vec<Light>,
     check: impl FnOnce(&Scene),
 ) {
-    let camera = Camera { eye, target: Vec3::ZERO, up: Vec3::new(0.1, 1.0, 0.05), vertical_fov: 1.0 };
+    let camera =
+        Camera { eye, target: Vec3::ZERO, up: Vec3::new(0.1, 1.0, 0.05), vertical_fov: 1.0, lens: None };
     let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
     let empty = Scene { camera, background, objects: &[], materials, lights: &[] };
     if !accepted::<R>(&empty) {
@@ -266,6 +267,7 @@ fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
                     target: Vec3::new(-1.0, 0.6, 0.0),
                     up: Vec3::new(0.0, 1.0, 0.0),
                     vertical_fov: 0.7,
+                    lens: None,
                 },
                 background: Background::Solid(LinearRgb::gray(0.3)),
                 objects: &[
@@ -304,6 +306,7 @@ fn a_bow_tie_is_two_triangles() {
         target: Vec3::ZERO,
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.7,
+        lens: None,
     };
     let glass = Material { transmittance: 0.5, ior: 1.5, ..Material::matte(LinearRgb::new(0.9, 0.3, 0.2)) };
     let materials = [glass, Material::matte(LinearRgb::gray(0.7))];
@@ -411,6 +414,7 @@ fn rays_along_the_axes_through_a_grid() {
             target: Vec3::new(0.0, eye.y, 0.0),
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 1.0,
+            lens: None,
         };
         let scene = Scene {
             camera,
@@ -455,6 +459,7 @@ fn glass(ior: f32, many: bool, check: impl Fn(&Scene)) {
         target: Vec3::new(0.0, 0.2, 0.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.7,
+        lens: None,
     };
     let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
     let lights = [Light::Point { position: Vec3::new(3.0, 4.0, 3.0), color: LinearRgb::gray(0.9) }];

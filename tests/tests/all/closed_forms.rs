@@ -14,6 +14,7 @@ pub(super) const CAMERA: Camera = Camera {
     target: Vec3::ZERO,
     up: Vec3::new(0.0, 1.0, 0.0),
     vertical_fov: 0.5,
+    lens: None,
 };
 
 /// A material without diffuse light.

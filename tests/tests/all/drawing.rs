@@ -422,6 +422,7 @@ fn ascii_scene<T>(use_it: impl FnOnce(&Scene) -> T) -> T {
             target: Vec3::ZERO,
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.2,
+            lens: None,
         },
         background: Background::BLACK,
         objects: &[

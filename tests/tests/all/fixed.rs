@@ -64,6 +64,7 @@ fn lamps_fade_from_any_distance() {
         target: Vec3::ZERO,
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.8,
+        lens: None,
     };
     for distance in [12.0, 17.0, 50.0, 1000.0, 1e5] {
         for falloff in [
@@ -321,7 +322,8 @@ fn planes_are_seen_to_the_horizon() {
     };
     let (y, z) = (Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
     let slanted = Vec3::new(0.6, 0.64, -0.48);
-    let ahead = Camera { eye: Vec3::ZERO, target: Vec3::new(0.0, -0.15, -1.0), up: y, vertical_fov: 0.8 };
+    let ahead =
+        Camera { eye: Vec3::ZERO, target: Vec3::new(0.0, -0.15, -1.0), up: y, vertical_fov: 0.8, lens: None };
     let mut floors = 0;
     let mut check = |name: &str, camera: Camera, objects: &[Object<Shape<'static>>]| {
         let lost = lost_pixels(&above(camera, objects, &FLOOR_AND_OTHERS));
@@ -360,6 +362,7 @@ fn a_moved_eye_sees_planes_to_the_horizon_or_is_refused() {
         target: Vec3::new(x - 0.4, y - 0.2, z - 1.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.8,
+        lens: None,
     };
     // The floor's scene must fit in 1/4, so the scale is 1/32.
     let scene = above(at(0.0, 2.0, 8.0), &floor, &FLOOR_AND_OTHERS);
@@ -592,7 +595,7 @@ proptest! {
         lights in proptest::collection::vec(light(), 0..3),
     ) {
         let (eye, target) = eye_and_target;
-        let mut camera = Camera { eye, target, up: Vec3::new(0.1, 1.0, 0.3), vertical_fov: fov };
+        let mut camera = Camera { eye, target, up: Vec3::new(0.1, 1.0, 0.3), vertical_fov: fov, lens: None };
         let mut objects: Vec<_> =
             shapes.into_iter().map(|(shape, material)| Object::new(shape, material)).collect();
         let (mut materials, mut background) = (materials, background);

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
-use rayline::{Digest, Settings};
+use rayline::{Digest, Sampling, Settings};
 use rayline_simulator::{Gallery, LoadedScene, Number, Picture, RenderOptions, SceneFile, render};
 
 const SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(64, 48) };
@@ -18,8 +18,11 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// The picture with the scene's own samples, but for speed at most four of each pixel.
 fn picture(scene: &LoadedScene<'_>, number: Number) -> Picture {
-    let options = RenderOptions { number, ..RenderOptions::new(SETTINGS) };
+    let own = scene.settings.sampling;
+    let sampling = Sampling { samples: own.samples.min(4), adaptive: None, ..own };
+    let options = RenderOptions { number, ..RenderOptions::new(Settings { sampling, ..SETTINGS }) };
     render(&scene.scene, &options).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
 }
 

@@ -17,7 +17,7 @@ const WATER: f32 = 1.333;
 const GLASS: f32 = 1.5;
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const CAMERA: Camera =
-    Camera { eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: UP, vertical_fov: 0.5 };
+    Camera { eye: Vec3::new(0.0, 0.0, 5.0), target: Vec3::ZERO, up: UP, vertical_fov: 0.5, lens: None };
 
 /// A clear material with these media behind and in front.
 fn between(behind: f32, outside: Medium) -> Material<'static> {
@@ -204,8 +204,13 @@ const FLOOR: Material = Material {
     ..Material::matte(LinearRgb::WHITE)
 };
 static LIGHTS: [Light; 1] = [Light::Point { position: Vec3::new(-4.0, 8.0, 6.0), color: LinearRgb::WHITE }];
-const ABOVE: Camera =
-    Camera { eye: Vec3::new(0.5, 2.3, 6.5), target: Vec3::new(0.1, 0.9, 0.0), up: UP, vertical_fov: 0.6 };
+const ABOVE: Camera = Camera {
+    eye: Vec3::new(0.5, 2.3, 6.5),
+    target: Vec3::new(0.1, 0.9, 0.0),
+    up: UP,
+    vertical_fov: 0.6,
+    lens: None,
+};
 const LOOKED_AT: Settings = Settings { bounces: 10, transfer: Transfer::Linear, ..Settings::new(256, 192) };
 
 /// A glass ball around a water ball around a bubble, and ice in a block of water.

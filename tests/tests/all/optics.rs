@@ -234,6 +234,7 @@ fn with_still_life(then: impl FnOnce(&Scene)) {
         target: Vec3::new(-0.3, 0.8, 0.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.66,
+        lens: None,
     };
     let background = Background::Solid(LinearRgb::new(0.25, 0.35, 0.5));
     then(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });

@@ -239,6 +239,7 @@ const fn scene<S>(objects: &[Object<S>]) -> Scene<'_, S> {
         target: Vec3::new(0.0, 0.7, 0.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.7,
+        lens: None,
     };
     Scene { camera, background: Background::gray(0.1), objects, materials: &MATERIALS, lights: &LIGHTS }
 }

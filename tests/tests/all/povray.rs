@@ -149,6 +149,7 @@ fn assert_textured(name: &str, shape: Shape<'_>) {
                 target: Vec3::ZERO,
                 up: v(0.0, 1.0, 0.0),
                 vertical_fov: 0.6,
+                lens: None,
             },
             background: Background::gray(0.25),
             objects: &[Object::new(shape, 0)],

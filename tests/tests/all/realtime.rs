@@ -237,7 +237,7 @@ const FLOOR: Shape = Shape::Plane(Plane::new(Vec3::ZERO, UP));
 /// A scene with these objects under the sun, in front of a sky.
 fn staged<'s>(objects: &'s [Object<Shape<'s>>], eye: Vec3, target: Vec3, vertical_fov: f32) -> Scene<'s> {
     Scene {
-        camera: Camera { eye, target, up: UP, vertical_fov },
+        camera: Camera { eye, target, up: UP, vertical_fov, lens: None },
         background: LinearRgb::new(0.3, 0.4, 0.6).into(),
         objects,
         materials: &STAGE,
@@ -296,6 +296,7 @@ fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material<'s>]) -
             target: Vec3::new(0.0, 0.0, 0.0),
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 1.0,
+            lens: None,
         },
         background: Background::BLACK,
         objects,
@@ -796,6 +797,7 @@ fn a_level_horizon_is_even() {
             target: Vec3::new(0.0, 1.0, 0.0),
             up: Vec3::new(0.0, 1.0, 0.0),
             vertical_fov: 0.7,
+            lens: None,
         },
         background: Background::Solid(LinearRgb::new(0.2, 0.3, 0.5)),
         objects: &[Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 0)],

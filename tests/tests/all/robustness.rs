@@ -524,7 +524,7 @@ proptest! {
     ) {
         let (eye, target, up, vertical_fov) = camera;
         // Leave out the refused parts, so that most cases render a picture.
-        let camera = Camera { eye, target, up, vertical_fov };
+        let camera = Camera { eye, target, up, vertical_fov, lens: None };
         let accepted = |scene: &Scene| prepare(scene).is_ok();
         let empty = Scene { objects: &[], materials: &[], lights: &[], ..CLASSIC };
         let camera = if accepted(&Scene { camera, ..empty }) { camera } else { CLASSIC.camera };

@@ -17,6 +17,7 @@ const CAMERA: Camera = Camera {
     target: Vec3::new(0.0, 0.2, 0.0),
     up: Vec3::new(0.0, 1.0, 0.0),
     vertical_fov: 0.6,
+    lens: None,
 };
 
 const LIGHTS: [Light; 2] = [

@@ -17,6 +17,7 @@ const CAMERA: Camera = Camera {
     target: Vec3::new(0.0, 0.0, 0.0),
     up: Vec3::new(0.1, 1.0, 0.0),
     vertical_fov: 0.8,
+    lens: None,
 };
 
 /// Numbers from 0 to 1, the same in every run.

@@ -36,7 +36,7 @@ fn near(a: Vec3, b: Vec3) -> bool {
 #[test]
 fn the_first_perspective_camera_takes_the_picture() {
     with_file(&seen(), |import| {
-        let Camera { eye, target, up, vertical_fov } = import.scene.camera;
+        let Camera { eye, target, up, vertical_fov, .. } = import.scene.camera;
         assert_eq!((eye, vertical_fov), (Vec3::new(4.0, 1.0, 0.0), 0.75));
         // The target is at the distance of the middle of the cube.
         assert!(near(target, Vec3::new(0.0, 1.0, 0.0)) && near(up, Vec3::new(0.0, 1.0, 0.0)));

@@ -117,7 +117,7 @@ impl<'a> Maker<'_, '_, 'a> {
             0 => self.choices.one_of([0.01, 2.9, 0.001]),
             _ => self.choices.within(0.3, 1.6),
         };
-        Camera { eye, target, up, vertical_fov }
+        Camera { eye, target, up, vertical_fov, lens: None }
     }
 
     /// A light: on a surface or inside of something, beside a plane, very far, or anywhere.

@@ -130,7 +130,7 @@ mod tests {
     /// The stadium of a parallelogram that has a corner at the eye.
     fn at_the_eye<R: Real>(eye: Vec3, [right, up]: [Vec3; 2]) -> Option<Stadium<R::Setup>> {
         let target = eye + right + up;
-        let camera = Camera { eye, target, up: Vec3::new(0.3, 0.5, 0.8), vertical_fov: 1.0 };
+        let camera = Camera { eye, target, up: Vec3::new(0.3, 0.5, 0.8), vertical_fov: 1.0, lens: None };
         let scale = Scale::ONE.enlarged(1.0 / 64.0);
         let viewport = Viewport::new(&camera.prepare::<R>(scale).unwrap(), 20, 15);
         // Off by a rounding toward the target.

@@ -137,6 +137,7 @@ mod tests {
         target: Vec3::new(0.0, 0.0, -1.0),
         up: Vec3::new(0.0, 1.0, 0.0),
         vertical_fov: 0.8,
+        lens: None,
     };
 
     /// A ray meets a ball of this radius straight on, 30 units from the eye.

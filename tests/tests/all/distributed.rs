@@ -1,0 +1,322 @@
+//! Tests of distributed ray tracing: lenses, gloss and translucency, by closed forms, by `f64` with many
+//! samples, and by POV-Ray.
+
+use std::mem::MaybeUninit;
+use std::path::Path;
+
+use bumpalo::Bump;
+use rayline::math::Fixed;
+use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
+use rayline::{
+    Background, Camera, Lens, LinearRgb, Material, Object, Optics, PreparedScene, Real, Renderer, Sampler,
+    Sampling, Scene, Settings, Transfer, Vec3,
+};
+use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
+use rayline_tests::{PovrayPicture, core_picture};
+
+/// The scenes of the gallery that draw numbers.
+const SCENES: [&str; 3] = ["camera-lens", "material-gloss", "material-translucent"];
+
+const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+const GLOWING: Material = Material {
+    diffuse: 0.0,
+    optics: Some(&Optics { emission: LinearRgb::WHITE, ..Optics::PLAIN }),
+    ..Material::matte(LinearRgb::WHITE)
+};
+
+fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
+    LoadedScene::open(&file, arena).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The settings of a picture with so many samples, all of which are traced.
+fn samples(width: u32, height: u32, samples: u16) -> Settings {
+    let sampling = Sampling { sampler: Sampler::Sobol, ..Sampling::new(samples) };
+    Settings { sampling, rays_per_pixel: 1 << 20, ..Settings::new(width, height) }
+}
+
+/// The light of each pixel, line by line.
+fn lights<R: Real>(scene: &Scene, settings: Settings, is_accelerated: bool) -> Vec<LinearRgb> {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
+    let prepared = if is_accelerated { prepared } else { prepared.without_acceleration() };
+    let renderer = Renderer::new(&prepared, settings).expect("legal settings");
+    let pixels = (0..renderer.height()).flat_map(|y| (0..renderer.width()).map(move |x| (x, y)));
+    pixels.map(|(x, y)| renderer.pixel(x as u16, y as u16, &mut ()).0.to_f32()).collect()
+}
+
+/// A camera that looks along -z, with a lens.
+fn camera(lens: Option<Lens>) -> Camera {
+    Camera { eye: Vec3::ZERO, target: Vec3::new(0.0, 0.0, -1.0), up: UP, vertical_fov: 0.2, lens }
+}
+
+/// Half the height of the picture at distance 1.
+fn half_height() -> f64 {
+    (f64::from(camera(None).vertical_fov) / 2.0).tan()
+}
+
+/// A point at distance d is spread over a circle: on the plane in focus, at distance f, its diameter is
+/// 2·radius·|d - f| / d. The light of an even disc has a variance of diameter² / 16 along each axis; a hexagon
+/// has 5/24 of its squared radius.
+fn assert_circle_of_confusion<R: Real>() {
+    let (side, radius, focus) = (48u32, 0.2, 10.0);
+    for (distance, blades) in [(5.0f32, 0u8), (30.0, 0), (30.0, 6)] {
+        let size = 0.01 * distance;
+        let place = Vec3::new(0.0, 0.0, -distance);
+        let objects = [Object::new(Shape::Disc(Disc::new(place, Vec3::new(0.0, 0.0, 1.0), size)), 0)];
+        let lens = Lens { blades, ..Lens::round(radius, focus) };
+        let scene = Scene {
+            camera: camera(Some(lens)),
+            background: Background::BLACK,
+            objects: &objects,
+            materials: &[GLOWING],
+            lights: &[],
+        };
+        let picture = lights::<R>(&scene, samples(side, side, 1024), true);
+        let pixel = 2.0 * half_height() / f64::from(side);
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for (index, light) in picture.iter().enumerate() {
+            let x = ((index as u32 % side) as f64 + 0.5) * pixel - half_height();
+            sum += f64::from(light.g);
+            squares += f64::from(light.g) * x * x;
+        }
+        let found = squares / sum;
+        let (focus, distance, size) = (f64::from(focus), f64::from(distance), f64::from(size));
+        // All in units of the picture at distance 1: the blur, the disc itself, and the width of a pixel.
+        let blur = f64::from(radius) * (distance - focus).abs() / distance / focus;
+        let shape = if blades == 0 { 0.25 } else { 5.0 / 24.0 };
+        let expected = blur * blur * shape + (size / distance).powi(2) / 4.0 + pixel * pixel / 12.0;
+        println!("distance {distance}, {blades} blades: variance {found:.3e}, expected {expected:.3e}");
+        assert!((found / expected - 1.0).abs() < 0.02, "{distance}: {found}, not {expected}");
+    }
+}
+
+#[test]
+fn circles_of_confusion_have_their_diameter() {
+    assert_circle_of_confusion::<f32>();
+    assert_circle_of_confusion::<f64>();
+    assert_circle_of_confusion::<Fixed>();
+}
+
+/// A surface in the plane of focus is as sharp as through a pinhole.
+#[test]
+fn what_is_in_focus_is_sharp() {
+    let corner = Vec3::new(-0.6, -0.55, -10.0);
+    let board = Rectangle::new(corner, Vec3::new(1.1, 0.0, 0.0), Vec3::new(0.0, 0.9, 0.0));
+    let scene = |lens| Scene {
+        camera: camera(lens),
+        background: Background::BLACK,
+        objects: &[],
+        materials: &[GLOWING],
+        lights: &[],
+    };
+    let objects = [Object::new(Shape::Rectangle(board), 0)];
+    let of = |lens| lights::<f32>(&Scene { objects: &objects, ..scene(lens) }, samples(40, 40, 64), true);
+    let (pinhole, lens) = (of(None), of(Some(Lens::round(0.5, 10.0))));
+    // A sample may fall on the other side of an edge by rounding.
+    let most = pinhole.iter().zip(&lens).map(|(a, b)| (a.g - b.g).abs()).fold(0.0, f32::max);
+    assert!(most <= 2.0 / 64.0, "{most}");
+    // Out of focus, the same edges are blurred over several pixels.
+    let blurred = of(Some(Lens::round(0.5, 5.0)));
+    let partial =
+        |picture: &[LinearRgb]| picture.iter().filter(|light| (0.02..0.98).contains(&light.g)).count();
+    assert!(partial(&blurred) > 4 * partial(&lens), "{} {}", partial(&blurred), partial(&lens));
+}
+
+/// A mirror with the lobe cosⁿ shows a round lamp around the mirrored direction with the share of the lobe
+/// that lies within the lamp's angle α: 1 - cosⁿ⁺¹ α.
+fn assert_lobe_meets_lamp<R: Real>() {
+    let (distance, lamp) =
+        (4.0f32, Disc::ring(Vec3::new(0.0, 0.0, 0.1), Vec3::new(0.0, 0.0, -1.0), 0.0, 1.5));
+    let mirror = Plane::new(Vec3::new(0.0, 0.0, -distance), Vec3::new(0.0, 0.0, 1.0));
+    let objects = [Object::new(Shape::Plane(mirror), 0), Object::new(Shape::Disc(lamp), 1)];
+    for n in [1.0f32, 10.0, 100.0] {
+        let optics = Optics { gloss: Some(n), ..Optics::PLAIN };
+        let mirror = Material {
+            diffuse: 0.0,
+            reflectance: 1.0,
+            optics: Some(&optics),
+            ..Material::matte(LinearRgb::WHITE)
+        };
+        let scene = Scene {
+            camera: Camera { vertical_fov: 0.001, ..camera(None) },
+            background: Background::BLACK,
+            objects: &objects,
+            materials: &[mirror, GLOWING],
+            lights: &[],
+        };
+        let found = f64::from(lights::<R>(&scene, samples(1, 1, 4096), true)[0].g);
+        let cosine = (f64::from(distance) + 0.1) / (f64::from(distance) + 0.1).hypot(1.5);
+        let expected = 1.0 - cosine.powf(f64::from(n) + 1.0);
+        println!("exponent {n}: {found:.4}, expected {expected:.4}");
+        assert!((found - expected).abs() < 0.003, "{n}: {found}, not {expected}");
+    }
+}
+
+#[test]
+fn lobes_show_lamps_as_large_as_they_should() {
+    assert_lobe_meets_lamp::<f32>();
+    assert_lobe_meets_lamp::<f64>();
+    assert_lobe_meets_lamp::<Fixed>();
+}
+
+/// In a furnace, where everything has the light 1, surfaces that lose nothing are invisible.
+#[test]
+fn a_furnace_stays_a_furnace() {
+    let glossy = |gloss, translucency| Optics { gloss, translucency, ..Optics::PLAIN };
+    let kinds =
+        [(1.0, glossy(Some(3.0), None)), (0.0, glossy(None, Some(3.0))), (0.5, glossy(Some(0.0), Some(0.0)))];
+    // Without a change of the index, no light is caught inside.
+    let materials: Vec<Material> = kinds
+        .iter()
+        .map(|(reflectance, optics)| Material {
+            diffuse: 0.0,
+            reflectance: *reflectance,
+            transmittance: 1.0 - reflectance,
+            optics: Some(optics),
+            ..Material::matte(LinearRgb::WHITE)
+        })
+        .collect();
+    let objects: Vec<Object<Shape>> = (0..3)
+        .map(|index| {
+            let center = Vec3::new(index as f32 * 0.5 - 0.5, 0.0, -5.0);
+            Object::new(Shape::Sphere(Sphere::new(center, 0.3)), index)
+        })
+        .collect();
+    let scene = Scene {
+        camera: camera(Some(Lens::round(0.1, 5.0))),
+        background: Background::gray(1.0),
+        objects: &objects,
+        materials: &materials,
+        lights: &[],
+    };
+    let settings = Settings { bounces: 16, cutoff: 0.0, ..samples(24, 16, 16) };
+    for picture in [lights::<f32>(&scene, settings, true), lights::<Fixed>(&scene, settings, true)] {
+        let sum: f64 = picture.iter().map(|light| f64::from(light.g)).sum();
+        let mean = sum / picture.len() as f64;
+        assert!((mean - 1.0).abs() < 1e-3, "{mean}");
+        assert!(picture.iter().all(|light| light.g < 1.001));
+    }
+}
+
+/// The mean of pictures with few samples is that of `f64` with many: there is no bias. Each pixel is compared
+/// in units of the deviation that its samples have (a z-test).
+#[test]
+fn few_samples_have_the_mean_of_many() {
+    fn assert_unbiased<R: Real>(name: &str, scene: &Scene) {
+        let (width, height, seeds) = (16, 12, 24);
+        let reference = lights::<f64>(scene, samples(width, height, 4096), true);
+        let mut sums = vec![(0.0, 0.0); reference.len()];
+        for seed in 0..seeds {
+            let settings = samples(width, height, 16);
+            let sampling = Sampling { sampler: Sampler::Random, seed, ..settings.sampling };
+            let picture = lights::<R>(scene, Settings { sampling, ..settings }, true);
+            for (sum, light) in sums.iter_mut().zip(&picture) {
+                *sum = (sum.0 + f64::from(light.g), sum.1 + f64::from(light.g).powi(2));
+            }
+        }
+        let (mut squares, mut count) = (0.0, 0.0);
+        for ((sum, square), reference) in sums.iter().zip(&reference) {
+            let seeds = f64::from(seeds);
+            let mean = sum / seeds;
+            let variance = (square / seeds - mean * mean) / (seeds - 1.0);
+            if variance > 1e-8 {
+                squares += (mean - f64::from(reference.g)).powi(2) / variance;
+                count += 1.0;
+            }
+        }
+        // Student's t with 23 degrees of freedom has a variance of 23/21.
+        let ratio: f64 = squares / count / (23.0 / 21.0);
+        println!("{name}: mean square of z {ratio:.3} in {count} pixels");
+        assert!(
+            count > 50.0 && (ratio - 1.0).abs() < 5.0 * (2.0f64 / count).sqrt() + 0.05,
+            "{name}: {ratio}"
+        );
+    }
+    for name in SCENES {
+        let arena = Bump::new();
+        let scene = gallery(name, &arena).scene;
+        assert_unbiased::<f32>(name, &scene);
+        assert_unbiased::<Fixed>(name, &scene);
+    }
+}
+
+/// The bytes depend neither on threads nor on the parts that are drawn, nor on acceleration.
+#[test]
+fn pictures_do_not_depend_on_order_or_acceleration() {
+    for name in SCENES {
+        let arena = Bump::new();
+        let loaded = gallery(name, &arena);
+        let settings = Settings { width: 48, height: 36, ..loaded.settings };
+        let sampling = Sampling { samples: 8, adaptive: None, ..settings.sampling };
+        let settings = Settings { sampling, ..settings };
+        for number in [Number::F32, Number::Fixed] {
+            let options = RenderOptions { number, threads: 1, ..RenderOptions::new(settings) };
+            let whole = render(&loaded.scene, &options).unwrap();
+            for threads in [2, 5] {
+                let again = render(&loaded.scene, &RenderOptions { threads, ..options.clone() }).unwrap();
+                assert!(again.rgb == whole.rgb, "{name}, {threads} threads");
+            }
+            let part = render(&loaded.scene, &RenderOptions { lines: Some(7..23), ..options }).unwrap();
+            assert!(part.rgb == whole.rgb[7 * 144..23 * 144], "{name}");
+        }
+        fn assert_same<R: Real>(scene: &Scene, settings: Settings) {
+            assert!(lights::<R>(scene, settings, true) == lights::<R>(scene, settings, false));
+        }
+        assert_same::<f32>(&loaded.scene, settings);
+        assert_same::<Fixed>(&loaded.scene, settings);
+    }
+}
+
+/// A scene of more than 32 objects goes through the hierarchy, and in floating point not in groups.
+#[test]
+fn many_objects_have_the_same_bytes_with_a_hierarchy() {
+    let optics = Optics { gloss: Some(50.0), ..Optics::PLAIN };
+    let glossy = Material {
+        diffuse: 0.4,
+        reflectance: 0.6,
+        optics: Some(&optics),
+        ..Material::matte(LinearRgb::WHITE)
+    };
+    let objects: Vec<Object<Shape>> = (0..60)
+        .map(|index: u16| {
+            let (x, y) = (f32::from(index % 10) * 0.2 - 0.9, f32::from(index / 10) * 0.2 - 0.5);
+            Object::new(Shape::Sphere(Sphere::new(Vec3::new(x, y, -9.0), 0.12)), index % 2)
+        })
+        .collect();
+    let scene = Scene {
+        camera: camera(Some(Lens::round(0.2, 8.5))),
+        background: Background::gray(0.3),
+        objects: &objects,
+        materials: &[glossy, GLOWING],
+        lights: &[],
+    };
+    for count in [1, 3] {
+        let settings = samples(24, 24, count);
+        assert!(lights::<f32>(&scene, settings, true) == lights::<f32>(&scene, settings, false));
+        assert!(lights::<Fixed>(&scene, settings, true) == lights::<Fixed>(&scene, settings, false));
+    }
+}
+
+/// POV-Ray's lens blurs alike.
+#[test]
+fn a_lens_blurs_as_in_povray() {
+    let arena = Bump::new();
+    let loaded = gallery("camera-lens", &arena);
+    let lens = loaded.scene.camera.lens.map(|lens| Lens { blades: 0, ..lens });
+    let scene = Scene { camera: Camera { lens, ..loaded.scene.camera }, ..loaded.scene };
+    let settings = Settings { transfer: Transfer::Linear, bounces: 2, ..samples(96, 72, 256) };
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("povray-lens");
+    let Some(povray) = PovrayPicture::render(&scene, settings, &directory, "lens") else { return };
+    let ours = core_picture::<f32>(&scene, settings);
+    let apart = |other: &[[u8; 3]]| {
+        let pairs = other.iter().flatten().zip(povray.picture.pixels.iter().flatten());
+        let sum: f64 = pairs.map(|(a, b)| f64::from(a.abs_diff(*b)) / 255.0).sum();
+        sum / (other.len() * 3) as f64
+    };
+    let sharp = Scene { camera: Camera { lens: None, ..scene.camera }, ..scene };
+    let pinhole = core_picture::<f32>(&sharp, settings);
+    let (error, before) = (apart(&ours.pixels), apart(&pinhole.pixels));
+    println!("mean difference from POV-Ray: {:.2} %; of a pinhole {:.2} %", error * 100.0, before * 100.0);
+    assert!(error < 0.005 && error < 0.4 * before, "{error}");
+}
