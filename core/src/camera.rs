@@ -3,6 +3,9 @@
 use crate::fault::{Fault, check_direction, check_finite, check_point, unit};
 use crate::lens::{Lens, PreparedLens};
 use crate::math::{Aabb, Kernel, Ray, Real, Scale, Vec3};
+#[cfg(feature = "distributed")]
+use crate::sampling::Dimension;
+use crate::sampling::RayNumbers;
 
 /// A camera: a pinhole, or a thin lens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +38,12 @@ pub(crate) struct PreparedCamera<R: Real> {
     up: Vec3<R::Setup>,
     /// Half the height of the picture at distance 1.
     half_height: R::Setup,
+    /// The lens, if there is room for one.
+    lens: [Option<PreparedLens<R>>; LENSES],
 }
+
+/// The lenses of a camera. Without the feature there is no room for one.
+const LENSES: usize = if cfg!(feature = "distributed") { 1 } else { 0 };
 
 impl Camera {
     /// Checks the camera and builds its frame.
@@ -61,13 +69,14 @@ impl Camera {
             return Err(Fault::BeyondReach);
         }
         let eye = scale.point(self.eye.to());
-        Ok(PreparedCamera { eye, forward, right, up: right.cross(forward), half_height })
+        let lens = [self.prepare_lens(scale)?; LENSES];
+        Ok(PreparedCamera { eye, forward, right, up: right.cross(forward), half_height, lens })
     }
 }
 
 impl Camera {
     /// Checks the lens and converts it.
-    pub(crate) fn prepare_lens<R: Real>(&self, scale: Scale) -> Result<Option<PreparedLens<R>>, Fault> {
+    fn prepare_lens<R: Real>(&self, scale: Scale) -> Result<Option<PreparedLens<R>>, Fault> {
         let Some(lens) = self.lens else { return Ok(None) };
         let prepared = lens.prepare(scale)?;
         // Rays begin anywhere on the lens.
@@ -83,6 +92,13 @@ impl<R: Real> PreparedCamera<R> {
     /// The eye, where all camera rays begin.
     pub(crate) fn eye(&self) -> Vec3<R> {
         self.eye
+    }
+
+    /// The lens, if the camera has one. Without the feature there is none, and the compiler drops the code
+    /// that uses it.
+    #[inline]
+    pub(crate) fn lens(&self) -> Option<&PreparedLens<R>> {
+        self.lens.first().and_then(Option::as_ref)
     }
 }
 
@@ -216,10 +232,11 @@ impl<R: Real> Viewport<R> {
     /// 0 has its center at (0, 32768). The place may lie a few pixels outside of the picture.
     #[inline]
     pub(crate) fn across(&self, (pixel, within): (u16, i32)) -> R {
-        if let Ok(within) = u16::try_from(within) {
-            return R::from_pixel(pixel, within, self.shift);
+        // Only filters reach beyond the pixel.
+        if cfg!(feature = "distributed") && u16::try_from(within).is_err() {
+            return self.beside((pixel, within));
         }
-        self.beside((pixel, within))
+        R::from_pixel(pixel, within as u16, self.shift)
     }
 
     /// [`across`](Self::across) beside the pixel.
@@ -232,30 +249,33 @@ impl<R: Real> Viewport<R> {
         if place < 0 { -distance } else { distance }
     }
 
-    /// The ray of a row at a distance from the left, see [`across`](Self::across).
+    /// The ray of a row at a distance from the left, see [`across`](Self::across). It begins in the eye, or at
+    /// a place on the lens that the numbers draw: all rays through one place in the picture meet in the plane
+    /// in focus.
     #[inline]
-    pub(crate) fn ray(&self, across: R, row: RayRow<R>) -> Ray<R> {
-        let direction = self.corner + self.right * across + row.0;
+    pub(crate) fn ray(&self, across: R, row: RayRow<R>, numbers: &RayNumbers) -> Ray<R> {
+        let (origin, direction) = (self.camera.eye, self.corner + self.right * across + row.0);
+        // By `cfg!`, an M0 would take 1.02 times the instructions for `classic`.
+        #[cfg(feature = "distributed")]
+        let (origin, direction) = self.through_lens(origin, direction, numbers);
+        #[cfg(not(feature = "distributed"))]
+        let _ = numbers;
         // The length is at least 1, the distance of the picture from the eye.
-        Ray { origin: self.camera.eye, direction: direction.unit() }
+        Ray { origin, direction: direction.unit() }
     }
 
-    /// As [`ray`](Self::ray), from a place on a lens, given in units of its radius, right and up. All these
-    /// rays meet where the ray through the center of the lens meets the plane in focus.
-    pub(crate) fn ray_from_lens(
-        &self,
-        across: R,
-        row: RayRow<R>,
-        lens: &PreparedLens<R>,
-        [right, up]: [R; 2],
-    ) -> Ray<R> {
+    /// The ray from the eye through a place in the picture, moved to the place on the lens that the numbers
+    /// draw. The direction is no unit vector.
+    #[cfg(feature = "distributed")]
+    fn through_lens(&self, eye: Vec3<R>, direction: Vec3<R>, numbers: &RayNumbers) -> (Vec3<R>, Vec3<R>) {
+        let Some(lens) = self.camera.lens() else { return (eye, direction) };
+        let [right, up] = lens.place(numbers.pair(Dimension::LENS));
         let [unit_right, unit_up] = self.right_and_up();
         let beside = unit_right * right + unit_up * up;
         // The part of the corner along the line of sight is as long as that of all directions.
         let forward = self.corner.to_setup().dot(self.camera.forward);
         let turn = R::from_setup(lens.radius_over_focus() * forward);
-        let direction = self.corner + self.right * across + row.0 - beside * turn;
-        Ray { origin: self.camera.eye + beside * lens.radius(), direction: direction.unit() }
+        (eye + beside * lens.radius(), direction - beside * turn)
     }
 
     /// The depth of a point along the line of sight, and its distance from the eye.
@@ -326,12 +346,13 @@ mod tests {
     #[test]
     fn a_right_angle_sees_as_far_up_as_forward() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
-        let top = viewport.ray(viewport.across((100, 0)), viewport.row((0, 0)));
+        let top = viewport.ray(viewport.across((100, 0)), viewport.row((0, 0)), &RayNumbers::NONE);
         assert_eq!(top.origin, Vec3::new(1.0, 2.0, 3.0));
         let half = core::f64::consts::FRAC_1_SQRT_2;
         assert!((top.direction - Vec3::new(0.0, half, -half)).length() < 1e-7);
         // Twice as wide as high: 63.4° to the right.
-        let right = viewport.ray(viewport.across((200, 0)), viewport.row((50, 0))).direction;
+        let right =
+            viewport.ray(viewport.across((200, 0)), viewport.row((50, 0)), &RayNumbers::NONE).direction;
         assert!((right.x / -right.z - 2.0).abs() < 1e-6 && right.y.abs() < 1e-12);
     }
 
@@ -339,13 +360,14 @@ mod tests {
     fn points_are_seen_where_their_rays_go() {
         let viewport = Viewport::new(&CAMERA.prepare::<f64>(Scale::ONE).unwrap(), 200, 100);
         for (x, y) in [(0, 0), (31, 77), (100, 50), (199, 3)] {
-            let ray = viewport.ray(viewport.across((x, 0x8000)), viewport.row((y, 0x8000)));
+            let ray =
+                viewport.ray(viewport.across((x, 0x8000)), viewport.row((y, 0x8000)), &RayNumbers::NONE);
             let seen = viewport.project(ray.at(7.0)).unwrap();
             let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
             assert!((seen.0 - x).abs() < 1e-4 && (seen.1 - y).abs() < 1e-4, "{seen:?}");
         }
         assert_eq!(viewport.project(viewport.eye()), None);
-        let behind = viewport.ray(viewport.across((5, 0)), viewport.row((5, 0))).at(-7.0);
+        let behind = viewport.ray(viewport.across((5, 0)), viewport.row((5, 0)), &RayNumbers::NONE).at(-7.0);
         assert_eq!(viewport.project(behind), None);
     }
 

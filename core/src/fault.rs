@@ -131,6 +131,19 @@ pub enum Fault {
     /// The exponent of [`Optics::gloss`](crate::Optics::gloss) or
     /// [`Optics::translucency`](crate::Optics::translucency) is negative. Use 0 or more.
     NegativeExponent,
+    /// The object of a [`Light::Object`](crate::Light::Object) does not exist. Name one of the scene.
+    UnknownObject {
+        /// The position of the object.
+        named: usize,
+        /// The number of objects.
+        objects: usize,
+    },
+    /// The object of a [`Light::Object`](crate::Light::Object) is no sphere, disc without a hole or rectangle.
+    /// Use one of these.
+    NoLuminaire,
+    /// The object of a [`Light::Object`](crate::Light::Object) has a material that emits no light. Give its
+    /// [`Optics::emission`](crate::Optics::emission) a color.
+    NoEmission,
     /// The radius of a [`Lens`](crate::Lens) is not more than 0 or is above its distance of focus, or the
     /// lens has 1, 2 or more than 16 blades. Use a smaller radius, and 0 or 3 to 16 blades.
     Lens,
@@ -321,6 +334,15 @@ impl fmt::Display for Fault {
             Self::NegativeShininess => "the shininess is negative; use 0 or more",
             Self::NegativeExponent => {
                 "the exponent of `gloss` or `translucency` is negative; use 0 or more, or none for sharp rays"
+            }
+            Self::UnknownObject { named, objects } => {
+                return write!(f, "there is no object {named}: the scene has {objects}, counted from 0");
+            }
+            Self::NoLuminaire => {
+                "the object of a light is no sphere, disc without a hole or rectangle; use one of these"
+            }
+            Self::NoEmission => {
+                "the object of a light has a material that emits no light; give its `emission` a color"
             }
             Self::Lens => {
                 "the radius of a lens is not more than 0 or is above its `focus`, or it has 1, 2 or more \

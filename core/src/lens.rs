@@ -2,6 +2,7 @@
 
 use crate::fault::{Fault, check_finite};
 use crate::math::{Real, Scale, float};
+#[cfg(feature = "distributed")]
 use crate::sampling::disc;
 
 /// A thin lens: what lies at the distance of focus is sharp, what lies nearer or farther is blurred (Potmesil
@@ -64,6 +65,7 @@ impl Lens {
     }
 }
 
+#[cfg(feature = "distributed")]
 impl<R: Real> PreparedLens<R> {
     /// The radius of the aperture, in the scaled unit.
     pub(crate) fn radius(&self) -> R {
@@ -99,9 +101,11 @@ impl<R: Real> PreparedLens<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    #[cfg(feature = "distributed")]
     use crate::math::Fixed;
 
     /// The share of the round aperture that one with corners leaves open is its area over that of the circle.
+    #[cfg(feature = "distributed")]
     fn assert_blades_cut_the_circle<R: Real>() {
         for blades in [3u8, 5, 6, 16] {
             let lens = Lens { blades, ..Lens::round(0.5, 4.0) }.prepare::<R>(Scale::ONE).unwrap();
@@ -129,19 +133,15 @@ mod tests {
     }
 
     #[test]
+    #[cfg(feature = "distributed")]
     fn apertures_have_corners() {
-        if !cfg!(feature = "distributed") {
-            return;
-        }
         assert_blades_cut_the_circle::<f32>();
         assert_blades_cut_the_circle::<Fixed>();
     }
 
     #[test]
+    #[cfg(feature = "distributed")]
     fn bad_lenses_are_refused() {
-        if !cfg!(feature = "distributed") {
-            return;
-        }
         let refused = |lens: Lens| lens.prepare::<f32>(Scale::ONE).err();
         assert_eq!(refused(Lens::round(0.1, 3.0)), None);
         for (radius, focus, blades) in

@@ -128,7 +128,7 @@ pub use color::LinearRgb;
 pub use falloff::Falloff;
 pub use fault::{Coefficient, Fault};
 pub use lens::Lens;
-pub use light::{Lamp, Light, LightCone};
+pub use light::{Lamp, Light, LightCone, ObjectId};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};
 pub use math::{Real, Vec3};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};

@@ -15,6 +15,8 @@
 //!
 //! [`group`] traces several neighboring pixels through the same steps at once.
 
+#[cfg(feature = "distributed")]
+mod area_light;
 mod group;
 mod path;
 mod pending_ray;
@@ -32,7 +34,7 @@ use crate::color::LinearRgb;
 use crate::math::{Ray, Real};
 use crate::prepared::{ObjectSet, PreparedScene};
 use crate::probe::Probe;
-use crate::sampling::PixelSample;
+use crate::sampling::RayNumbers;
 use crate::shape::Geometry;
 
 /// When rays are no longer followed.
@@ -84,8 +86,8 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     /// The rays that are left.
     rays: RayBudget,
     seen: Seen,
-    /// The sample, which draws the directions of its rays.
-    sample: PixelSample,
+    /// What the rays draw their directions from.
+    numbers: RayNumbers,
     probe: &'t mut P,
 }
 
@@ -96,22 +98,19 @@ pub(crate) struct SampleRays {
     pub(crate) left: RayBudget,
     /// What the rays of the last sample met.
     pub(crate) seen: Seen,
-    /// The sample at hand.
-    pub(crate) sample: PixelSample,
 }
 
 /// The light that comes to the origin of a camera ray from where it points.
 #[inline(always)]
 pub(crate) fn radiance<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
-    ray: Ray<R>,
+    (ray, numbers): (Ray<R>, RayNumbers),
     sight: Sight<'_>,
     limits: &RayLimits<R>,
     rays: &mut SampleRays,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let SampleRays { left, sample, .. } = *rays;
-    let mut trace = Trace { scene, limits: *limits, rays: left, seen: Seen::NOTHING, sample, probe };
+    let mut trace = Trace { scene, limits: *limits, rays: rays.left, seen: Seen::NOTHING, numbers, probe };
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
     (rays.left, rays.seen) = (trace.rays, trace.seen);

@@ -113,6 +113,8 @@ impl<R: Real> Path<R> {
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadow_rays.begin_at(hit.object);
         let light = shaded.local_light(trace, shadow_rays);
+        #[cfg(feature = "distributed")]
+        let light = light + shaded.light_of_areas(trace, self.next.bounces);
         self.receive(throughput, light);
         if material.sends_rays() {
             self.branch(trace, &shaded, throughput, waiting)
@@ -145,7 +147,7 @@ impl<R: Real> Path<R> {
         if let Some(direction) = direction
             && let Some(throughput) = followed(trace, throughput * refracted, bounces)
         {
-            let direction = shaded.spread_refracted(direction, &trace.sample, bounces);
+            let direction = shaded.spread_refracted(direction, &trace.numbers, bounces);
             let ray = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Refracted);
             // There is always a place, as the module explains.
             if waiting.push(ray).is_err() {
@@ -154,7 +156,7 @@ impl<R: Real> Path<R> {
         }
         match reflected {
             Some(throughput) => {
-                let direction = shaded.spread_mirrored(&trace.sample, bounces);
+                let direction = shaded.spread_mirrored(&trace.numbers, bounces);
                 self.next = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Reflected);
                 true
             }

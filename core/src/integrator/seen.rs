@@ -4,13 +4,17 @@ use crate::math::Real;
 use crate::prepared::Hit;
 
 /// A digest of the objects, facets and shadows that the rays of a sample met. Samples that met the same have
-/// the same digest. Without the feature `distributed` nothing is recorded.
+/// the same digest. Without the feature `distributed` nothing is recorded,
+/// and this takes no memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Seen(u32);
+pub(crate) struct Seen([u32; DIGESTS]);
+
+/// The digests that are kept.
+const DIGESTS: usize = if cfg!(feature = "distributed") { 1 } else { 0 };
 
 impl Seen {
     /// No ray was traced.
-    pub(crate) const NOTHING: Self = Self(0);
+    pub(crate) const NOTHING: Self = Self([0; DIGESTS]);
 
     /// Records a hit.
     #[inline]
@@ -35,8 +39,8 @@ impl Seen {
 
     #[inline]
     fn record(&mut self, what: u32) {
-        if cfg!(feature = "distributed") {
-            self.0 = fold(self.0, what);
+        for digest in &mut self.0 {
+            *digest = fold(*digest, what);
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::material::{PreparedMaterial, PreparedOptics, Shares};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Departure, Hit, PreparedScene, Through};
 use crate::probe::{Cut, Event, Probe, RayKind};
-use crate::sampling::{Dimension, PixelSample, lobe};
+use crate::sampling::{Dimension, RayNumbers, lobe};
 use crate::shape::Geometry;
 use crate::surface::Surface;
 use crate::throughput::Throughput;
@@ -16,13 +16,13 @@ use crate::throughput::Throughput;
 /// A hit as the ray sees it that met it.
 pub(super) struct ShadedHit<'s, R: Real> {
     pub(super) hit: &'s Hit<R>,
-    material: &'s PreparedMaterial<'s, R>,
+    pub(super) material: &'s PreparedMaterial<'s, R>,
     /// The color of the texture.
     color: LinearRgb<R>,
     /// Direction of the ray that met the hit.
     incoming: Vec3<R>,
     /// The shading normal, on the side that the ray came from.
-    normal: Vec3<R>,
+    pub(super) normal: Vec3<R>,
     /// Cosine of the angle between `normal` and the way back: 0 or more.
     cosine: R,
     /// Direction of the reflected ray; for a matte material without a probe, any direction.
@@ -33,22 +33,22 @@ pub(super) struct ShadedHit<'s, R: Real> {
 }
 
 /// A light in front of a surface, before its shadow ray.
-struct FacingLight<R> {
+pub(super) struct FacingLight<R> {
     /// Unit vector toward the light.
-    toward: Vec3<R>,
-    distance: R,
+    pub(super) toward: Vec3<R>,
+    pub(super) distance: R,
     /// Cosine of the angle between `toward` and the normal.
-    cosine: R,
+    pub(super) cosine: R,
     /// The cosine whose power is the highlight, if the highlight can be visible.
-    highlight_cosine: Option<R>,
+    pub(super) highlight_cosine: Option<R>,
     /// The share of its light that a lamp with falloff or a cone sends here.
-    share: Option<R>,
+    pub(super) share: Option<R>,
 }
 
 /// The light of all lamps at a surface.
-struct LampLight<R> {
-    diffuse: LinearRgb<R>,
-    specular: LinearRgb<R>,
+pub(super) struct LampLight<R> {
+    pub(super) diffuse: LinearRgb<R>,
+    pub(super) specular: LinearRgb<R>,
     is_lit: bool,
     has_highlight: bool,
 }
@@ -198,17 +198,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     #[inline(always)]
     fn facing(&self, light: &PreparedLight<'_, R>, diffuses: bool, shines: bool) -> Option<FacingLight<R>> {
         let (toward, distance, cosine) = light.seen_from(self.hit.surface.point, self.normal)?;
-        let shininess = &self.material.shininess;
-        let mut highlight_cosine = None;
-        if shines {
-            let cosine = match self.material.optics() {
-                Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
-                // In floating point the bound is the product itself.
-                None if R::IS_FIXED_POINT && !shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
-                None => self.mirrored.dot(toward),
-            };
-            highlight_cosine = shininess.is_visible(cosine).then_some(cosine);
-        }
+        let highlight_cosine = if shines { self.highlight_cosine(toward) } else { None };
         if !diffuses && highlight_cosine.is_none() {
             return None;
         }
@@ -219,8 +209,21 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         Some(FacingLight { toward, distance, cosine, highlight_cosine, share })
     }
 
+    /// The cosine whose power is the highlight of a light in this direction, if it can be visible.
+    #[inline]
+    pub(super) fn highlight_cosine(&self, toward: Vec3<R>) -> Option<R> {
+        let shininess = &self.material.shininess;
+        let cosine = match self.material.optics() {
+            Some(optics) => optics.highlight_cosine(self.normal, self.incoming, self.mirrored, toward),
+            // In floating point the bound is the product itself.
+            None if R::IS_FIXED_POINT && !shininess.may_be_visible(self.mirrored, toward) => R::ZERO,
+            None => self.mirrored.dot(toward),
+        };
+        shininess.is_visible(cosine).then_some(cosine)
+    }
+
     /// The light of one lamp that leaves the hit if nothing is in the way: for events.
-    fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
+    pub(super) fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
         let shown = self.color * (self.material.diffuse * cosine);
         let highlight = LinearRgb::even(self.material.specular * highlight);
         let highlight =
@@ -232,7 +235,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 
     /// Ambient light, and the light of lamps as the surface reflects it.
     #[inline(always)]
-    fn reflected_light(&self, ambient: LinearRgb<R>, lamps: LampLight<R>) -> LinearRgb<R> {
+    pub(super) fn reflected_light(&self, ambient: LinearRgb<R>, lamps: LampLight<R>) -> LinearRgb<R> {
         let LampLight { diffuse, mut specular, is_lit, has_highlight } = lamps;
         // Most points have no highlight, and many no light: nothing is added there.
         if !is_lit {
@@ -274,10 +277,10 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 
     /// The direction of a ray that the surface mirrors: in the lobe of a glossy material.
     #[inline]
-    pub(super) fn spread_mirrored(&self, sample: &PixelSample, bounces: u8) -> Vec3<R> {
+    pub(super) fn spread_mirrored(&self, numbers: &RayNumbers, bounces: u8) -> Vec3<R> {
         match self.material.optics().and_then(|optics| optics.gloss) {
             Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(self.mirrored, exponent, sample.pair(Dimension::mirrored(bounces)))
+                self.spread(self.mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
             }
             _ => self.mirrored,
         }
@@ -286,10 +289,10 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     /// The direction of a ray that the surface refracts into a direction: in the lobe of a translucent
     /// material.
     #[inline]
-    pub(super) fn spread_refracted(&self, direction: Vec3<R>, sample: &PixelSample, bounces: u8) -> Vec3<R> {
+    pub(super) fn spread_refracted(&self, direction: Vec3<R>, numbers: &RayNumbers, bounces: u8) -> Vec3<R> {
         match self.material.optics().and_then(|optics| optics.translucency) {
             Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(direction, exponent, sample.pair(Dimension::refracted(bounces)))
+                self.spread(direction, exponent, numbers.pair(Dimension::refracted(bounces)))
             }
             _ => direction,
         }
@@ -339,12 +342,12 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 }
 
 impl<R: Real> LampLight<R> {
-    const NONE: Self =
+    pub(super) const NONE: Self =
         Self { diffuse: LinearRgb::BLACK, specular: LinearRgb::BLACK, is_lit: false, has_highlight: false };
 
     /// Adds the share of a light that gets through; returns the strength of its highlight, 0 to 1.
     #[inline(always)]
-    fn add(
+    pub(super) fn add(
         &mut self,
         light: &FacingLight<R>,
         material: &PreparedMaterial<'_, R>,

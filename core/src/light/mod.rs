@@ -1,7 +1,11 @@
 //! Lights.
 
+#[cfg(feature = "distributed")]
+mod area;
 mod lamp;
 
+#[cfg(feature = "distributed")]
+pub(crate) use area::{AreaLight, LampPoint};
 pub(crate) use lamp::PreparedLamp;
 pub use lamp::{Lamp, LightCone};
 
@@ -10,9 +14,9 @@ use crate::color::{LinearRgb, check_emission};
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Real, Scale, Vec3};
 
-/// A light without size, whose shadows have sharp edges.
+/// A light. All but [`Object`](Self::Object) have no size, and shadows with sharp edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Light {
     /// A point light that shines in all directions, equally bright at any distance.
@@ -37,10 +41,70 @@ pub enum Light {
         /// Its color and intensity, 0 or more.
         color: LinearRgb,
     },
+    /// The light of an object with a size, whose shadows have soft edges: a [`Sphere`](crate::shape::Sphere),
+    /// a [`Disc`](crate::shape::Disc) without a hole, or a [`Rectangle`](crate::shape::Rectangle), with a
+    /// material that [emits](crate::Optics::emission) light. Flat lamps shine to both sides.
+    ///
+    /// The emission is the light that the lamp shows to the eye. A white surface that sees nothing but lamps
+    /// in all directions is as bright as they are. Each hit takes 4 rays toward the lamp; with one sample of
+    /// the pixel, 16 in the penumbra. What touches the lamp throws no shadow on the last 1/512 of the way to it. Needs the feature
+    /// `distributed`.
+    Object(ObjectId),
+}
+
+/// The position of an object in [`Scene::objects`](crate::Scene::objects).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ObjectId(pub u16);
+
+#[cfg(feature = "serde")]
+impl<'m> crate::read::Read<'m> for ObjectId {
+    fn read<D: serde::Deserializer<'m>>(
+        from: D,
+        reader: &mut crate::read::Reader<'m>,
+    ) -> Result<Self, D::Error> {
+        crate::read::read_number("ObjectId", from, reader).map(Self)
+    }
+}
+
+/// The fields of [`Light::Point`], as they are read.
+#[cfg(feature = "serde")]
+struct PointFields {
+    position: Vec3,
+    color: LinearRgb,
+}
+
+/// The fields of [`Light::Directional`], as they are read.
+#[cfg(feature = "serde")]
+struct DirectionalFields {
+    direction: Vec3,
+    color: LinearRgb,
+}
+
+/// The fields of [`Light::Ambient`], as they are read.
+#[cfg(feature = "serde")]
+struct AmbientFields {
+    color: LinearRgb,
 }
 
 #[cfg(feature = "serde")]
-crate::read::plain!(Light);
+crate::read::read_struct!([] PointFields as PointFields { position, color });
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] DirectionalFields as DirectionalFields { direction, color });
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] AmbientFields as AmbientFields { color });
+#[cfg(feature = "serde")]
+crate::read::plain!(Lamp);
+#[cfg(feature = "serde")]
+crate::read::read_enum! {
+    [] Light as Light {
+        Point { PointFields: position, color },
+        Directional { DirectionalFields: direction, color },
+        Lamp(Lamp),
+        Ambient { AmbientFields: color },
+        Object(ObjectId),
+    }
+}
 
 impl Light {
     /// Whether the light needs the feature `optics`.
@@ -48,8 +112,17 @@ impl Light {
         matches!(self, Self::Lamp(_) | Self::Ambient { .. })
     }
 
+    /// The object that gives the light, if it is one.
+    pub(crate) const fn object(&self) -> Option<ObjectId> {
+        if let Self::Object(object) = self { Some(*object) } else { None }
+    }
+
     /// The most bytes of lent memory that this light takes in addition to its `PreparedLight`.
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
+        #[cfg(feature = "distributed")]
+        if self.object().is_some() {
+            return Arena::bytes::<AreaLight<R>>(1);
+        }
         if matches!(self, Self::Lamp(_)) { Arena::bytes::<PreparedLamp<R>>(1) } else { 0 }
     }
 
@@ -78,6 +151,11 @@ impl Light {
             // An ambient light is kept in the list with direction zero, so that no surface receives light
             // from it.
             Self::Ambient { color } => (Source::Toward(Vec3::ZERO), color),
+            // So is an object, whose light is found apart.
+            Self::Object(_) if cfg!(feature = "distributed") => {
+                (Source::Toward(Vec3::ZERO), LinearRgb::gray(0.0))
+            }
+            Self::Object(_) => return Err(Fault::WithoutFeature { feature: "distributed" }),
             Self::Point { position, color } => {
                 check_point(position)?;
                 (Source::point(position, scale), color)

@@ -203,6 +203,12 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
         self.reflectance > R::ZERO || self.transmittance > R::ZERO || self.optics().is_some()
     }
 
+    /// Whether mirrored or refracted rays go in any direction of a lobe.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn spreads_rays(&self) -> bool {
+        self.optics().is_some_and(|optics| optics.gloss.is_some() || optics.translucency.is_some())
+    }
+
     /// The extensions of the models of Phong and Whitted, if the material has any. Without the feature
     /// `optics` this is `None` at compile time, and the code for it is dropped.
     #[inline]

@@ -31,7 +31,8 @@ use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
-use crate::lens::PreparedLens;
+#[cfg(feature = "distributed")]
+use crate::light::AreaLight;
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
@@ -47,13 +48,12 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     camera: PreparedCamera<R>,
-    /// `None`: a pinhole.
-    lens: Option<PreparedLens<R>>,
-    /// Whether a material spreads mirrored or refracted rays.
-    has_lobes: bool,
     pub(crate) background: PreparedBackground<'m, R>,
     objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
     pub(crate) lights: &'m [PreparedLight<'m, R>],
+    /// The objects that give light.
+    #[cfg(feature = "distributed")]
+    areas: &'m [AreaLight<R>],
     /// `None`: white.
     ambient: Option<LinearRgb<R>>,
     scale: Scale,
@@ -104,7 +104,6 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
         let Scene { camera, background, objects, materials, lights } = *scene;
         let scale = scene.scale::<R>();
-        let lens = camera.prepare_lens(scale).map_err(Part::Camera.error())?;
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),
@@ -137,16 +136,18 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 prepared_materials.get(named).ok_or(Fault::UnknownMaterial { named, materials })?;
             Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material })
         })?;
+        #[cfg(feature = "distributed")]
+        let areas = areas(scene, prepared_objects, scale, arena)?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         let candidates = candidates.map_err(Part::Memory.error())?;
         let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
         Ok(Self {
             camera,
-            lens,
-            has_lobes: materials.iter().any(Material::needs_distributed),
             background,
             objects: prepared_objects,
             lights: prepared_lights,
+            #[cfg(feature = "distributed")]
+            areas,
             ambient: ambient::<R>(lights)?,
             scale,
             candidates,
@@ -160,6 +161,22 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Self { candidates: None, hierarchy: None, ..self }
     }
 
+    /// The scene without lights.
+    pub(crate) fn without_lights(self) -> Self {
+        Self {
+            lights: &[],
+            #[cfg(feature = "distributed")]
+            areas: &[],
+            ..self
+        }
+    }
+
+    /// The objects that give light.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn areas(&self) -> &'m [AreaLight<R>] {
+        self.areas
+    }
+
     /// Looks at the same scene from elsewhere.
     ///
     /// In fixed point the scene was scaled for the eye that it was prepared with. An eye that is no farther
@@ -169,12 +186,11 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// # Errors
     /// What is wrong with the camera; the old one stays.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
-        let lens = camera.prepare_lens(self.scale).map_err(Part::Camera.error())?;
         let camera = camera.prepare(self.scale).map_err(Part::Camera.error())?;
         if !self.planes_are_near(camera.eye()) {
             return Err(Part::Camera.error()(Fault::BeyondReach));
         }
-        (self.camera, self.lens) = (camera, lens);
+        self.camera = camera;
         Ok(())
     }
 
@@ -207,15 +223,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         &self.camera
     }
 
-    /// The lens, if the camera has one. Without the feature there is none, and the compiler drops the code
-    /// that uses it.
-    pub(crate) fn lens(&self) -> Option<&PreparedLens<R>> {
-        if cfg!(feature = "distributed") { self.lens.as_ref() } else { None }
-    }
-
     /// Whether rays draw numbers, so that a sample is more than its place in the pixel.
     pub(crate) fn is_distributed(&self) -> bool {
-        cfg!(feature = "distributed") && (self.lens.is_some() || self.has_lobes)
+        #[cfg(feature = "distributed")]
+        {
+            let spreads_rays = |object: &PreparedObject<'_, R, _>| object.material.spreads_rays();
+            self.camera.lens().is_some() || !self.areas.is_empty() || self.objects.iter().any(spreads_rays)
+        }
+        #[cfg(not(feature = "distributed"))]
+        false
     }
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses
@@ -243,6 +259,35 @@ fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError
         }
     }
     Ok(sum.map(LinearRgb::to))
+}
+
+/// The lights of a scene that are objects.
+#[cfg(feature = "distributed")]
+fn areas<'m, R: Real, S: Geometry + 'm>(
+    scene: &Scene<'_, S>,
+    objects: &[PreparedObject<'_, R, S::Prepared<'m, R>>],
+    scale: Scale,
+    arena: &mut Arena<'m>,
+) -> Result<&'m [AreaLight<R>], SceneError> {
+    let lamps = || {
+        let lights = scene.lights.iter().enumerate();
+        lights.filter_map(|(index, light)| Some((index, usize::from(light.object()?.0))))
+    };
+    let mut light = 0;
+    let prepared = arena.try_store_with(lamps().count(), |number, _| {
+        let (index, named) = lamps().nth(number).ok_or(Fault::NotFinite)?;
+        light = index;
+        let unknown = Fault::UnknownObject { named, objects: objects.len() };
+        let (object, prepared) = scene.objects.get(named).zip(objects.get(named)).ok_or(unknown)?;
+        let luminaire = object.shape.luminaire().ok_or(Fault::NoLuminaire)?;
+        let emission = prepared.material.optics().map(|optics| optics.emission);
+        let emission = emission.filter(|emission| *emission != LinearRgb::BLACK).ok_or(Fault::NoEmission)?;
+        AreaLight::new(luminaire, (named, index), emission, scale)
+    });
+    match prepared {
+        Ok(areas) => Ok(areas),
+        Err(fault) => Err(Part::Light(light).error()(fault)),
+    }
 }
 
 /// Stores what each description becomes, or tells which of them is wrong.

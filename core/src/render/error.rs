@@ -20,8 +20,6 @@ pub enum SettingsError {
         /// The most that are allowed.
         most: u8,
     },
-    /// Not even one ray per pixel. Allow at least 1.
-    RaysPerPixel,
     /// Not even one sample for each pixel. Take at least 1.
     Samples,
     /// More samples than rays for each pixel. Allow more rays, or take fewer samples.
@@ -40,11 +38,9 @@ pub enum SettingsError {
     },
     /// The contrast of adaptive sampling is not between 0 and 1. Mitchell's is 0.3.
     Contrast,
-    /// A setting needs a feature that this build of the crate does not have. Switch the feature on.
-    WithoutFeature {
-        /// The name of the feature.
-        feature: &'static str,
-    },
+    /// The sampling needs the feature `distributed`, which this build of the crate does not have. Switch the
+    /// feature on, or use [`Sampling::new`](crate::Sampling::new).
+    WithoutDistributed,
     /// The cut-off is not between 0 and 1. Use 0 to follow every ray.
     Cutoff,
 }
@@ -54,7 +50,6 @@ impl fmt::Display for SettingsError {
         match self {
             Self::Size { side, most } => write!(f, "a side of {side} pixels is too long; use at most {most}"),
             Self::Bounces { given, most } => write!(f, "{given} bounces are too many; use at most {most}"),
-            Self::RaysPerPixel => f.write_str("no rays per pixel; allow at least 1"),
             Self::Samples => f.write_str("no samples for a pixel; take at least 1"),
             Self::SamplesBeyondRays { samples, rays } => write!(
                 f,
@@ -65,9 +60,10 @@ impl fmt::Display for SettingsError {
                 "adaptive sampling cannot begin with {given} of {samples} samples; begin with 2 to {samples}"
             ),
             Self::Contrast => f.write_str("the contrast is not between 0 and 1; 0.3 is usual"),
-            Self::WithoutFeature { feature } => {
-                write!(f, "the settings need the feature `{feature}` of the crate rayline; switch it on")
-            }
+            Self::WithoutDistributed => f.write_str(
+                "the sampling needs the feature `distributed` of the crate rayline; switch it on, or use \
+                 `Sampling::new`",
+            ),
             Self::Cutoff => f.write_str("the cut-off is not between 0 and 1; use 0 to follow every ray"),
         }
     }

@@ -8,7 +8,7 @@ use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::Real;
 use crate::probe::Probe;
-use crate::sampling::CENTER;
+use crate::sampling::{CENTER, RayNumbers};
 use crate::shape::Geometry;
 
 /// Renders lines in groups of pixels.
@@ -21,8 +21,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
     /// `None` if groups would not be faster, or if the probe needs the events of one pixel after the other.
     #[inline(always)]
     pub(super) fn new(renderer: &'r Renderer<'p, 'm, R, S>, probe: &impl Probe<R>) -> Option<Self> {
-        let has_one = renderer.settings.sampling.samples <= 1 && !renderer.scene.is_distributed();
-        if probe.needs_order() || !has_one {
+        if probe.needs_order() || renderer.settings.sampling.samples > 1 || renderer.is_distributed {
             return None;
         }
         Some(Self { renderer, group: PixelGroup::new(renderer.scene)? })
@@ -68,7 +67,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
             let (x, y) = (x as u16, y.wrapping_add(down as u16));
-            let ray = viewport.ray(viewport.across((x, CENTER)), self.renderer.centers(y));
+            let ray = viewport.ray(viewport.across((x, CENTER)), self.renderer.centers(y), &RayNumbers::NONE);
             lane.begin(ray, RayBudget(rays_per_pixel));
         }
         self.group.trace(lanes, limits, probe);

@@ -74,11 +74,11 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     width: u16,
     height: u16,
     limits: RayLimits<R>,
-    /// The share of each sample in the light of its pixel: of the first samples, and of all.
-    sample_weights: [R; 2],
-    /// The share of the first samples, if all are taken.
-    first_share: R,
+    /// The share of each sample in the light of its pixel.
+    sample_weight: R,
     settings: Settings,
+    /// Whether the rays of a sample draw numbers.
+    is_distributed: bool,
     /// The places at which objects and shadows can be seen. They are known for the centers of pixels, so
     /// for one sample a pixel.
     outlines: Outlines,
@@ -92,22 +92,20 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
         let (width, height) = settings.check()?;
         let viewport = Viewport::new(scene.camera(), width, height);
-        let Sampling { samples, adaptive, .. } = settings.sampling;
-        let at_first = adaptive.map_or(samples, |adaptive| adaptive.at_first);
-        let number = R::Setup::from_u16;
+        let Sampling { samples, .. } = settings.sampling;
         let mut renderer = Self {
             scene,
             viewport,
             width,
             height,
             limits: RayLimits { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
-            sample_weights: [at_first, samples].map(|count| R::from_setup(number(count).recip())),
-            first_share: R::from_setup(number(at_first) / number(samples)),
+            sample_weight: R::from_setup(R::Setup::from_u16(samples).recip()),
             settings,
+            is_distributed: scene.is_distributed(),
             outlines: Outlines::UNKNOWN,
         };
         // A lens blurs outlines, and several samples lie beside them.
-        if samples == 1 && scene.lens().is_none() {
+        if samples == 1 && scene.camera().lens().is_none() {
             renderer.outlines.find(scene, &renderer.viewport);
             renderer.outlines.find_shadows(scene, &renderer.viewport);
         }

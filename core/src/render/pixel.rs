@@ -4,11 +4,10 @@ use super::Renderer;
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
-use crate::lens::PreparedLens;
-use crate::math::{Ray, Real};
+use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
-use crate::sampling::{Adaptive, CENTER, Dimension, PixelSample, Sampling};
+use crate::sampling::{Adaptive, CENTER, PixelSample, RayNumbers, Sampling};
 use crate::shape::Geometry;
 
 /// A pixel, with the rays through the centers of its line.
@@ -107,48 +106,38 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     ) -> (LinearRgb<R>, u32) {
         let has_one = self.settings.sampling.samples <= 1;
         let rays_per_pixel = self.settings.rays_per_pixel;
-        let sample = PixelSample { sampling: self.settings.sampling, x, y, index: 0 };
-        let mut rays = SampleRays { left: RayBudget(rays_per_pixel), seen: Seen::NOTHING, sample };
+        let mut numbers = RayNumbers::of(self.sample((x, y), 0));
+        let (left, seen) = (RayBudget(rays_per_pixel), Seen::NOTHING);
+        let mut rays = SampleRays { left, seen };
         let mut samples = Samples { light: LinearRgb::BLACK, taken: 0, spread: None };
         let (mut across, mut row) = (self.viewport.across((x, CENTER)), row);
         if !has_one {
-            (across, row) = self.sample_place(&rays.sample);
+            (across, row) = self.sample_place((x, y), 0);
         }
         loop {
-            let ray = match scene.lens() {
-                Some(lens) => self.ray_from_lens(across, row, lens, &rays.sample),
-                None => self.viewport.ray(across, row),
-            };
-            let shown = radiance(scene, ray, sight, limits, &mut rays, probe);
+            let ray = self.viewport.ray(across, row, &numbers);
+            let shown = radiance(scene, (ray, numbers), sight, limits, &mut rays, probe);
             if has_one {
                 return (shown, rays_per_pixel.saturating_sub(rays.left.0));
             }
             if !self.add_sample(&mut samples, shown, rays.seen) {
                 return (samples.light, rays_per_pixel.saturating_sub(rays.left.0));
             }
-            rays.sample.index = samples.taken;
-            (across, row) = self.sample_place(&rays.sample);
+            numbers = RayNumbers::of(self.sample((x, y), samples.taken));
+            (across, row) = self.sample_place((x, y), samples.taken);
         }
     }
 
     /// The place of one of several samples of a pixel: its distance from the picture's left side, and its
     /// row.
     #[inline(never)]
-    fn sample_place(&self, sample: &PixelSample) -> (R, RayRow<R>) {
-        let [right, down] = sample.place();
-        (self.viewport.across((sample.x, right)), self.viewport.row((sample.y, down)))
+    fn sample_place(&self, (x, y): (u16, u16), index: u16) -> (R, RayRow<R>) {
+        let [right, down] = self.sample((x, y), index).place();
+        (self.viewport.across((x, right)), self.viewport.row((y, down)))
     }
 
-    /// The ray of a sample that begins at its place on the lens.
-    fn ray_from_lens(
-        &self,
-        across: R,
-        row: RayRow<R>,
-        lens: &PreparedLens<R>,
-        sample: &PixelSample,
-    ) -> Ray<R> {
-        let place = lens.place(sample.pair(Dimension::LENS));
-        self.viewport.ray_from_lens(across, row, lens, place)
+    fn sample(&self, (x, y): (u16, u16), index: u16) -> PixelSample {
+        PixelSample { sampling: self.settings.sampling, x, y, index }
     }
 
     /// Adds the light of one of several samples. Returns whether the pixel needs another one; if not, the sum
@@ -156,29 +145,34 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     #[inline(never)]
     fn add_sample(&self, samples: &mut Samples<R>, light: LinearRgb<R>, seen: Seen) -> bool {
         let Sampling { samples: most, adaptive, .. } = self.settings.sampling;
-        let first = adaptive.filter(|_| cfg!(feature = "distributed"));
-        let Adaptive { at_first, contrast } = first.unwrap_or(Adaptive { at_first: most, contrast: 0.0 });
-        let [first_weight, weight] = self.sample_weights;
-        // In fixed point, the sum of many samples may overflow where their mean does not.
-        let weighs_first = R::IS_FIXED_POINT;
-        let at_hand = if samples.taken < at_first { first_weight } else { weight };
-        samples.light = samples.light + if weighs_first { light.scaled(at_hand) } else { light };
-        samples.taken = samples.taken.saturating_add(1);
-        if first.is_some() && samples.taken <= at_first {
+        let mut weight = self.sample_weight;
+        let first =
+            adaptive.filter(|adaptive| cfg!(feature = "distributed") && samples.taken < adaptive.at_first);
+        if let Some(Adaptive { at_first, .. }) = first {
+            // Until it is known that more samples follow.
+            weight = R::from_setup(R::Setup::from_u16(at_first).recip());
             match &mut samples.spread {
                 Some(spread) => spread.add(light, seen),
                 none => *none = Some(Spread::new(light, seen)),
             }
         }
+        // In fixed point, the sum of many samples may overflow where their mean does not.
+        let weighs_first = R::IS_FIXED_POINT;
+        samples.light = samples.light + if weighs_first { light.scaled(weight) } else { light };
+        samples.taken = samples.taken.saturating_add(1);
         let mut ends = samples.taken >= most;
-        if !ends && samples.taken == at_first {
+        if let Some(Adaptive { at_first, contrast }) = first
+            && samples.taken == at_first
+            && !ends
+        {
             ends = !samples.spread.is_some_and(|spread| spread.needs_more(contrast));
             if weighs_first && !ends {
-                samples.light = samples.light.scaled(self.first_share);
+                let share = R::Setup::from_u16(at_first) / R::Setup::from_u16(most);
+                samples.light = samples.light.scaled(R::from_setup(share));
             }
         }
         if ends && !weighs_first {
-            samples.light = samples.light.scaled(at_hand);
+            samples.light = samples.light.scaled(weight);
         }
         !ends
     }

@@ -53,9 +53,6 @@ impl Settings {
         if self.bounces > MAX_BOUNCES {
             return Err(SettingsError::Bounces { given: self.bounces, most: MAX_BOUNCES });
         }
-        if self.rays_per_pixel == 0 {
-            return Err(SettingsError::RaysPerPixel);
-        }
         self.check_sampling()?;
         if !(0.0..=1.0).contains(&self.cutoff) {
             return Err(SettingsError::Cutoff);
@@ -72,16 +69,18 @@ impl Settings {
         if u32::from(samples) > self.rays_per_pixel {
             return Err(SettingsError::SamplesBeyondRays { samples, rays: self.rays_per_pixel });
         }
-        if let Some(Adaptive { at_first, contrast }) = adaptive {
+        if !cfg!(feature = "distributed") && self.sampling.needs_distributed() {
+            return Err(SettingsError::WithoutDistributed);
+        }
+        if cfg!(feature = "distributed")
+            && let Some(Adaptive { at_first, contrast }) = adaptive
+        {
             if !(2..=samples).contains(&at_first) {
                 return Err(SettingsError::AtFirst { given: at_first, samples });
             }
             if !(0.0..=1.0).contains(&contrast) {
                 return Err(SettingsError::Contrast);
             }
-        }
-        if !cfg!(feature = "distributed") && self.sampling.needs_distributed() {
-            return Err(SettingsError::WithoutFeature { feature: "distributed" });
         }
         Ok(())
     }

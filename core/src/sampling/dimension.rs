@@ -6,6 +6,7 @@
 //! | 1 | the place on the lens |
 //! | 4 + 4 · b | the direction of a mirrored ray after b bounces |
 //! | 5 + 4 · b | the direction of a refracted ray after b bounces |
+//! | 6 + 4 · b + 256 · l | the points of the light l for a hit after b bounces |
 
 /// A use of two numbers that a sample draws. Two uses never share numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,7 @@ impl Dimension {
     /// The place in the pixel.
     pub(crate) const PIXEL: Self = Self(0);
     /// The place on the lens.
+    #[cfg(feature = "distributed")]
     pub(crate) const LENS: Self = Self(1);
 
     /// The direction of a mirrored ray, which leaves a surface after so many bounces.
@@ -25,6 +27,12 @@ impl Dimension {
     /// The direction of a refracted ray, which leaves a surface after so many bounces.
     pub(crate) const fn refracted(bounces: u8) -> Self {
         Self(5 + 4 * bounces as u32)
+    }
+
+    /// The points of a light with a size, for a hit after so many bounces.
+    #[cfg(feature = "distributed")]
+    pub(crate) const fn lamp(bounces: u8, light: usize) -> Self {
+        Self(6 + 4 * bounces as u32 + ((light as u32) << 8))
     }
 
     /// Its number, which hashes take.
@@ -40,23 +48,36 @@ mod tests {
 
     /// No two uses have the same number, and the numbers are those of the table.
     #[test]
+    #[cfg(feature = "distributed")]
     fn each_use_has_a_number_of_its_own() {
-        let table: String =
-            include_str!("dimension.rs").lines().take_while(|line| line.starts_with("//!")).collect();
+        let text = include_str!("dimension.rs");
+        let table: String = text.lines().take_while(|line| line.starts_with("//!")).collect();
         let mut numbers = vec![Dimension::PIXEL.number(), Dimension::LENS.number()];
         for number in &numbers {
             assert!(table.contains(&format!("| {number} | the place")), "{number}");
         }
-        for (first, use_of) in [(4, Dimension::mirrored as fn(u8) -> Dimension), (5, Dimension::refracted)] {
-            assert!(table.contains(&format!("| {first} + 4 · b | the direction")));
-            for bounces in 0..=MAX_BOUNCES {
-                assert_eq!(use_of(bounces).number(), first + 4 * u32::from(bounces));
-                numbers.push(use_of(bounces).number());
+        let mut add = |entry: &str, number: u32, dimension: Dimension| {
+            assert!(table.contains(entry), "{entry}");
+            assert_eq!(dimension.number(), number);
+            numbers.push(number);
+        };
+        for b in 0..=MAX_BOUNCES {
+            let first = 4 * u32::from(b);
+            add("| 4 + 4 · b | the direction of a mirrored ray", 4 + first, Dimension::mirrored(b));
+            add("| 5 + 4 · b | the direction of a refracted ray", 5 + first, Dimension::refracted(b));
+            for light in [0, 1, 7, 65_534] {
+                let number = 6 + first + 256 * light as u32;
+                add("| 6 + 4 · b + 256 · l | the points of the light l", number, Dimension::lamp(b, light));
             }
         }
         let count = numbers.len();
         numbers.sort_unstable();
         numbers.dedup();
         assert_eq!(numbers.len(), count);
+    }
+
+    #[test]
+    fn directions_of_different_bounces_differ() {
+        assert!((0..MAX_BOUNCES).all(|b| Dimension::mirrored(b) != Dimension::mirrored(b + 1)));
     }
 }

@@ -23,7 +23,9 @@ mod warp;
 
 pub(crate) use dimension::Dimension;
 pub use reconstruction::Reconstruction;
-pub(crate) use warp::{disc, lobe};
+#[cfg(feature = "distributed")]
+pub(crate) use warp::disc;
+pub(crate) use warp::lobe;
 
 use hash::hash;
 
@@ -144,10 +146,47 @@ pub(crate) struct PixelSample {
     pub(crate) index: u16,
 }
 
-impl PixelSample {
-    /// A sample that draws nothing.
-    pub(crate) const CENTER: Self = Self { sampling: Sampling::CENTER, x: 0, y: 0, index: 0 };
+/// What the rays of a sample draw numbers from. Without the feature `distributed` they draw none, and this
+/// takes no memory.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayNumbers([PixelSample; DRAWS]);
 
+/// The samples that rays draw from.
+const DRAWS: usize = if cfg!(feature = "distributed") { 1 } else { 0 };
+
+impl RayNumbers {
+    /// For rays that draw nothing.
+    pub(crate) const NONE: Self = Self::of(PixelSample { sampling: Sampling::CENTER, x: 0, y: 0, index: 0 });
+
+    /// The numbers of a sample.
+    #[inline]
+    pub(crate) const fn of(sample: PixelSample) -> Self {
+        Self([sample; DRAWS])
+    }
+
+    /// Two numbers, in 65536ths.
+    pub(crate) fn pair(&self, dimension: Dimension) -> [u16; 2] {
+        self.0.first().map_or([0; 2], |sample| sample.pair(dimension))
+    }
+
+    /// Whether the pixel has one sample alone.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn is_of_one_sample(&self) -> bool {
+        self.0.first().is_none_or(|sample| sample.sampling.samples <= 1)
+    }
+
+    /// The numbers of one of several rays that the sample sends in place of one.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn part(&self, number: u16, parts: u16) -> Self {
+        Self(self.0.map(|sample| {
+            let sampling =
+                Sampling { samples: sample.sampling.samples.saturating_mul(parts), ..sample.sampling };
+            PixelSample { sampling, index: sample.index.wrapping_mul(parts).wrapping_add(number), ..sample }
+        }))
+    }
+}
+
+impl PixelSample {
     /// The distance of the sample from the left and the upper side of its pixel, in 65536ths of a pixel. It
     /// may lie beside the pixel, as far as the filter reaches. A single sample lies in the center.
     pub(crate) fn place(&self) -> [i32; 2] {

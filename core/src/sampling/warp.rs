@@ -25,7 +25,7 @@ pub(crate) fn disc<R: Real>(pair: [u16; 2]) -> [R; 2] {
 fn eighth_turns<R: Real>(eighths: R) -> (R, R) {
     let number = R::from_f32;
     let square = eighths * eighths;
-    let sine = number(0.785_398_2)
+    let sine = number(core::f32::consts::FRAC_PI_4)
         - square * (number(0.080_745_51) - square * (number(0.002_490_394_6) - square * number(3.657_62e-5)));
     let cosine = R::ONE
         - square

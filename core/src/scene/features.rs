@@ -16,8 +16,9 @@ impl<S> Scene<'_, S> {
             self.lights.iter().any(Light::needs_optics) || self.materials.iter().any(Material::needs_optics);
         let has_textures =
             self.background.needs_textures() || self.materials.iter().any(Material::needs_textures);
-        let has_distributed =
-            self.camera.lens.is_some() || self.materials.iter().any(Material::needs_distributed);
+        let has_distributed = self.camera.lens.is_some()
+            || self.materials.iter().any(Material::needs_distributed)
+            || self.lights.iter().any(|light| light.object().is_some());
         let has_few = self.objects.len() <= FEW_OBJECTS;
         let all = [
             ("candidates", has_few),

@@ -2,7 +2,7 @@
 //! (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
 use super::circle::Circle;
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, reach_across, uv};
+use super::{Form, Geometry, Hull, Intersect, Luminaire, PreparedPlane, Silhouette, reach_across, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -37,6 +37,11 @@ impl Disc {
 
 impl Geometry for Disc {
     type Prepared<'m, R: Real> = PreparedDisc<R>;
+
+    fn luminaire(&self) -> Option<Luminaire> {
+        let Self { center, normal, radius, hole } = *self;
+        (hole == 0.0).then_some(Luminaire::Disc { center, normal, radius })
+    }
 
     fn extent(&self) -> Extent {
         Extent::flat(self.center.magnitude() + self.radius)

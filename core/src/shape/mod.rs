@@ -28,6 +28,7 @@ mod form;
 pub mod guide;
 mod implicit;
 mod instances;
+mod luminaire;
 mod mesh;
 mod patch;
 mod plane;
@@ -60,6 +61,7 @@ pub use ellipsoid::{Ellipsoid, PreparedEllipsoid};
 pub use form::Form;
 pub use implicit::{Blob, Distance, DistanceField, Implicit, Metaballs, PreparedImplicit, PreparedMetaballs};
 pub use instances::{Instances, Model, Pose, PreparedInstances, PreparedModel};
+pub use luminaire::Luminaire;
 pub use mesh::{BakedMesh, BakedParts, Mesh, PreparedMesh, SmallNormal};
 pub use plane::{Plane, PreparedPlane};
 pub use polygon::{Polygon, PreparedPolygon};
@@ -115,6 +117,12 @@ pub trait Geometry: Copy + Debug {
     /// be written, too. `false` by default.
     fn is_solid(&self) -> bool {
         false
+    }
+
+    /// The surface by which the shape can light a scene, see [`Light::Object`](crate::Light::Object). `None`
+    /// by default.
+    fn luminaire(&self) -> Option<Luminaire> {
+        None
     }
 }
 

@@ -1,7 +1,7 @@
 //! A rectangle or parallelogram: the part of a [`Patch`] whose two coordinates are both from 0 to 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, Silhouette, bounds_of};
+use super::{Form, Geometry, Hull, Intersect, Luminaire, Silhouette, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -33,6 +33,10 @@ impl Rectangle {
 
 impl Geometry for Rectangle {
     type Prepared<'m, R: Real> = PreparedRectangle<R>;
+
+    fn luminaire(&self) -> Option<Luminaire> {
+        Some(Luminaire::Rectangle { corner: self.corner, right: self.right, up: self.up })
+    }
 
     fn extent(&self) -> Extent {
         Extent::flat_between(Self::corners(self.corner, self.right, self.up))

@@ -62,6 +62,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn luminaire(&self) -> Option<$crate::shape::Luminaire> {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Geometry::luminaire(shape)),+
+                }
+            }
+
             fn extent(&self) -> $crate::math::Extent {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Geometry::extent(shape)),+

@@ -1,7 +1,7 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect, Silhouette, Spans, uv};
+use super::{Form, Geometry, Intersect, Luminaire, Silhouette, Spans, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, each};
@@ -29,6 +29,10 @@ impl Geometry for Sphere {
 
     fn is_solid(&self) -> bool {
         true
+    }
+
+    fn luminaire(&self) -> Option<Luminaire> {
+        Some(Luminaire::Ball { center: self.center, radius: self.radius })
     }
 
     fn extent(&self) -> Extent {

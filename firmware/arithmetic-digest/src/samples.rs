@@ -1,11 +1,12 @@
-//! A digest of pictures with several samples: all samplers and filters, a lens, gloss and translucency.
+//! A digest of pictures with several samples: all samplers and filters, lamps with a size, a lens, gloss and
+//! translucency.
 
 use core::mem::MaybeUninit;
 
-use rayline::shape::{Shape, Sphere};
+use rayline::shape::{Disc, Shape, Sphere};
 use rayline::{
-    Adaptive, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Object, Optics, PreparedScene,
-    Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings, Vec3,
+    Adaptive, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Object, ObjectId, Optics,
+    PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings, Vec3,
 };
 
 /// The memory that is lent for the prepared scene.
@@ -24,6 +25,8 @@ static SCENE: Scene<'static> = Scene {
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(-0.8, 0.0, 0.0), 0.7)), 0),
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.8, 0.0, 0.5), 0.7)), 1),
         Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, -20.7, 0.0), 20.0)), 2),
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(-3.0, 3.0, 1.0), 0.5)), 3),
+        Object::new(Shape::Disc(Disc::new(Vec3::new(3.0, 3.0, 1.0), Vec3::new(1.0, 1.0, 0.0), 0.5)), 3),
     ],
     materials: &[
         Material {
@@ -39,18 +42,21 @@ static SCENE: Scene<'static> = Scene {
             ..Material::matte(LinearRgb::WHITE)
         },
         Material::matte(LinearRgb::new(0.6, 0.7, 0.3)),
+        Material {
+            diffuse: 0.0,
+            optics: Some(&Optics { emission: LinearRgb::gray(9.0), ..Optics::PLAIN }),
+            ..Material::matte(LinearRgb::WHITE)
+        },
     ],
-    lights: &[Light::Point { position: Vec3::new(4.0, 6.0, 5.0), color: LinearRgb::WHITE }],
+    lights: &[
+        Light::Point { position: Vec3::new(4.0, 6.0, 5.0), color: LinearRgb::gray(0.5) },
+        Light::Object(ObjectId(3)),
+        Light::Object(ObjectId(4)),
+    ],
 };
 
-const SAMPLERS: [Sampler; 6] = [
-    Sampler::R2,
-    Sampler::Grid,
-    Sampler::Random,
-    Sampler::Jittered,
-    Sampler::Poisson,
-    Sampler::Sobol,
-];
+const SAMPLERS: [Sampler; 6] =
+    [Sampler::R2, Sampler::Grid, Sampler::Random, Sampler::Jittered, Sampler::Poisson, Sampler::Sobol];
 
 const FILTERS: [Reconstruction; 3] = [Reconstruction::Box, Reconstruction::Tent, Reconstruction::Gaussian];
 

@@ -36,8 +36,8 @@
 //!
 //! The format also allows:
 //!
-//! - Lists may be written as maps, whose keys are names. The name of a material may be used in place of its
-//!   number.
+//! - Lists may be written as maps, whose keys are names. The name of a material or of an object may be
+//!   used in place of its number.
 //! - In place of a material, the name of one in [`rayline::materials`] may be written, see [`PRESETS`].
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
 //!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`. Both names are relative to the folder
@@ -130,7 +130,8 @@ fn parse<'a>(
             ));
         }
     }
-    let known = &*arena.alloc(Known::new(arena, directory, &materials));
+    let objects = scan::object_names(text).map_err(|error| RonFault::from_ron(error, None))?;
+    let known = &*arena.alloc(Known::new(arena, directory, &materials, &objects));
     let names = arena.alloc(move |what: &'static str, name: &str| known.find(what, name));
     // Eight bytes for each character are enough for lists of numbers with two digits.
     let mut bytes = text.len().saturating_mul(8).max(1 << 10);

@@ -35,6 +35,8 @@ pub(super) struct Known<'a> {
     directory: &'a Path,
     /// The names of the file's own materials.
     materials: &'a [&'a str],
+    /// The names of its objects.
+    objects: &'a [&'a str],
     /// A cache of the items that were found, by kind and name. Names are often used several times, and the
     /// file is read again if the memory was too small.
     found: RefCell<HashMap<(String, String), &'a [u8]>>,
@@ -43,9 +45,15 @@ pub(super) struct Known<'a> {
 }
 
 impl<'a> Known<'a> {
-    pub(super) fn new(arena: &'a Bump, directory: &'a Path, materials: &[String]) -> Self {
-        let materials = arena.alloc_slice_fill_iter(materials.iter().map(|name| &*arena.alloc_str(name)));
-        Self { arena, directory, materials, found: RefCell::default(), unknown: RefCell::default() }
+    pub(super) fn new(
+        arena: &'a Bump,
+        directory: &'a Path,
+        materials: &[String],
+        objects: &[String],
+    ) -> Self {
+        let [materials, objects] = [materials, objects]
+            .map(|names| &*arena.alloc_slice_fill_iter(names.iter().map(|name| &*arena.alloc_str(name))));
+        Self { arena, directory, materials, objects, found: RefCell::default(), unknown: RefCell::default() }
     }
 
     /// The fault of the last name that was not found, if there was one.
@@ -61,6 +69,7 @@ impl<'a> Known<'a> {
         }
         let found = match what {
             "MaterialId" => self.own_material(name),
+            "ObjectId" => self.own_object(name),
             "Material" => self.preset(name),
             "Mesh" => self.mesh(name),
             "Image" => self.image(name),
@@ -84,6 +93,12 @@ impl<'a> Known<'a> {
             Some(_) => RonFault::PresetInObject { name: name.to_owned() },
             None => RonFault::unknown("material in this file", name, self.materials),
         })?;
+        self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
+    }
+
+    fn own_object(&self, name: &str) -> Result<&'a [u8], RonFault> {
+        let number = self.objects.iter().position(|known| *known == name);
+        let number = number.ok_or_else(|| RonFault::unknown("object in this file", name, self.objects))?;
         self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
     }
 

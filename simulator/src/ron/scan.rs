@@ -10,8 +10,18 @@ use super::{Position, options};
 
 /// The names of the materials, in their order; empty if they have no names.
 pub(super) fn material_names(text: &str) -> Result<Vec<String>, SpannedError> {
+    names(text, "materials")
+}
+
+/// The names of the objects, if they have names.
+pub(super) fn object_names(text: &str) -> Result<Vec<String>, SpannedError> {
+    names(text, "objects")
+}
+
+/// The keys of a list that is written as a map.
+fn names(text: &str, name: &'static str) -> Result<Vec<String>, SpannedError> {
     let mut names = Vec::new();
-    options().from_str_seed(text, Field { name: "materials", inside: &mut Keys(&mut names) })?;
+    options().from_str_seed(text, Field { name, inside: &mut Keys(&mut names) })?;
     Ok(names)
 }
 

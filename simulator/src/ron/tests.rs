@@ -7,8 +7,8 @@ use rayline::shape::{
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
     Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object,
-    Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares, Stripes,
-    Texture, Vec3, Wood, builtin,
+    ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares,
+    Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -142,6 +142,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
         lamp(None),
         lamp(Some(LightCone { direction: UP, bright: 0.1, dark: 0.2 })),
         Light::Ambient { color: GRAY },
+        Light::Object(ObjectId(2)),
     ];
     let lens = Some(Lens { radius: 0.1, focus: 4.0, blades: 6 });
     let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7, lens };

@@ -8,14 +8,14 @@ use bumpalo::Bump;
 use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
-    Background, Camera, Lens, LinearRgb, Material, Object, Optics, PreparedScene, Real, Renderer, Sampler,
-    Sampling, Scene, Settings, Transfer, Vec3,
+    Background, Camera, Fault, Lens, Light, LinearRgb, Material, Object, ObjectId, Optics, Part,
+    PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, core_picture};
 
 /// The scenes of the gallery that draw numbers.
-const SCENES: [&str; 3] = ["camera-lens", "material-gloss", "material-translucent"];
+const SCENES: [&str; 4] = ["camera-lens", "light-area", "material-gloss", "material-translucent"];
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GLOWING: Material = Material {
@@ -319,4 +319,123 @@ fn a_lens_blurs_as_in_povray() {
     let (error, before) = (apart(&ours.pixels), apart(&pinhole.pixels));
     println!("mean difference from POV-Ray: {:.2} %; of a pinhole {:.2} %", error * 100.0, before * 100.0);
     assert!(error < 0.005 && error < 0.4 * before, "{error}");
+}
+
+/// A floor below a lamp, and what stands between, seen from a camera that looks straight down.
+fn below_lamp<'a>(objects: &'a [Object<Shape<'a>>], materials: &'a [Material<'a>], width: f32) -> Scene<'a> {
+    Scene {
+        camera: Camera {
+            eye: Vec3::new(0.0, 1.0, 0.0),
+            target: Vec3::ZERO,
+            up: Vec3::new(0.0, 0.0, -1.0),
+            vertical_fov: 2.0 * (width / 2.0).atan(),
+            lens: None,
+        },
+        background: Background::BLACK,
+        objects,
+        materials,
+        lights: &[Light::Object(ObjectId(0))],
+    }
+}
+
+/// Behind an edge, the penumbra of a lamp is as wide as the lamp, times the distance of floor and edge over
+/// that of edge and lamp.
+fn assert_penumbra_has_its_width<R: Real>() {
+    let (lamp_height, edge_height, radius) = (8.0f32, 4.0f32, 0.2f32);
+    let lamp = Disc::new(Vec3::new(0.0, lamp_height, 0.0), UP, radius);
+    // An opaque half plane on the right, above the camera.
+    let edge =
+        Rectangle::new(Vec3::new(0.0, edge_height, -3.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 6.0));
+    let floor = Plane::new(Vec3::ZERO, UP);
+    let objects = [
+        Object::new(Shape::Disc(lamp), 0),
+        Object::new(Shape::Rectangle(edge), 1),
+        Object::new(Shape::Plane(floor), 1),
+    ];
+    let bright = Optics { emission: LinearRgb::gray(50.0), ..Optics::PLAIN };
+    let bright = Material { optics: Some(&bright), ..GLOWING };
+    let materials = [bright, Material::matte(LinearRgb::WHITE)];
+    let columns = 64;
+    let scene = below_lamp(&objects, &materials, 1.0);
+    let picture = lights::<R>(&scene, samples(columns, columns, 64), true);
+    // The middle line. The penumbra is from -half to half of its width.
+    let middle = &picture[(columns * columns / 2) as usize..][..columns as usize];
+    let width = f64::from(2.0 * radius * edge_height / (lamp_height - edge_height));
+    let full = f64::from(middle[2].g);
+    for (column, light) in middle.iter().enumerate() {
+        let x = (column as f64 + 0.5) / f64::from(columns) - 0.5;
+        // The share of the lamp's disc on one side of the edge, which is seen at this place.
+        let u = (x / (width / 2.0)).clamp(-1.0, 1.0);
+        let hidden = 0.5 + (u * (1.0 - u * u).sqrt() + u.asin()) / core::f64::consts::PI;
+        let found = f64::from(light.g) / full;
+        assert!((found - (1.0 - hidden)).abs() < 0.02, "{x:.3}: {found:.3}, not {:.3}", 1.0 - hidden);
+    }
+    // With one sample, umbra and full light take 4 rays, and the penumbra up to 16.
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::<R>::new(&scene, &mut memory).unwrap();
+    let renderer = Renderer::new(&prepared, Settings::new(columns, columns)).unwrap();
+    let shadow_rays = |x| {
+        let mut rays = RayCounts::default();
+        renderer.pixel(x, columns as u16 / 2, &mut rays);
+        rays.shadow
+    };
+    assert_eq!([0, 4, 59, 63].map(shadow_rays), [4; 4]);
+    assert!((28..36).map(shadow_rays).all(|rays| rays == 4 || rays == 16));
+    assert!((28..36).map(shadow_rays).any(|rays| rays == 16));
+}
+
+#[test]
+fn penumbras_have_their_width() {
+    assert_penumbra_has_its_width::<f32>();
+    assert_penumbra_has_its_width::<f64>();
+    assert_penumbra_has_its_width::<Fixed>();
+}
+
+/// The light of a disc on its axis is L · sin² α on a white surface, and it falls off aside with the closed
+/// form of two parallel discs.
+#[test]
+fn lamps_light_as_closed_forms_say() {
+    let (height, radius) = (3.0f32, 1.5f32);
+    let emission = LinearRgb::new(1.0, 2.0, 0.5);
+    let optics = Optics { emission, ..Optics::PLAIN };
+    let materials = [Material { optics: Some(&optics), ..GLOWING }, Material::matte(LinearRgb::WHITE)];
+    let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 1);
+    let center = Vec3::new(0.0, height, 0.0);
+    let (h, r) = (f64::from(height), f64::from(radius));
+    for (lamp, expected) in [
+        (Shape::Disc(Disc::new(center, UP, radius)), r * r / (r * r + h * h)),
+        (Shape::Sphere(Sphere::new(center, radius)), (r / h).powi(2)),
+    ] {
+        let objects = [Object::new(lamp, 0), floor];
+        let scene = below_lamp(&objects, &materials, 0.001);
+        for light in [
+            lights::<f32>(&scene, samples(1, 1, 1024), true)[0],
+            lights::<Fixed>(&scene, samples(1, 1, 1024), true)[0],
+        ] {
+            for (found, emitted) in light.channels().into_iter().zip(emission.channels()) {
+                let (found, expected) = (f64::from(found), expected * f64::from(emitted));
+                assert!((found / expected - 1.0).abs() < 5e-3, "{lamp:?}: {found}, not {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bad_lamps_are_refused() {
+    let lamp = Shape::Sphere(Sphere::new(UP, 1.0));
+    let refused = |shape, material, named| {
+        let objects = [Object::new(shape, material)];
+        let lights = [Light::Object(ObjectId(named))];
+        let materials = [GLOWING, Material::matte(LinearRgb::WHITE)];
+        let scene = Scene { lights: &lights, ..below_lamp(&objects, &materials, 1.0) };
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+        PreparedScene::<f32>::new(&scene, &mut memory).map(|_| ()).map_err(|error| (error.part, error.fault))
+    };
+    assert_eq!(refused(lamp, 0, 0), Ok(()));
+    let error = |fault| Err((Part::Light(0), fault));
+    assert_eq!(refused(lamp, 0, 1), error(Fault::UnknownObject { named: 1, objects: 1 }));
+    assert_eq!(refused(lamp, 1, 0), error(Fault::NoEmission));
+    let ring = Shape::Disc(Disc::ring(UP, UP, 0.5, 1.0));
+    assert_eq!(refused(ring, 0, 0), error(Fault::NoLuminaire));
+    assert_eq!(refused(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 0, 0), error(Fault::NoLuminaire));
 }

@@ -386,7 +386,10 @@ fn bad_settings_are_refused() {
     assert_eq!(refused(SMALL), None);
     let bounces = SettingsError::Bounces { given: 17, most: 16 };
     assert_eq!(refused(Settings { bounces: 17, ..SMALL }), Some(bounces));
-    assert_eq!(refused(Settings { rays_per_pixel: 0, ..SMALL }), Some(SettingsError::RaysPerPixel));
+    assert_eq!(
+        refused(Settings { rays_per_pixel: 0, ..SMALL }),
+        Some(SettingsError::SamplesBeyondRays { samples: 1, rays: 0 })
+    );
     assert_eq!(refused(Settings { sampling: Sampling::new(0), ..SMALL }), Some(SettingsError::Samples));
     for cutoff in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
         assert_eq!(refused(Settings { cutoff, ..SMALL }), Some(SettingsError::Cutoff));

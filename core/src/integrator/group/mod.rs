@@ -30,7 +30,7 @@ use crate::math::{FOUR_AT_ONCE, FourRays, Interval, Real};
 use crate::prepared::closest::{Closest, NO_OBJECT};
 use crate::prepared::{Among, ObjectSet, PreparedScene};
 use crate::probe::Probe;
-use crate::sampling::PixelSample;
+use crate::sampling::RayNumbers;
 use crate::shape::Geometry;
 use lane::take_run;
 use ways::{BEAM_LIGHTS, Ways};
@@ -71,8 +71,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
         limits: &RayLimits<R>,
         probe: &mut impl Probe<R>,
     ) {
-        let (rays, seen, sample) = (RayBudget(0), Seen::NOTHING, PixelSample::CENTER);
-        let mut trace = Trace { scene: self.scene, limits: *limits, rays, seen, sample, probe };
+        let (rays, seen, numbers) = (RayBudget(0), Seen::NOTHING, RayNumbers::NONE);
+        let mut trace = Trace { scene: self.scene, limits: *limits, rays, seen, numbers, probe };
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;

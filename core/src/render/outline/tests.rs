@@ -5,6 +5,7 @@ use super::{Outline, Projector, Vantage};
 use crate::camera::{Camera, Viewport};
 use crate::light::Source;
 use crate::math::{Aabb, Scale, Vec3};
+use crate::sampling::RayNumbers;
 
 const SIZE: (u16, u16) = (90, 70);
 
@@ -41,7 +42,8 @@ fn compare(outline: &Outline, viewport: &Viewport<f32>, is_in: impl Fn(Vec3, Vec
     for y in 0..SIZE.1 {
         let span = outline.span(y);
         for x in 0..SIZE.0 {
-            let ray = viewport.ray(viewport.across((x, 0x8000)), viewport.row((y, 0x8000)));
+            let ray =
+                viewport.ray(viewport.across((x, 0x8000)), viewport.row((y, 0x8000)), &RayNumbers::NONE);
             let is_held = x >= span.start && x < span.end;
             if is_in(ray.origin, ray.direction) {
                 assert!(is_held, "{outline:?} lacks {x}, {y}");

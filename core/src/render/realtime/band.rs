@@ -91,8 +91,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     #[inline]
     pub(super) fn new<C: DisplayColor>(renderer: &Renderer<'_, 'm, R, S>, quality: Realtime) -> Self {
         let cutoff = renderer.limits.cutoff.larger(R::from_f32(CUTOFF));
-        let mut unlit = *renderer.scene;
-        unlit.lights = &[];
+        let unlit = renderer.scene.without_lights();
         let unlit_limits = RayLimits { cutoff: cutoff.larger(R::from_f32(FAINT)), ..renderer.limits };
         Self {
             limits: RayLimits { cutoff, ..renderer.limits },
