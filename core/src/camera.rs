@@ -249,9 +249,9 @@ impl<R: Real> Viewport<R> {
         if place < 0 { -distance } else { distance }
     }
 
-    /// The ray of a row at a distance from the left, see [`across`](Self::across). It begins in the eye, or at
-    /// a place on the lens that the numbers draw: all rays through one place in the picture meet in the plane
-    /// in focus.
+    /// The ray of a row at a distance from the left, see [`across`](Self::across). It begins in the eye, or
+    /// at a place on the lens that the numbers draw: all rays through one place in the picture meet in the
+    /// plane in focus.
     #[inline]
     pub(crate) fn ray(&self, across: R, row: RayRow<R>, numbers: &RayNumbers) -> Ray<R> {
         let (origin, direction) = (self.camera.eye, self.corner + self.right * across + row.0);

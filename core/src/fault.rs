@@ -138,8 +138,8 @@ pub enum Fault {
         /// The number of objects.
         objects: usize,
     },
-    /// The object of a [`Light::Object`](crate::Light::Object) is no sphere, disc without a hole or rectangle.
-    /// Use one of these.
+    /// The object of a [`Light::Object`](crate::Light::Object) is no sphere, disc without a hole or
+    /// rectangle. Use one of these.
     NoLuminaire,
     /// The object of a [`Light::Object`](crate::Light::Object) has a material that emits no light. Give its
     /// [`Optics::emission`](crate::Optics::emission) a color.

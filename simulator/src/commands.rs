@@ -76,6 +76,14 @@ fn render(arguments: &Render) -> Outcome {
     };
     let (picture, time) = timed(&scene, &options, arguments.quiet)?;
     file.write(&picture)?;
+    if !arguments.quiet && picture.rays.cut_rays > 0 {
+        writeln!(
+            io::stderr(),
+            "note: light was left out {} times, because a pixel may spend {} rays; see --rays-per-pixel",
+            picture.rays.cut_rays,
+            options.settings.rays_per_pixel
+        )?;
+    }
     if let Some(stats) = &arguments.stats {
         let mut json = serde_json::to_vec_pretty(&Stats::new(&scene.scene, &picture, time))?;
         json.push(b'\n');

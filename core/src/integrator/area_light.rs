@@ -15,8 +15,8 @@ const FIRST: u16 = 4;
 /// The rays toward each lamp if the first ones disagree and the pixel has one sample: in the penumbra.
 ///
 /// Rays that are added where the first ones disagree make the penumbra a little narrower (Kirk and Arvo,
-/// "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991). Where a pixel has several samples, none
-/// are added, and the mean of the samples is that of the lamp.
+/// "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991). Where a pixel has several samples,
+/// none are added, and the mean of the samples is that of the lamp.
 const MOST: u16 = 16;
 
 impl<R: Real> ShadedHit<'_, R> {

@@ -4,8 +4,7 @@ use crate::math::Real;
 use crate::prepared::Hit;
 
 /// A digest of the objects, facets and shadows that the rays of a sample met. Samples that met the same have
-/// the same digest. Without the feature `distributed` nothing is recorded,
-/// and this takes no memory.
+/// the same digest. Without the feature `distributed` nothing is recorded, and this takes no memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Seen([u32; DIGESTS]);
 

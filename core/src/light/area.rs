@@ -1,7 +1,8 @@
 //! Lights with a size: objects that emit light.
 //!
-//! A point of the lamp is drawn for each ray toward it (Shirley, Wang and Zimmerman, "Monte Carlo Techniques for
-//! Direct Lighting Calculations", ACM TOG 1996): in the cone that a ball fills, and on the area of flat lamps.
+//! A point of the lamp is drawn for each ray toward it (Shirley, Wang and Zimmerman, "Monte Carlo Techniques
+//! for Direct Lighting Calculations", ACM TOG 1996): in the cone that a ball fills, and on the area of flat
+//! lamps.
 
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_direction};
@@ -43,14 +44,14 @@ enum LampSurface<R: Real> {
 pub(crate) struct LampPoint<R> {
     /// The unit vector toward it.
     pub(crate) toward: Vec3<R>,
-    /// Its distance, a little shortened: the lamp must not be in its own way.
+    /// Its distance, times [`FREE_SHARE`].
     pub(crate) distance: R,
-    /// The solid angle that the point stands for, over π: a lamp that fills the sky, seen from a surface
-    /// below, has the mean `2` over its cosines' mean ½.
+    /// The solid angle of the whole lamp over π, if all points were like this one: times the lamp's light and
+    /// the cosine at the surface, it is the light of a white surface.
     pub(crate) weight: R,
 }
 
-/// The share of the way to a lamp on which other objects can be in the way.
+/// Other objects can be in the way on this share of the way to a lamp. The lamp itself must not.
 const FREE_SHARE: f32 = 1.0 - 1.0 / 512.0;
 /// In fixed point, flat lamps count as at least an eighth of their radius away: nearer, their weight would be
 /// beyond its range.

@@ -47,8 +47,8 @@ pub enum Light {
     ///
     /// The emission is the light that the lamp shows to the eye. A white surface that sees nothing but lamps
     /// in all directions is as bright as they are. Each hit takes 4 rays toward the lamp; with one sample of
-    /// the pixel, 16 in the penumbra. What touches the lamp throws no shadow on the last 1/512 of the way to it. Needs the feature
-    /// `distributed`.
+    /// the pixel, 16 in the penumbra. What touches the lamp throws no shadow on the last 1/512 of the way to
+    /// it. Needs the feature `distributed`.
     Object(ObjectId),
 }
 

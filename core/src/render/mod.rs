@@ -1,9 +1,9 @@
 //! From light to the display, line by line.
 //!
 //! A [`Renderer`] is one picture: scene, settings and size. [`pixel`] traces the samples of one pixel.
-//! [`line`] traces the pixels of a line in exact quality, each by itself; [`groups`] traces neighboring pixels of large scenes together; [`realtime`]
-//! traces few pixels and interpolates the rest. Pixels leave the tracer as [`LinearRgb`], become
-//! [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
+//! [`line`] traces the pixels of a line in exact quality, each by itself; [`groups`] traces neighboring
+//! pixels of large scenes together; [`realtime`] traces few pixels and interpolates the rest. Pixels leave
+//! the tracer as [`LinearRgb`], become [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
 //!
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].

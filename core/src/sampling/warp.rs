@@ -2,8 +2,8 @@
 
 use crate::math::{Real, Vec3};
 
-/// A place on the disc of radius 1, for a pair that is spread over a square: neighbors stay neighbors (Shirley
-/// and Chiu, "A Low Distortion Map Between Disk and Square", 1997).
+/// A place on the disc of radius 1, for a pair that is spread over a square: neighbors stay neighbors
+/// (Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997).
 pub(crate) fn disc<R: Real>(pair: [u16; 2]) -> [R; 2] {
     // -1 to 1, at the middle of a step so that no pair is in the center.
     let half_step = R::from_fraction(1);
@@ -37,8 +37,9 @@ fn eighth_turns<R: Real>(eighths: R) -> (R, R) {
 }
 
 /// A direction around the unit vector `axis`: a pair that is spread over a square gives directions whose
-/// density falls with the cosine of their angle to the axis, to the power n. `exponent` is 1 / (n + 1) (Lafortune
-/// and Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994, eq. 10).
+/// density falls with the cosine of their angle to the axis, to the power n. `exponent` is 1 / (n + 1)
+/// (Lafortune and Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994,
+/// eq. 10).
 pub(crate) fn lobe<R: Real>(axis: Vec3<R>, exponent: R::Factor, pair: [u16; 2]) -> Vec3<R> {
     let [x, y] = disc::<R>(pair);
     // The square of the radius is evenly spread over 0 to 1.

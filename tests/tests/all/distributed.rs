@@ -56,8 +56,8 @@ fn half_height() -> f64 {
 }
 
 /// A point at distance d is spread over a circle: on the plane in focus, at distance f, its diameter is
-/// 2·radius·|d - f| / d. The light of an even disc has a variance of diameter² / 16 along each axis; a hexagon
-/// has 5/24 of its squared radius.
+/// 2·radius·|d - f| / d. The light of an even disc has a variance of diameter² / 16 along each axis; a
+/// hexagon has 5/24 of its squared radius.
 fn assert_circle_of_confusion<R: Real>() {
     let (side, radius, focus) = (48u32, 0.2, 10.0);
     for (distance, blades) in [(5.0f32, 0u8), (30.0, 0), (30.0, 6)] {
