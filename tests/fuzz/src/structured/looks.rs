@@ -76,6 +76,12 @@ impl<'a> Maker<'_, '_, 'a> {
         if self.choices.chance(15) {
             optics.outside = Medium { ior: self.choices.within(0.8, 1.6), absorption: self.color() };
         }
+        if self.choices.chance(15) {
+            optics.gloss = Some(self.choices.one_of([0.0, 3.0, 100.0, 1e5]));
+        }
+        if self.choices.chance(15) {
+            optics.translucency = Some(self.choices.one_of([0.0, 3.0, 100.0, 1e5]));
+        }
         self.arena.alloc(optics)
     }
 

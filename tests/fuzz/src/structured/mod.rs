@@ -5,7 +5,10 @@ mod looks;
 mod shapes;
 
 use bumpalo::Bump;
-use rayline::{Camera, Falloff, Lamp, Light, LightCone, LinearRgb, Object, Scene, Vec3};
+use rayline::shape::{Disc, Rectangle, Shape, Sphere};
+use rayline::{
+    Camera, Falloff, Lamp, Lens, Light, LightCone, LinearRgb, Material, Object, ObjectId, Optics, Scene, Vec3,
+};
 
 use crate::choices::Choices;
 
@@ -35,15 +38,21 @@ struct Maker<'c, 'b, 'a> {
 
 impl<'a> Maker<'_, '_, 'a> {
     fn make(&mut self, count: usize) -> Scene<'a> {
-        let materials: Vec<_> = (0..self.choices.between(1, 4)).map(|_| self.material()).collect();
+        let mut materials: Vec<_> = (0..self.choices.between(1, 4)).map(|_| self.material()).collect();
         // Of many objects most are of one simple kind, or else they would take too long.
-        let objects: Vec<_> = (0..count)
+        let mut objects: Vec<_> = (0..count)
             .map(|_| {
                 let shape = if count > 8 { self.small_shape() } else { self.shape() };
                 Object::new(shape, self.choices.below(materials.len()) as u16)
             })
             .collect();
-        let lights: Vec<_> = (0..self.choices.one_of([1, 1, 2, 1, 3, 0, 5])).map(|_| self.light()).collect();
+        let mut lights: Vec<_> =
+            (0..self.choices.one_of([1, 1, 2, 1, 3, 0, 5])).map(|_| self.light()).collect();
+        if self.choices.chance(12) {
+            lights.push(Light::Object(ObjectId(objects.len() as u16)));
+            objects.push(Object::new(self.luminaire(), materials.len() as u16));
+            materials.push(self.emitting());
+        }
         Scene {
             camera: self.camera(),
             background: self.background(),
@@ -117,7 +126,12 @@ impl<'a> Maker<'_, '_, 'a> {
             0 => self.choices.one_of([0.01, 2.9, 0.001]),
             _ => self.choices.within(0.3, 1.6),
         };
-        Camera { eye, target, up, vertical_fov, lens: None }
+        let lens = self.choices.chance(10).then(|| {
+            let focus = self.choices.within(0.5, 20.0);
+            let blades = self.choices.one_of([0, 0, 3, 6]);
+            Lens { radius: focus * self.choices.one_of([0.01, 0.1, 1.0]), focus, blades }
+        });
+        Camera { eye, target, up, vertical_fov, lens }
     }
 
     /// A light: on a surface or inside of something, beside a plane, very far, or anywhere.
@@ -156,6 +170,27 @@ impl<'a> Maker<'_, '_, 'a> {
             }
             _ => Light::Ambient { color: color * 0.2 },
         }
+    }
+
+    /// A shape that can be a lamp: above the scene, or touching what is there.
+    fn luminaire(&mut self) -> Shape<'a> {
+        let center = if self.choices.chance(50) { self.place() } else { self.choices.direction() * 9.0 };
+        let (center, radius) = (held(center), self.choices.one_of([0.5, 2.0, 0.05]));
+        let normal = self.way();
+        let across = self.choices.across(normal);
+        match self.choices.below(3) {
+            0 => Shape::Sphere(Sphere::new(center, radius)),
+            1 => Shape::Disc(Disc::new(center, normal, radius)),
+            _ => Shape::Rectangle(Rectangle::new(center, across * radius, normal * radius)),
+        }
+    }
+
+    /// A material that emits light.
+    fn emitting(&mut self) -> Material<'a> {
+        let LinearRgb { r, g, b } = self.bright();
+        let emission = LinearRgb::new(r + 0.1, g + 0.1, b + 0.1);
+        let optics = self.arena.alloc(Optics { emission, ..Optics::PLAIN });
+        Material { optics: Some(optics), ..Material::matte(LinearRgb::WHITE) }
     }
 
     /// The color of a light.
