@@ -244,7 +244,8 @@ struct SamplingArgs {
         value_parser = value_parser!(u16).range(2..=i64::from(u16::MAX)),
     )]
     adaptive: Option<u16>,
-    /// Seed of the samples [default: the scene's own, else 0]
+    /// Seed of the samples; in scenes without a lens, lobes and lamps with a size it has no effect unless
+    /// --samples is above 1 [default: the scene's own, else 0]
     #[arg(long, value_name = "N")]
     seed: Option<u32>,
 }

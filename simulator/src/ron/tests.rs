@@ -196,11 +196,11 @@ fn settings_are_read_and_written_back() {
 
     for (settings, said) in [
         ("(sampels: 4)", "there is no field of FileSettings `sampels`"),
-        ("(sampling: (samples: -1))", "Expected"),
+        ("(sampling: (samples: -1))", "out of bounds"),
         ("(sampling: (sampler: Halton))", "there is no variant of Sampler `Halton`"),
     ] {
         let (position, fault) = parsed(&arena, &with(settings)).unwrap_err();
-        assert!(position.line == 17 && fault.to_string().contains(said), "{position:?} {fault}");
+        assert!(position.line == 16 && fault.to_string().contains(said), "{position:?} {fault}");
     }
 }
 
