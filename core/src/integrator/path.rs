@@ -114,7 +114,11 @@ impl<R: Real> Path<R> {
         shadow_rays.begin_at(hit.object);
         let light = shaded.local_light(trace, shadow_rays);
         #[cfg(feature = "distributed")]
-        let light = light + shaded.light_of_areas(trace, self.next.bounces);
+        let light = if trace.scene.areas().is_empty() {
+            light
+        } else {
+            light + shaded.light_of_areas(trace, self.next.bounces)
+        };
         self.receive(throughput, light);
         if material.sends_rays() {
             self.branch(trace, &shaded, throughput, waiting)

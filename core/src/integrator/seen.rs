@@ -19,8 +19,8 @@ impl Seen {
     #[inline]
     pub(super) fn hit<R: Real>(&mut self, hit: &Hit<R>) {
         // The facets of a body are told apart, the parts of a smooth surface are not.
-        let is_flat = hit.surface.shading_normal == hit.surface.normal;
-        let part = if is_flat { hit.surface.part.rotate_left(17) } else { 0 };
+        let is_facet = hit.surface.part != 0 && hit.surface.shading_normal == hit.surface.normal;
+        let part = if is_facet { hit.surface.part.rotate_left(17) } else { 0 };
         self.record(hit.object as u32 ^ part);
     }
 

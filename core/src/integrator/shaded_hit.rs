@@ -164,7 +164,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             }
             let color = facing.share.map_or(light.color, |share| light.color * share);
             let throughput = through.throughput();
-            if throughput.largest() < R::ONE {
+            if !matches!(through, Through::All) {
                 trace.seen.shadow(index);
             }
             let highlight = sum.add(&facing, self.material, color, throughput);
