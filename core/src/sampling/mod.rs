@@ -17,7 +17,7 @@ mod poisson;
 mod reconstruction;
 mod sobol;
 mod strata;
-#[cfg(test)]
+#[cfg(all(test, feature = "distributed"))]
 mod tests;
 mod warp;
 
