@@ -72,9 +72,7 @@ impl Camera {
         let lens = [self.prepare_lens(scale)?; LENSES];
         Ok(PreparedCamera { eye, forward, right, up: right.cross(forward), half_height, lens })
     }
-}
 
-impl Camera {
     /// Checks the lens and converts it.
     fn prepare_lens<R: Real>(&self, scale: Scale) -> Result<Option<PreparedLens<R>>, Fault> {
         let Some(lens) = self.lens else { return Ok(None) };
@@ -92,6 +90,11 @@ impl<R: Real> PreparedCamera<R> {
     /// The eye, where all camera rays begin.
     pub(crate) fn eye(&self) -> Vec3<R> {
         self.eye
+    }
+
+    /// Unit vectors to the right and up in the picture.
+    fn right_and_up(&self) -> [Vec3<R>; 2] {
+        [self.right, self.up].map(Vec3::from_setup)
     }
 
     /// The lens, if the camera has one. Without the feature there is none, and the compiler drops the code
@@ -117,6 +120,18 @@ pub(crate) struct Viewport<R: Real> {
     shift: u32,
     /// Half the width and half the height in pixels.
     middle: (R::Setup, R::Setup),
+    /// The lens, if there is room for one.
+    lens: [Option<LensView<R>>; LENSES],
+}
+
+/// A lens, as the rays of a picture need it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LensView<R: Real> {
+    lens: PreparedLens<R>,
+    /// Unit vectors to the right and up in the picture.
+    axes: [Vec3<R>; 2],
+    /// The change of a ray's direction from the center of the lens to its edge.
+    turn: R,
 }
 
 /// A row of camera rays: the part of their directions that their height in the picture adds. It is the same
@@ -154,6 +169,16 @@ pub(crate) struct Rect<N> {
     pub(crate) bottom: N,
 }
 
+impl<R: Real> LensView<R> {
+    /// For a picture whose directions have a part along the line of sight that is as long as that of this
+    /// `corner`.
+    fn new(lens: PreparedLens<R>, camera: &PreparedCamera<R>, corner: Vec3<R>) -> Self {
+        let forward = corner.to_setup().dot(camera.forward);
+        let turn = R::from_setup(lens.radius_over_focus * forward);
+        Self { lens, axes: camera.right_and_up(), turn }
+    }
+}
+
 impl<R: Real> Viewport<R> {
     pub(crate) fn new(camera: &PreparedCamera<R>, width: u16, height: u16) -> Self {
         let number = R::Setup::from_u16;
@@ -175,13 +200,16 @@ impl<R: Real> Viewport<R> {
             (0, (R::Setup::ONE, R::Setup::ONE))
         };
         let (unit, step) = unit;
+        let corner = Vec3::from_setup(corner * unit);
+        let lens = camera.lens.map(|lens| Some(LensView::new(lens?, camera, corner)));
         Self {
             camera: *camera,
-            corner: Vec3::from_setup(corner * unit),
+            corner,
             right: Vec3::from_setup(right * step),
             down: Vec3::from_setup(down * step),
             shift,
             middle: (number(width) * R::Setup::from_f32(0.5), number(height) * R::Setup::from_f32(0.5)),
+            lens,
         }
     }
 
@@ -209,7 +237,7 @@ impl<R: Real> Viewport<R> {
 
     /// Unit vectors to the right and up in the picture.
     pub(crate) fn right_and_up(&self) -> [Vec3<R>; 2] {
-        [self.camera.right, self.camera.up].map(Vec3::from_setup)
+        self.camera.right_and_up()
     }
 
     /// The largest power of two, at most 16, that scales a direction of this length to at most 16; and that
@@ -268,14 +296,10 @@ impl<R: Real> Viewport<R> {
     /// draw. The direction is no unit vector.
     #[cfg(feature = "distributed")]
     fn through_lens(&self, eye: Vec3<R>, direction: Vec3<R>, numbers: &RayNumbers) -> (Vec3<R>, Vec3<R>) {
-        let Some(lens) = self.camera.lens() else { return (eye, direction) };
-        let [right, up] = lens.place(numbers.pair(Dimension::LENS));
-        let [unit_right, unit_up] = self.right_and_up();
+        let [Some(LensView { lens, axes, turn })] = &self.lens else { return (eye, direction) };
+        let ([right, up], [unit_right, unit_up]) = (lens.place(numbers.pair(Dimension::LENS)), *axes);
         let beside = unit_right * right + unit_up * up;
-        // The part of the corner along the line of sight is as long as that of all directions.
-        let forward = self.corner.to_setup().dot(self.camera.forward);
-        let turn = R::from_setup(lens.radius_over_focus() * forward);
-        (eye + beside * lens.radius(), direction - beside * turn)
+        (eye + beside * lens.radius, direction - beside * *turn)
     }
 
     /// The depth of a point along the line of sight, and its distance from the eye.

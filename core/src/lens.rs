@@ -9,7 +9,7 @@ use crate::sampling::disc;
 /// and Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981). It
 /// needs the feature `distributed`, and several samples for each pixel.
 ///
-/// A point at the distance d is spread over a circle with a diameter of `2 · radius · |d - focus| / d` at the
+/// The light of a point at the distance d covers a circle with a diameter of `2 · radius · |d - focus| / d` at the
 /// distance of focus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
@@ -29,10 +29,10 @@ const MOST_BLADES: u8 = 16;
 /// A lens that was checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedLens<R: Real> {
-    /// The radius in the scaled unit.
-    radius: R,
+    /// The radius of the aperture, in the scaled unit.
+    pub(crate) radius: R,
     /// The radius over the distance of focus.
-    radius_over_focus: R::Setup,
+    pub(crate) radius_over_focus: R::Setup,
     blades: u8,
     /// Cosine and sine of the angle from one corner to the next.
     step: [R; 2],
@@ -67,16 +67,6 @@ impl Lens {
 
 #[cfg(feature = "distributed")]
 impl<R: Real> PreparedLens<R> {
-    /// The radius of the aperture, in the scaled unit.
-    pub(crate) fn radius(&self) -> R {
-        self.radius
-    }
-
-    /// The radius over the distance of focus.
-    pub(crate) fn radius_over_focus(&self) -> R::Setup {
-        self.radius_over_focus
-    }
-
     /// A place on the aperture, right and up from its center, in units of the radius.
     pub(crate) fn place(&self, pair: [u16; 2]) -> [R; 2] {
         if self.blades == 0 {

@@ -18,3 +18,12 @@ pub struct Surface<R> {
     /// part.
     pub part: u32,
 }
+
+impl<R: PartialEq> Surface<R> {
+    /// The number of the facet that was hit. The parts of a smooth surface are no facets: no edge is seen
+    /// between them, and their number is 0.
+    #[inline]
+    pub(crate) fn facet(&self) -> u32 {
+        if self.part != 0 && self.shading_normal == self.normal { self.part } else { 0 }
+    }
+}

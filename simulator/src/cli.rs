@@ -9,7 +9,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Adaptive, Dither, Reconstruction, Sampler, Sampling, Settings, Transfer};
-use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, Show};
+use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, SAMPLERS, Show};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -69,7 +69,7 @@ pub(crate) struct Render {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) look: Look,
-    /// What the picture shows: the colors, or how many samples each pixel takes, from black to white for all
+    /// Show the colors, or how many samples each pixel takes: black for none, white for all
     #[arg(long, value_name = "WHAT", default_value = "colors", value_enum, conflicts_with = "mode")]
     pub(crate) show: Show,
     /// Trace every pixel, or interpolate pixels whose neighbors hit the same
@@ -250,14 +250,6 @@ struct SamplingArgs {
     seed: Option<u32>,
 }
 
-const SAMPLERS: [(&str, Sampler); 6] = [
-    ("r2", Sampler::R2),
-    ("grid", Sampler::Grid),
-    ("random", Sampler::Random),
-    ("jittered", Sampler::Jittered),
-    ("poisson", Sampler::Poisson),
-    ("sobol", Sampler::Sobol),
-];
 const FILTERS: [(&str, Reconstruction); 3] =
     [("box", Reconstruction::Box), ("tent", Reconstruction::Tent), ("gaussian", Reconstruction::Gaussian)];
 

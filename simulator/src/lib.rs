@@ -41,14 +41,14 @@ mod text;
 #[cfg(feature = "window")]
 mod window;
 
-pub use bench::{Bench, BenchError, Convergence, SAMPLES};
+pub use bench::{Bench, BenchError, Convergence};
 pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
 pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
 pub use gallery::{Gallery, GalleryError};
 pub use loaded::{LoadError, LoadedScene};
-pub use options::{Mode, Number, RenderOptions, Show};
+pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
 pub use orbit::Orbit;
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};

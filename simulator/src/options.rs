@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use rayline::Settings;
+use rayline::{Sampler, Settings};
 
 use crate::Display;
 
@@ -23,7 +23,7 @@ pub struct RenderOptions {
     pub display: Display,
     /// The quality of the picture.
     pub mode: Mode,
-    /// What the picture shows.
+    /// The contents of the picture.
     pub show: Show,
     /// The lines to render; `None` for all.
     pub lines: Option<Range<u32>>,
@@ -41,7 +41,7 @@ pub enum Mode {
     Realtime,
 }
 
-/// What a picture shows.
+/// The contents of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Show {
     /// The colors of the pixels.
@@ -50,6 +50,16 @@ pub enum Show {
     /// The samples that each pixel takes: black for none, white for as many as it may take.
     Samples,
 }
+
+/// The samplers of the core, with their names on the command line and in tables.
+pub const SAMPLERS: [(&str, Sampler); 6] = [
+    ("random", Sampler::Random),
+    ("grid", Sampler::Grid),
+    ("jittered", Sampler::Jittered),
+    ("poisson", Sampler::Poisson),
+    ("r2", Sampler::R2),
+    ("sobol", Sampler::Sobol),
+];
 
 /// A number system of the core.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]

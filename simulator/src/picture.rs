@@ -123,11 +123,10 @@ fn render_in<R: Real>(
     let mut rgb = blank(width, height)?;
     let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
     let rays = pool.install(|| match options.mode {
-        _ if options.show == Show::Samples => {
-            SampleCounts { renderer, options, first: lines.start, line_done }.render(rgb_lines)
+        Mode::Realtime if options.show == Show::Colors => {
+            options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done })
         }
-        Mode::Exact => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
-        Mode::Realtime => options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done }),
+        _ => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
     });
     let rays = rays.map_err(RenderError::Line)?;
     Ok(Picture { width, height, rgb, rays, prepared_bytes })
@@ -163,12 +162,12 @@ impl<R: Real> Lines<'_, '_, R> {
         let width = self.renderer.width() as usize;
         let blank_lines = || vec![Light16::BLACK; width * LINES_AT_ONCE];
         let lines = |lights: &mut Vec<Light16>, (chunk, rgb): (usize, &mut [u8])| {
-            let mut rays = RayCounts::default();
             let y = self.first + (chunk * LINES_AT_ONCE) as u32;
             let lights = lights.get_mut(..rgb.len() / 3).unwrap_or_default();
-            self.renderer.lines(y, lights, &mut rays)?;
-            let RenderOptions { display, settings, .. } = self.options;
-            display.color(Lights { lights, settings, first: y, rgb });
+            let rays = match self.options.show {
+                Show::Colors => self.colors(y, lights, rgb)?,
+                Show::Samples => self.sample_counts(y, rgb),
+            };
             (0..lights.len() / width.max(1)).for_each(|_| (self.line_done)());
             Ok(rays)
         };
@@ -182,36 +181,28 @@ impl<R: Real> Lines<'_, '_, R> {
             .map_init(blank_lines, lines)
             .try_reduce(RayCounts::default, sum)
     }
-}
 
-/// Some lines that show how many samples their pixels take.
-struct SampleCounts<'j, 'm, R: Real> {
-    renderer: &'j Renderer<'j, 'm, R>,
-    options: &'j RenderOptions,
-    first: u32,
-    line_done: &'j (dyn Fn() + Sync),
-}
+    /// Lines from `y` on, in the display's colors.
+    fn colors(&self, y: u32, lights: &mut [Light16], rgb: &mut [u8]) -> Result<RayCounts, LineError> {
+        let mut rays = RayCounts::default();
+        self.renderer.lines(y, lights, &mut rays)?;
+        let RenderOptions { display, settings, .. } = self.options;
+        display.color(Lights { lights, settings, first: y, rgb });
+        Ok(rays)
+    }
 
-impl<R: Real> SampleCounts<'_, '_, R> {
-    fn render(&self, rgb: &mut [u8]) -> Result<RayCounts, LineError> {
+    /// Lines from `y` on, which show how many samples their pixels take.
+    fn sample_counts(&self, y: u32, rgb: &mut [u8]) -> RayCounts {
         let most = f64::from(self.options.settings.sampling.samples);
-        let line = |(down, rgb): (usize, &mut [u8])| {
-            let y = self.first + down as u32;
-            let mut sum = RayCounts::default();
-            for (x, pixel) in rgb.chunks_exact_mut(3).enumerate() {
-                let mut rays = RayCounts::default();
-                self.renderer.pixel(x as u16, y as u16, &mut rays);
-                pixel.fill((rays.camera as f64 / most * 255.0).round() as u8);
-                sum += rays;
-            }
-            (self.line_done)();
-            sum
-        };
-        let lines = rgb.par_chunks_mut((self.renderer.width() as usize * 3).max(1)).enumerate().map(line);
-        Ok(lines.reduce(RayCounts::default, |mut a, b| {
-            a += b;
-            a
-        }))
+        let mut sum = RayCounts::default();
+        let places = (y..).flat_map(|y| (0..self.renderer.width()).map(move |x| (x as u16, y as u16)));
+        for (pixel, (x, y)) in rgb.chunks_exact_mut(3).zip(places) {
+            let mut rays = RayCounts::default();
+            self.renderer.pixel(x, y, &mut rays);
+            pixel.fill((rays.camera as f64 / most * 255.0).round() as u8);
+            sum += rays;
+        }
+        sum
     }
 }
 

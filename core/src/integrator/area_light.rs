@@ -5,7 +5,7 @@ use super::shaded_hit::{FacingLight, LampLight, ShadedHit};
 use crate::color::LinearRgb;
 use crate::light::{AreaLight, LampPoint};
 use crate::math::Real;
-use crate::prepared::{Among, Through};
+use crate::prepared::Among;
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::Dimension;
 use crate::shape::Geometry;
@@ -43,18 +43,17 @@ impl<R: Real> ShadedHit<'_, R> {
         bounces: u8,
     ) -> LinearRgb<R> {
         let most = if trace.numbers.is_of_one_sample() { MOST } else { FIRST };
-        let [first, all] = [FIRST, most].map(|rays| R::from_setup(R::Setup::from_u16(rays).recip()));
         let mut sum = LampLight::NONE;
         let (mut reached, mut missed) = (0, 0);
-        let mut share = first;
+        let mut share = R::from_f32(1.0 / f32::from(FIRST));
         for number in 0..most {
             if number == FIRST {
                 if reached == 0 || missed == 0 {
                     break;
                 }
-                let known = all / first;
+                let known = R::from_f32(f32::from(FIRST) / f32::from(MOST));
                 (sum.diffuse, sum.specular) = (sum.diffuse.scaled(known), sum.specular.scaled(known));
-                share = all;
+                share = share * known;
             }
             let pair = trace.numbers.part(number, most).pair(Dimension::lamp(bounces, area.light));
             let point = area.point_seen_from(self.hit.surface.point, pair);
@@ -68,23 +67,13 @@ impl<R: Real> ShadedHit<'_, R> {
             }
             let ray = self.hit.spawn(facing.toward, self.departure(facing.toward, false));
             let through = trace.scene.light_through_among(&ray, facing.distance, Among::All);
-            if let Through::TooManyLayers = through {
-                trace.probe.record(Event::Cut(Cut::ShadowLayers));
-            }
-            let through = through.throughput();
+            let color = area.radiance.scaled(weight * share);
+            let through = self.receive(trace, &mut sum, (area.light, color), &facing, through);
             if through.largest() < R::ONE {
                 missed += 1;
-                trace.seen.shadow(area.light);
             }
             if through.largest() > R::ZERO {
                 reached += 1;
-            }
-            let color = area.radiance.scaled(weight * share);
-            let highlight = sum.add(&facing, self.material, color, through);
-            if trace.probe.is_enabled() {
-                let shown = through.of(self.lit(color, facing.cosine, highlight));
-                let (toward, through) = (facing.toward, through.largest());
-                trace.probe.record(Event::Light { light: area.light, toward, through, shown });
             }
         }
         self.reflected_light(LinearRgb::BLACK, sum)

@@ -86,17 +86,17 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     /// The rays that are left.
     rays: RayBudget,
     seen: Seen,
-    /// What the rays draw their directions from.
+    /// The numbers that the rays draw.
     numbers: RayNumbers,
     probe: &'t mut P,
 }
 
-/// What the samples of a pixel have in common, and what the last one found.
+/// The state of a pixel that its samples share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SampleRays {
     /// The rays that are left.
     pub(crate) left: RayBudget,
-    /// What the rays of the last sample met.
+    /// The digest of the last sample.
     pub(crate) seen: Seen,
 }
 

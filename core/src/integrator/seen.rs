@@ -18,10 +18,7 @@ impl Seen {
     /// Records a hit.
     #[inline]
     pub(super) fn hit<R: Real>(&mut self, hit: &Hit<R>) {
-        // The facets of a body are told apart, the parts of a smooth surface are not.
-        let is_facet = hit.surface.part != 0 && hit.surface.shading_normal == hit.surface.normal;
-        let part = if is_facet { hit.surface.part.rotate_left(17) } else { 0 };
-        self.record(hit.object as u32 ^ part);
+        self.record(hit.object as u32 ^ hit.surface.facet().rotate_left(17));
     }
 
     /// Records that a ray met nothing.

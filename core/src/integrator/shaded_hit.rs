@@ -159,22 +159,37 @@ impl<'s, R: Real> ShadedHit<'s, R> {
                 break;
             }
             let through = shadow_rays.through(trace.scene, self, index, facing.toward, facing.distance);
-            if let Through::TooManyLayers = through {
-                trace.probe.record(Event::Cut(Cut::ShadowLayers));
-            }
             let color = facing.share.map_or(light.color, |share| light.color * share);
-            let throughput = through.throughput();
-            if !matches!(through, Through::All) {
-                trace.seen.shadow(index);
-            }
-            let highlight = sum.add(&facing, self.material, color, throughput);
-            if trace.probe.is_enabled() {
-                let shown = throughput.of(self.lit(color, facing.cosine, highlight));
-                let (toward, through) = (facing.toward, throughput.largest());
-                trace.probe.record(Event::Light { light: index, toward, through, shown });
-            }
+            self.receive(trace, &mut sum, (index, color), &facing, through);
         }
         self.reflected_light(ambient, sum)
+    }
+
+    /// Adds the light of one shadow ray toward the light at this position in the scene, which would bring
+    /// this color. Returns the share of it that gets through.
+    #[inline]
+    pub(super) fn receive<S: Geometry, P: Probe<R>>(
+        &self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        sum: &mut LampLight<R>,
+        (light, color): (usize, LinearRgb<R>),
+        facing: &FacingLight<R>,
+        through: Through<Throughput<R>>,
+    ) -> Throughput<R> {
+        if let Through::TooManyLayers = through {
+            trace.probe.record(Event::Cut(Cut::ShadowLayers));
+        }
+        if !matches!(through, Through::All) {
+            trace.seen.shadow(light);
+        }
+        let throughput = through.throughput();
+        let highlight = sum.add(facing, self.material, color, throughput);
+        if trace.probe.is_enabled() {
+            let shown = throughput.of(self.lit(color, facing.cosine, highlight));
+            let (toward, through) = (facing.toward, throughput.largest());
+            trace.probe.record(Event::Light { light, toward, through, shown });
+        }
+        throughput
     }
 
     /// Ambient light that the surface shows, and light of its own.
@@ -223,7 +238,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     }
 
     /// The light of one lamp that leaves the hit if nothing is in the way: for events.
-    pub(super) fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
+    fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
         let shown = self.color * (self.material.diffuse * cosine);
         let highlight = LinearRgb::even(self.material.specular * highlight);
         let highlight =
@@ -347,7 +362,7 @@ impl<R: Real> LampLight<R> {
 
     /// Adds the share of a light that gets through; returns the strength of its highlight, 0 to 1.
     #[inline(always)]
-    pub(super) fn add(
+    fn add(
         &mut self,
         light: &FacingLight<R>,
         material: &PreparedMaterial<'_, R>,

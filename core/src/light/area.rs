@@ -7,7 +7,7 @@
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_direction};
 use crate::math::{Real, Scale, Vec3};
-use crate::sampling::disc;
+use crate::sampling::{around, centered, disc};
 use crate::shape::Luminaire;
 
 /// An object that lights the scene.
@@ -46,8 +46,8 @@ pub(crate) struct LampPoint<R> {
     pub(crate) toward: Vec3<R>,
     /// Its distance, times [`FREE_SHARE`].
     pub(crate) distance: R,
-    /// The solid angle of the whole lamp over π, if all points were like this one: times the lamp's light and
-    /// the cosine at the surface, it is the light of a white surface.
+    /// The product of this weight, the lamp's radiance and the cosine at the surface is the light of a white
+    /// surface. The weight is the lamp's solid angle over π, computed from this point alone.
     pub(crate) weight: R,
 }
 
@@ -119,12 +119,6 @@ impl<R: Real> AreaLight<R> {
     }
 }
 
-/// A number of 65536ths as one from -1 to 1.
-fn centered<R: Real>(number: u16) -> R {
-    let number = R::from_fraction(number);
-    number + number + R::from_fraction(1) - R::ONE
-}
-
 /// A direction in the cone that a ball fills; `None` from inside the ball.
 fn in_cone<R: Real>(toward_center: Vec3<R>, radius: R, pair: [u16; 2]) -> Option<LampPoint<R>> {
     let (axis, distance) = toward_center.unit_and_length();
@@ -140,13 +134,7 @@ fn in_cone<R: Real>(toward_center: Vec3<R>, radius: R, pair: [u16; 2]) -> Option
     let share = (x * x + y * y).smaller(R::ONE);
     let depth = depth_of_cone * share;
     let across_squared = depth * (R::ONE + R::ONE - depth);
-    let toward = if share > R::ZERO {
-        let across = across_squared.sqrt() / share.sqrt();
-        let (first, second) = axis.around();
-        (axis * (R::ONE - depth) + first * (x * across) + second * (y * across)).normalized()?
-    } else {
-        axis
-    };
+    let toward = around(axis, R::ONE - depth, across_squared, [x, y]);
     let inside = (sine_squared - across_squared).larger(R::ZERO).sqrt();
     let distance = distance * (R::ONE - depth - inside) * R::from_f32(FREE_SHARE);
     Some(LampPoint { toward, distance, weight: depth_of_cone + depth_of_cone })
@@ -176,8 +164,7 @@ mod tests {
         let near = |found: f64, expected: f64| {
             assert!((found / expected - 1.0).abs() < 2e-3, "{found}, not {expected}");
         };
-        // A ball at the zenith lights as much as the disc that it hides: sin² of its angular radius. Over π,
-        // because a white surface shows the light that arrives over π.
+        // A ball at the zenith gives π · sin² of its angular radius. A white surface shows this over π.
         for (distance, radius) in [(2.0f32, 0.5f32), (3.0, 2.9), (5.0, 0.1)] {
             let ball = Luminaire::Ball { center: up * distance, radius };
             near(irradiance::<R>(ball), f64::from(radius / distance).powi(2));

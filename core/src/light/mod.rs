@@ -58,14 +58,7 @@ pub enum Light {
 pub struct ObjectId(pub u16);
 
 #[cfg(feature = "serde")]
-impl<'m> crate::read::Read<'m> for ObjectId {
-    fn read<D: serde::Deserializer<'m>>(
-        from: D,
-        reader: &mut crate::read::Reader<'m>,
-    ) -> Result<Self, D::Error> {
-        crate::read::read_number("ObjectId", from, reader).map(Self)
-    }
-}
+crate::read::read_id!(ObjectId);
 
 /// The fields of [`Light::Point`], as they are read.
 #[cfg(feature = "serde")]

@@ -273,9 +273,10 @@ fn areas<'m, R: Real, S: Geometry + 'm>(
         let lights = scene.lights.iter().enumerate();
         lights.filter_map(|(index, light)| Some((index, usize::from(light.object()?.0))))
     };
-    let mut light = 0;
-    let prepared = arena.try_store_with(lamps().count(), |number, _| {
-        let (index, named) = lamps().nth(number).ok_or(Fault::NotFinite)?;
+    let (mut light, mut rest) = (0, lamps());
+    let prepared = arena.try_store_with(lamps().count(), |_, _| {
+        // There is a lamp for each call; the fault is never seen.
+        let (index, named) = rest.next().ok_or(Fault::NotFinite)?;
         light = index;
         let unknown = Fault::UnknownObject { named, objects: objects.len() };
         let (object, prepared) = scene.objects.get(named).zip(objects.get(named)).ok_or(unknown)?;

@@ -119,7 +119,9 @@ pub fn set_field<'m, T: Read<'m>, A: MapAccess<'m>>(
 /// Implements [`Fields`] and [`Read`] for a struct. The arguments are its type parameters, its name and type,
 /// its fields (with `= default` where a field may be left out), and `may be named` where a name may stand in
 /// place of the fields.
-macro_rules! read_struct {
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __read_struct {
     (
         [$($generics:tt)*] $Name:ident as $Type:ty {
             $($field:ident $(= $default:expr)?),+ $(,)?
@@ -129,16 +131,16 @@ macro_rules! read_struct {
         impl<'m, $($generics)*> $crate::read::Fields<'m> for $Type {
             const NAME: &'static str = stringify!($Name);
             const FIELDS: &'static [&'static str] = &[$(stringify!($field)),+];
-            $(const MAY_BE_NAMED: bool = $crate::read::read_struct!(@$named);)?
+            $(const MAY_BE_NAMED: bool = $crate::__read_struct!(@$named);)?
 
-            fn from_values<A: serde::de::SeqAccess<'m>>(
+            fn from_values<A: $crate::read::serde::de::SeqAccess<'m>>(
                 mut values: A,
                 reader: &mut $crate::read::Reader<'m>,
             ) -> Result<Self, A::Error> {
                 Ok(Self { $($field: $crate::read::next_value(&mut values, reader, stringify!($field))?),+ })
             }
 
-            fn from_map<A: serde::de::MapAccess<'m>>(
+            fn from_map<A: $crate::read::serde::de::MapAccess<'m>>(
                 mut map: A,
                 reader: &mut $crate::read::Reader<'m>,
             ) -> Result<Self, A::Error> {
@@ -154,14 +156,14 @@ macro_rules! read_struct {
                 Ok(Self { $(
                     $field: match $field {
                         Some(value) => value,
-                        None => $crate::read::read_struct!(@missing $field $($default)?),
+                        None => $crate::__read_struct!(@missing $field $($default)?),
                     }
                 ),+ })
             }
         }
 
         impl<'m, $($generics)*> $crate::read::Read<'m> for $Type {
-            fn read<D: serde::Deserializer<'m>>(
+            fn read<D: $crate::read::serde::Deserializer<'m>>(
                 from: D,
                 reader: &mut $crate::read::Reader<'m>,
             ) -> Result<Self, D::Error> {
@@ -171,6 +173,6 @@ macro_rules! read_struct {
     };
     (@named) => { true };
     (@missing $field:ident $default:expr) => { $default };
-    (@missing $field:ident) => { return Err(serde::de::Error::missing_field(stringify!($field))) };
+    (@missing $field:ident) => { return Err($crate::read::serde::de::Error::missing_field(stringify!($field))) };
 }
-pub(crate) use read_struct;
+pub use __read_struct as read_struct;

@@ -12,10 +12,14 @@ mod list;
 mod number;
 mod variants;
 
-pub use fields::{Fields, next_field, next_value, read_fields, set_field};
+pub use fields::{Fields, next_field, next_value, read_fields, read_struct, set_field};
 pub use serde;
 pub use variants::{Variants, held_fields, held_value, read_variants};
-pub(crate) use {fields::read_struct, list::bytes, number::read_number, variants::read_enum};
+pub(crate) use {
+    list::bytes,
+    number::{read_id, read_number},
+    variants::read_enum,
+};
 
 use core::fmt;
 use core::marker::PhantomData;

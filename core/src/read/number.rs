@@ -39,3 +39,18 @@ impl<'m> Visitor<'m> for Number<'_, 'm> {
         self.reader.read_named(self.what, name)
     }
 }
+
+/// Implements [`Read`] for a number of an item, a tuple struct that holds a `u16`.
+macro_rules! read_id {
+    ($Id:ident) => {
+        impl<'m> $crate::read::Read<'m> for $Id {
+            fn read<D: serde::Deserializer<'m>>(
+                from: D,
+                reader: &mut $crate::read::Reader<'m>,
+            ) -> Result<Self, D::Error> {
+                $crate::read::read_number(stringify!($Id), from, reader).map(Self)
+            }
+        }
+    };
+}
+pub(crate) use read_id;

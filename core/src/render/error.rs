@@ -53,7 +53,8 @@ impl fmt::Display for SettingsError {
             Self::Samples => f.write_str("no samples for a pixel; take at least 1"),
             Self::SamplesBeyondRays { samples, rays } => write!(
                 f,
-                "{samples} samples of a pixel need more than {rays} rays; allow more rays or take fewer samples"
+                "{samples} samples of a pixel need more than {rays} rays; allow more rays or take fewer \
+                 samples"
             ),
             Self::AtFirst { given, samples } => write!(
                 f,

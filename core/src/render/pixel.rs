@@ -30,11 +30,13 @@ struct Samples<R> {
 /// How the first samples of a pixel differ.
 #[derive(Clone, Copy, Debug)]
 struct Spread<R> {
+    /// The share of each of the first samples, if no other ones follow.
+    weight: R,
     least: LinearRgb<R>,
     most: LinearRgb<R>,
-    /// What the first sample met.
+    /// The digest of the first sample.
     seen: Seen,
-    /// Whether another sample met something else.
+    /// Whether another sample has another digest.
     saw_other: bool,
 }
 
@@ -45,8 +47,10 @@ const CONTRAST_OF_BLUE: f32 = 2.0;
 const INVISIBLE: f32 = 1.0 / 2048.0;
 
 impl<R: Real> Spread<R> {
-    fn new(light: LinearRgb<R>, seen: Seen) -> Self {
-        Self { least: light, most: light, seen, saw_other: false }
+    /// Of the first of `count` samples.
+    fn new(count: u16, light: LinearRgb<R>, seen: Seen) -> Self {
+        let weight = R::from_setup(R::Setup::from_u16(count).recip());
+        Self { weight, least: light, most: light, seen, saw_other: false }
     }
 
     fn add(&mut self, light: LinearRgb<R>, seen: Seen) {
@@ -149,12 +153,9 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         let first =
             adaptive.filter(|adaptive| cfg!(feature = "distributed") && samples.taken < adaptive.at_first);
         if let Some(Adaptive { at_first, .. }) = first {
-            // Until it is known that more samples follow.
-            weight = R::from_setup(R::Setup::from_u16(at_first).recip());
-            match &mut samples.spread {
-                Some(spread) => spread.add(light, seen),
-                none => *none = Some(Spread::new(light, seen)),
-            }
+            let spread = samples.spread.get_or_insert_with(|| Spread::new(at_first, light, seen));
+            spread.add(light, seen);
+            weight = spread.weight;
         }
         // In fixed point, the sum of many samples may overflow where their mean does not.
         let weighs_first = R::IS_FIXED_POINT;

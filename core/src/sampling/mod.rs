@@ -23,9 +23,9 @@ mod warp;
 
 pub(crate) use dimension::Dimension;
 pub use reconstruction::Reconstruction;
-#[cfg(feature = "distributed")]
-pub(crate) use warp::disc;
 pub(crate) use warp::lobe;
+#[cfg(feature = "distributed")]
+pub(crate) use warp::{around, centered, disc};
 
 use hash::hash;
 
@@ -146,7 +146,7 @@ pub(crate) struct PixelSample {
     pub(crate) index: u16,
 }
 
-/// What the rays of a sample draw numbers from. Without the feature `distributed` they draw none, and this
+/// The numbers that the rays of a sample draw. Without the feature `distributed`, rays draw none, and this
 /// takes no memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayNumbers([PixelSample; DRAWS]);

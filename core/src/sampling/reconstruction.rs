@@ -8,7 +8,7 @@ use super::CENTER;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Reconstruction {
-    /// The same weight in the whole pixel and none outside: the mean of its area.
+    /// The mean of the pixel's area: one weight in the whole pixel, and none outside.
     #[default]
     Box,
     /// A weight that falls evenly from the center to the centers of the neighboring pixels.

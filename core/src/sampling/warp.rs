@@ -5,12 +5,7 @@ use crate::math::{Real, Vec3};
 /// A place on the disc of radius 1, for a pair that is spread over a square: neighbors stay neighbors
 /// (Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997).
 pub(crate) fn disc<R: Real>(pair: [u16; 2]) -> [R; 2] {
-    // -1 to 1, at the middle of a step so that no pair is in the center.
-    let half_step = R::from_fraction(1);
-    let [a, b] = pair.map(|number| {
-        let number = R::from_fraction(number);
-        number + number + half_step - R::ONE
-    });
+    let [a, b] = pair.map(centered::<R>);
     if a.abs() > b.abs() {
         let (sine, cosine) = eighth_turns(b / a);
         [a * cosine, a * sine]
@@ -18,6 +13,12 @@ pub(crate) fn disc<R: Real>(pair: [u16; 2]) -> [R; 2] {
         let (sine, cosine) = eighth_turns(a / b);
         [b * sine, b * cosine]
     }
+}
+
+/// A number of 65536ths as one from -1 to 1, at the middle of a step so that none is 0.
+pub(crate) fn centered<R: Real>(number: u16) -> R {
+    let number = R::from_fraction(number);
+    number + number + R::from_fraction(1) - R::ONE
 }
 
 /// Sine and cosine of a number of eighths of a turn from -1 to 1, by Taylor's series: the error is below
@@ -46,11 +47,17 @@ pub(crate) fn lobe<R: Real>(axis: Vec3<R>, exponent: R::Factor, pair: [u16; 2]) 
     let share = x * x + y * y;
     let left = R::ONE - share;
     let cosine = if left > R::ZERO { left.powf(exponent) } else { R::ZERO };
-    let sine_squared = R::ONE - cosine * cosine;
-    if !(sine_squared > R::ZERO && share > R::ZERO) {
+    around(axis, cosine, R::ONE - cosine * cosine, [x, y])
+}
+
+/// The unit vector at an angle from the unit vector `axis`. A place on the disc says to which side; `axis` if
+/// it is the center or the angle is 0.
+pub(crate) fn around<R: Real>(axis: Vec3<R>, cosine: R, sine_squared: R, [x, y]: [R; 2]) -> Vec3<R> {
+    let square = x * x + y * y;
+    if !(sine_squared > R::ZERO && square > R::ZERO) {
         return axis;
     }
-    let across = sine_squared.sqrt() / share.sqrt();
+    let across = sine_squared.sqrt() / square.sqrt();
     let (first, second) = axis.around();
     (axis * cosine + first * (x * across) + second * (y * across)).normalized().unwrap_or(axis)
 }

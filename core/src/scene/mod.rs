@@ -65,14 +65,7 @@ crate::read::read_struct! {
 crate::read::read_struct!([S: crate::read::Read<'m>] Object as Object<S> { shape, material });
 
 #[cfg(feature = "serde")]
-impl<'m> crate::read::Read<'m> for MaterialId {
-    fn read<D: serde::Deserializer<'m>>(
-        from: D,
-        reader: &mut crate::read::Reader<'m>,
-    ) -> Result<Self, D::Error> {
-        crate::read::read_number("MaterialId", from, reader).map(Self)
-    }
-}
+crate::read::read_id!(MaterialId);
 
 impl<S: Geometry> Scene<'_, S> {
     /// The scale at which the scene is traced in the number system `R`.

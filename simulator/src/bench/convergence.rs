@@ -5,29 +5,22 @@ use core::fmt::Write as _;
 use rayline::{PreparedScene, RayCounts, Renderer, Sampler, Sampling, Scene, Settings};
 use rayon::prelude::*;
 
-use crate::RenderError;
 use crate::picture::memory_for;
 use crate::table::Table;
+use crate::{RenderError, SAMPLERS};
 
 /// The errors of all samplers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convergence {
-    /// For each sampler, its root mean square error in linear light with each number of [`SAMPLES`].
-    pub errors: Vec<(Sampler, [f64; SAMPLES.len()])>,
+    /// For each of [`SAMPLERS`], its root mean square error in linear light with 1, 4, 16, 64 and 256 samples.
+    pub errors: Vec<(Sampler, [f64; 5])>,
 }
 
 /// The numbers of samples that are measured.
-pub const SAMPLES: [u16; 5] = [1, 4, 16, 64, 256];
+const SAMPLES: [u16; 5] = [1, 4, 16, 64, 256];
 
-/// The samplers, with their names and the colors of their curves.
-const SAMPLERS: [(Sampler, &str, &str); 6] = [
-    (Sampler::Random, "random", "#888888"),
-    (Sampler::Grid, "grid", "#b8860b"),
-    (Sampler::Jittered, "jittered", "#1f77b4"),
-    (Sampler::Poisson, "poisson", "#2ca02c"),
-    (Sampler::R2, "r2", "#d62728"),
-    (Sampler::Sobol, "sobol", "#000000"),
-];
+/// The colors of the samplers' curves.
+const COLORS: [&str; SAMPLERS.len()] = ["#888888", "#b8860b", "#1f77b4", "#2ca02c", "#d62728", "#000000"];
 
 /// The samples of the picture that all others are compared with.
 const REFERENCE: u16 = 4096;
@@ -46,7 +39,7 @@ impl Convergence {
         let reference =
             draw(Sampling { sampler: Sampler::Sobol, seed: other_seed, ..Sampling::new(REFERENCE) })?;
         let mut errors = Vec::new();
-        for (sampler, _, _) in SAMPLERS {
+        for (_, sampler) in SAMPLERS {
             let mut of_sampler = [0.0; SAMPLES.len()];
             for (error, samples) in of_sampler.iter_mut().zip(SAMPLES) {
                 let mut squares = 0.0;
@@ -73,10 +66,10 @@ impl Convergence {
     pub fn table(&self) -> String {
         let [a, b, c, d, e] = SAMPLES.map(|count| format!("{count} samples"));
         let mut table = Table::new(1, ["sampler", &a, &b, &c, &d, &e, "slope"]);
-        for (sampler, errors) in &self.errors {
+        for ((name, _), (sampler, errors)) in SAMPLERS.iter().zip(&self.errors) {
             let [a, b, c, d, e] = errors.map(|error| format!("{:.3} %", error * 100.0));
             let slope = format!("{:.2}", self.slope(*sampler));
-            table.push([name(*sampler).to_owned(), a, b, c, d, e, slope]);
+            table.push([(*name).to_owned(), a, b, c, d, e, slope]);
         }
         table.to_string()
     }
@@ -93,7 +86,8 @@ impl Convergence {
             |error: f64| margin / 2.0 + (high - error.log10()) / (high - low) * (height - 1.5 * margin);
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
-             font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+             font-family=\"sans-serif\" font-size=\"12\">\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         );
         // Writing into a string cannot fail.
         for (index, count) in SAMPLES.iter().enumerate() {
@@ -118,8 +112,7 @@ impl Convergence {
                 10f64.powi(power + 2)
             );
         }
-        for (sampler, errors) in &self.errors {
-            let color = SAMPLERS.iter().find(|(other, ..)| other == sampler).map_or("black", |known| known.2);
+        for ((_, errors), color) in self.errors.iter().zip(COLORS) {
             let points: Vec<String> = errors
                 .iter()
                 .enumerate()
@@ -131,7 +124,7 @@ impl Convergence {
                 points.join(" ")
             );
         }
-        for (number, (_, name, color)) in SAMPLERS.iter().enumerate() {
+        for (number, ((name, _), color)) in SAMPLERS.iter().zip(COLORS).enumerate() {
             let (x, y) = (width - 1.3 * margin, margin + 18.0 * number as f64);
             let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{color}\">{name}</text>");
         }
@@ -147,10 +140,6 @@ impl Convergence {
 
 /// The pictures of each sampler and number of samples.
 const SEEDS: u32 = 4;
-
-fn name(sampler: Sampler) -> &'static str {
-    SAMPLERS.iter().find(|(other, ..)| *other == sampler).map_or("", |known| known.1)
-}
 
 /// The light of all pixels.
 fn lights(prepared: &PreparedScene<'_, f32>, settings: Settings) -> Result<Vec<[f64; 3]>, RenderError> {

@@ -10,7 +10,7 @@ mod convergence;
 mod povray;
 mod times;
 
-pub use convergence::{Convergence, SAMPLES};
+pub use convergence::Convergence;
 
 use core::fmt;
 use std::io;

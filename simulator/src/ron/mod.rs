@@ -130,8 +130,7 @@ fn parse<'a>(
             ));
         }
     }
-    let objects = scan::object_names(text).map_err(|error| RonFault::from_ron(error, None))?;
-    let known = &*arena.alloc(Known::new(arena, directory, &materials, &objects));
+    let known = &*arena.alloc(Known::new(arena, directory, text, &materials));
     let names = arena.alloc(move |what: &'static str, name: &str| known.find(what, name));
     // Eight bytes for each character are enough for lists of numbers with two digits.
     let mut bytes = text.len().saturating_mul(8).max(1 << 10);
@@ -140,7 +139,7 @@ fn parse<'a>(
         let mut reader = Reader::new(memory).with_names(names);
         let file = options().from_str_seed(text, Seed::<File<'a>>::new(&mut reader));
         match (file, reader.failure()) {
-            (Ok(File { scene, settings }), _) => return Ok(Import { scene, settings, text }),
+            (Ok(file), _) => return Ok(Import { scene: file.scene(), settings: file.settings, text }),
             // The items that names stand for may be much longer than the text.
             (Err(_), Some(Fault::Memory { .. })) => bytes = bytes.saturating_mul(4),
             (Err(error), _) => return Err(RonFault::from_ron(error, known.unknown())),
@@ -155,15 +154,8 @@ fn parse<'a>(
 pub fn write(scene: &Scene<'_>, settings: &Settings, usual: &Settings) -> Result<String, ron::Error> {
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
     let style = style.depth_limit(5).separate_tuple_members(false);
-    let mut text = options().to_string_pretty(scene, style)?;
-    let settings = FileSettings::beside(usual, settings);
-    if settings != FileSettings::default()
-        && let Some(fields) = text.strip_suffix("\n)").map(str::to_owned)
-    {
-        let settings = options().to_string(&settings)?;
-        let comma = if fields.ends_with(',') { "" } else { "," };
-        text = format!("{fields}{comma}\n    settings: {settings},\n)");
-    }
+    let file = File::new(scene, FileSettings::beside(usual, settings));
+    let mut text = options().to_string_pretty(&file, style)?;
     text.push('\n');
     Ok(text)
 }

@@ -11,6 +11,7 @@ use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
 use serde::Serialize;
 
 use super::RonFault;
+use super::scan::object_names;
 use crate::obj;
 
 /// The materials that a file may refer to by name in place of a description.
@@ -35,8 +36,8 @@ pub(super) struct Known<'a> {
     directory: &'a Path,
     /// The names of the file's own materials.
     materials: &'a [&'a str],
-    /// The names of its objects.
-    objects: &'a [&'a str],
+    /// The text of the file, where the names of its objects stand.
+    text: &'a str,
     /// A cache of the items that were found, by kind and name. Names are often used several times, and the
     /// file is read again if the memory was too small.
     found: RefCell<HashMap<(String, String), &'a [u8]>>,
@@ -45,15 +46,9 @@ pub(super) struct Known<'a> {
 }
 
 impl<'a> Known<'a> {
-    pub(super) fn new(
-        arena: &'a Bump,
-        directory: &'a Path,
-        materials: &[String],
-        objects: &[String],
-    ) -> Self {
-        let [materials, objects] = [materials, objects]
-            .map(|names| &*arena.alloc_slice_fill_iter(names.iter().map(|name| &*arena.alloc_str(name))));
-        Self { arena, directory, materials, objects, found: RefCell::default(), unknown: RefCell::default() }
+    pub(super) fn new(arena: &'a Bump, directory: &'a Path, text: &'a str, materials: &[String]) -> Self {
+        let materials = arena.alloc_slice_fill_iter(materials.iter().map(|name| &*arena.alloc_str(name)));
+        Self { arena, directory, materials, text, found: RefCell::default(), unknown: RefCell::default() }
     }
 
     /// The fault of the last name that was not found, if there was one.
@@ -97,8 +92,11 @@ impl<'a> Known<'a> {
     }
 
     fn own_object(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let number = self.objects.iter().position(|known| *known == name);
-        let number = number.ok_or_else(|| RonFault::unknown("object in this file", name, self.objects))?;
+        let objects = object_names(self.text).map_err(|error| RonFault::from_ron(error, None).1)?;
+        let number = objects.iter().position(|known| known == name).ok_or_else(|| {
+            let names: Vec<&str> = objects.iter().map(String::as_str).collect();
+            RonFault::unknown("object in this file", name, &names)
+        })?;
         self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
     }
 

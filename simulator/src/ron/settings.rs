@@ -1,8 +1,8 @@
 //! The settings in a scene's file: how its picture is meant to be drawn.
 
-use rayline::read::{Fields, Read, Reader, next_field, next_value, plain, read_fields, set_field};
-use rayline::{Background, Sampling, Scene, Settings};
-use serde::de::{Deserializer, MapAccess, SeqAccess};
+use rayline::read::{plain, read_struct};
+use rayline::shape::Shape;
+use rayline::{Background, Camera, Light, Material, Object, Sampling, Scene, Settings};
 use serde::{Deserialize, Serialize};
 
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
@@ -29,7 +29,7 @@ pub struct FileSettings {
 plain!(FileSettings);
 
 impl FileSettings {
-    /// What differs between some settings and the usual ones, apart from the size.
+    /// The settings that differ from the usual ones, apart from the size.
     pub(super) fn beside(usual: &Settings, settings: &Settings) -> Self {
         fn changed<T: PartialEq>(usual: T, value: T) -> Option<T> {
             (usual != value).then_some(value)
@@ -41,6 +41,10 @@ impl FileSettings {
             cutoff: changed(usual.cutoff, settings.cutoff),
             sampling: changed(usual.sampling, settings.sampling),
         }
+    }
+
+    fn are_usual(&self) -> bool {
+        *self == Self::default()
     }
 
     /// The usual settings with those of the file.
@@ -58,59 +62,33 @@ impl FileSettings {
     }
 }
 
-/// All that a file holds: a scene, and the settings of its picture.
+/// All that a file holds: the fields of a scene, and the settings of its picture.
+#[derive(Serialize)]
 pub(super) struct File<'a> {
-    pub(super) scene: Scene<'a>,
+    camera: Camera,
+    background: Background<'a>,
+    objects: &'a [Object<Shape<'a>>],
+    materials: &'a [Material<'a>],
+    lights: &'a [Light],
+    #[serde(skip_serializing_if = "FileSettings::are_usual")]
     pub(super) settings: FileSettings,
 }
 
-impl<'m> Read<'m> for File<'m> {
-    fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
-        read_fields(from, reader)
+read_struct! {
+    [] File as File<'m> {
+        camera, background = Background::BLACK, objects, materials, lights = &[],
+        settings = FileSettings::default(),
     }
 }
 
-impl<'m> Fields<'m> for File<'m> {
-    const NAME: &'static str = "Scene";
-    const FIELDS: &'static [&'static str] =
-        &["camera", "background", "objects", "materials", "lights", "settings"];
-
-    fn from_values<A: SeqAccess<'m>>(mut values: A, reader: &mut Reader<'m>) -> Result<Self, A::Error> {
-        Ok(Self {
-            scene: Scene {
-                camera: next_value(&mut values, reader, "camera")?,
-                background: next_value(&mut values, reader, "background")?,
-                objects: next_value(&mut values, reader, "objects")?,
-                materials: next_value(&mut values, reader, "materials")?,
-                lights: next_value(&mut values, reader, "lights")?,
-            },
-            settings: next_value(&mut values, reader, "settings")?,
-        })
+impl<'a> File<'a> {
+    pub(super) fn new(scene: &Scene<'a>, settings: FileSettings) -> Self {
+        let Scene { camera, background, objects, materials, lights } = *scene;
+        Self { camera, background, objects, materials, lights, settings }
     }
 
-    fn from_map<A: MapAccess<'m>>(mut map: A, reader: &mut Reader<'m>) -> Result<Self, A::Error> {
-        let (mut camera, mut background, mut objects) = (None, None, None);
-        let (mut materials, mut lights, mut settings) = (None, None, None);
-        while let Some(field) = next_field(&mut map, Self::FIELDS)? {
-            match field {
-                "camera" => set_field(&mut camera, &mut map, reader, field),
-                "background" => set_field(&mut background, &mut map, reader, field),
-                "objects" => set_field(&mut objects, &mut map, reader, field),
-                "materials" => set_field(&mut materials, &mut map, reader, field),
-                "lights" => set_field(&mut lights, &mut map, reader, field),
-                _ => set_field(&mut settings, &mut map, reader, field),
-            }?;
-        }
-        let missing = serde::de::Error::missing_field;
-        Ok(Self {
-            scene: Scene {
-                camera: camera.ok_or_else(|| missing("camera"))?,
-                background: background.unwrap_or(Background::BLACK),
-                objects: objects.ok_or_else(|| missing("objects"))?,
-                materials: materials.ok_or_else(|| missing("materials"))?,
-                lights: lights.unwrap_or(&[]),
-            },
-            settings: settings.unwrap_or_default(),
-        })
+    pub(super) fn scene(&self) -> Scene<'a> {
+        let Self { camera, background, objects, materials, lights, .. } = *self;
+        Scene { camera, background, objects, materials, lights }
     }
 }

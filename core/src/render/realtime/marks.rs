@@ -82,11 +82,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     fn fold_hit(&mut self, kind: RayKind, hit: &Hit<R>, color: LinearRgb<R>, mirrored: Vec3<R>) {
         let refracted = if kind == RayKind::Refracted { 1 << 16 } else { 0 };
         let surface = &hit.surface;
-        // A flat part of an object is told from its neighbors. Parts of a smooth surface are not: no edge is
-        // seen between them.
-        let is_flat = surface.shading_normal == surface.normal;
-        let part = if is_flat { surface.part.rotate_left(17) } else { 0 };
-        self.path = fold(self.path, hit.object as u32 ^ refracted ^ part);
+        self.path = fold(self.path, hit.object as u32 ^ refracted ^ surface.facet().rotate_left(17));
         self.material = self.scene.material(hit.object);
         let Some(material) = self.material else { return };
         if let Some(mark) = material.color.mark(surface, color, || self.scene.uv(hit.object, surface)) {
