@@ -75,7 +75,7 @@ pub(super) struct File<'a> {
 }
 
 read_struct! {
-    [] File as File<'m> {
+    [] Scene as File<'m> {
         camera, background = Background::BLACK, objects, materials, lights = &[],
         settings = FileSettings::default(),
     }

@@ -1,5 +1,6 @@
 //! The loop of a search: one execution for each seed.
 
+use core::cell::Cell;
 use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::fs;
@@ -180,17 +181,28 @@ impl Bench {
     }
 }
 
-/// Calls `body`; a panic is a finding.
+std::thread_local! {
+    /// Whether this thread is in [`caught`].
+    static SEARCHES: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Calls `body`; a panic is a finding. Panics elsewhere are shown as ever.
 pub(crate) fn caught<T>(body: impl FnOnce() -> Result<T, Finding>) -> Result<T, Finding> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
-        panic::set_hook(Box::new(|information| {
-            if let Ok(mut heard) = PANIC.lock() {
+        let usual = panic::take_hook();
+        panic::set_hook(Box::new(move |information| {
+            if !SEARCHES.get() {
+                usual(information);
+            } else if let Ok(mut heard) = PANIC.lock() {
                 *heard = information.to_string().replace('\n', " ");
             }
         }));
     });
-    panic::catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|_| {
+    SEARCHES.set(true);
+    let result = panic::catch_unwind(AssertUnwindSafe(body));
+    SEARCHES.set(false);
+    result.unwrap_or_else(|_| {
         let heard = PANIC.lock().map(|heard| heard.clone());
         Err(Finding::Panic(heard.unwrap_or_default()))
     })
