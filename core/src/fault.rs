@@ -147,6 +147,10 @@ pub enum Fault {
     /// The radius of a [`Lens`](crate::Lens) is not more than 0 or is above its distance of focus, or the
     /// lens has 1, 2 or more than 16 blades. Use a smaller radius, and 0 or 3 to 16 blades.
     Lens,
+    /// A [`Spin`](crate::Spin) has more than 10 turns while the shutter is open. Use a smaller angle.
+    TooManyTurns,
+    /// An object or the camera has several [`Motion`](crate::Motion)s. Write one, with `by` and `spin`.
+    MovesTwice,
     /// A coefficient of a falloff is negative or above 1e6, or all are zero. Use 0 to 1e6, and more than 0
     /// for one of them. [`Falloff::inverse_square`](crate::Falloff::inverse_square) takes a distance from
     /// 0.001 to 1e19.
@@ -347,6 +351,12 @@ impl fmt::Display for Fault {
             Self::Lens => {
                 "the radius of a lens is not more than 0 or is above its `focus`, or it has 1, 2 or more \
                  than 16 blades; use a smaller radius, and 0 or 3 to 16 blades"
+            }
+            Self::TooManyTurns => {
+                "a spin has more than 10 turns while the shutter is open; use a smaller angle"
+            }
+            Self::MovesTwice => {
+                "an object or the camera has several motions; write one, with both `by` and `spin`"
             }
             Self::Falloff => {
                 "a coefficient of a falloff is not within 0 to 1e6, or all are 0; use more than 0 for one of \

@@ -21,6 +21,7 @@
 //!     objects: &[Object::new(Sphere::new(Vec3::new(0.0, 0.0, 0.0), 1.0), 0)],
 //!     materials: &[Material::matte(LinearRgb::gray(0.9))],
 //!     lights: &[Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }],
+//!     motions: &[],
 //! };
 //!
 //! # fn main() -> Result<(), Box<dyn core::error::Error>> {
@@ -46,7 +47,7 @@
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`,
 //! `color`, `falloff`, `sampling`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `lens`,
-//! `camera`, `background`, `scene`, `prepared`, `probe`, `integrator`, `render`, `builtin`, `bake`.
+//! `motion`, `camera`, `background`, `scene`, `prepared`, `probe`, `integrator`, `render`, `builtin`, `bake`.
 //!
 //! # Number systems
 //!
@@ -109,6 +110,7 @@ mod light;
 pub mod limits;
 mod material;
 pub mod math;
+mod motion;
 mod prepared;
 mod probe;
 #[cfg(feature = "serde")]
@@ -131,6 +133,7 @@ pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone, ObjectId};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};
 pub use math::{Real, Vec3};
+pub use motion::{Motion, Mover, Spin};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{

@@ -66,6 +66,7 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
                 color: LinearRgb::new(0.9, 0.9, 0.9),
             },
         ],
+        motions: &[],
     }
 };
 
@@ -135,6 +136,7 @@ pub static SCENE: rayline::Scene<'static, Shapes> = rayline::Scene {
     objects: &OBJECTS,
     materials: DESCRIPTION.materials,
     lights: DESCRIPTION.lights,
+    motions: DESCRIPTION.motions,
 };
 
 /// The set of shapes, with its lifetime.

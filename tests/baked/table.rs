@@ -213,6 +213,7 @@ pub const DESCRIPTION: rayline::Scene<'static> = {
                 color: LinearRgb::new(0.8, 0.9, 1.0),
             },
         ],
+        motions: &[],
     }
 };
 
@@ -267,6 +268,7 @@ pub static SCENE: rayline::Scene<'static, Shapes<'static>> = rayline::Scene {
     objects: &OBJECTS,
     materials: DESCRIPTION.materials,
     lights: DESCRIPTION.lights,
+    motions: DESCRIPTION.motions,
 };
 
 /// The set of shapes, with its lifetime.

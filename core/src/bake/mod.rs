@@ -131,6 +131,7 @@ pub static SCENE: rayline::Scene<'static, {set}> = rayline::Scene {{
     objects: &OBJECTS,
     materials: DESCRIPTION.materials,
     lights: DESCRIPTION.lights,
+    motions: DESCRIPTION.motions,
 }};
 
 /// The set of shapes, with its lifetime.

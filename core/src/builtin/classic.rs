@@ -80,4 +80,5 @@ pub static CLASSIC: Scene<'static> = Scene {
     ],
     materials: &[IVORY, GLASS, RUBBER, MIRROR, FLOOR],
     lights: &[light(-20.0, 20.0, 20.0, 1.5), light(30.0, 50.0, -25.0, 1.8), light(30.0, 20.0, 30.0, 1.7)],
+    motions: &[],
 };

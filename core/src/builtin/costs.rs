@@ -45,6 +45,7 @@ const fn of(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
         objects,
         materials: &MATERIALS,
         lights: &LIGHTS,
+        motions: &[],
     }
 }
 

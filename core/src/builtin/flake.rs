@@ -105,6 +105,7 @@ const fn scene(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {
         objects,
         materials: &MATERIALS,
         lights: &LIGHTS,
+        motions: &[],
     }
 }
 

@@ -167,4 +167,5 @@ pub static PRISM: Scene<'static> = Scene {
         Light::Point { position: at(-5.0, 7.0, 7.0), color: LinearRgb::gray(0.7) },
         Light::Directional { direction: at(-1.0, -1.6, -0.8), color: LinearRgb::new(0.45, 0.42, 0.35) },
     ],
+    motions: &[],
 };

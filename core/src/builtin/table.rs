@@ -137,4 +137,5 @@ pub static TABLE: Scene<'static> = Scene {
         Light::Directional { direction: at(-1.0, -1.2, -0.4), color: LinearRgb::new(0.2, 0.24, 0.3) },
         Light::Ambient { color: LinearRgb::new(0.8, 0.9, 1.0) },
     ],
+    motions: &[],
 };

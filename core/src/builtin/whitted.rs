@@ -67,4 +67,5 @@ pub static WHITTED: Scene<'static> = Scene {
         Light::Point { position: Vec3::new(-3.0, 9.0, 5.0), color: LinearRgb::gray(0.9) },
         Light::Directional { direction: Vec3::new(-0.5, -1.0, 0.3), color: LinearRgb::gray(0.25) },
     ],
+    motions: &[],
 };

@@ -43,6 +43,10 @@ impl<R: Real> ShadedHit<'_, R> {
         bounces: u8,
     ) -> LinearRgb<R> {
         let most = if trace.numbers.is_of_one_sample() { MOST } else { FIRST };
+        // A lamp that moves is seen where it was described, from where the surface then is.
+        let moved = trace.scene.moved(area.object);
+        let point = self.hit.surface.point;
+        let seen_from = moved.as_ref().map_or(point, |moved| moved.point_back(point));
         let mut sum = LampLight::NONE;
         let (mut reached, mut missed) = (0, 0);
         let mut share = R::from_f32(1.0 / f32::from(FIRST));
@@ -56,7 +60,11 @@ impl<R: Real> ShadedHit<'_, R> {
                 share = share * known;
             }
             let pair = trace.numbers.part(number, most).pair(Dimension::lamp(bounces, area.light));
-            let point = area.point_seen_from(self.hit.surface.point, pair);
+            let point = area.point_seen_from(seen_from, pair);
+            let point = point.map(|point| match &moved {
+                Some(moved) => LampPoint { toward: moved.direction(point.toward), ..point },
+                None => point,
+            });
             let Some((facing, weight)) = point.and_then(|point| self.facing_point(point)) else {
                 missed += 1;
                 continue;

@@ -102,14 +102,17 @@ impl<R: Real> Path<R> {
         let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
         let mapped;
         let mut normal = hit.surface.shading_normal;
+        let mut room = None;
+        let still = scene.still(hit.object, &hit.surface, &mut room);
         if !material.maps.is_empty() {
             let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
-            mapped = material.mapped(&hit.surface, uv);
-            normal = material.maps.bumped(&hit.surface, ray.direction, uv);
+            mapped = material.mapped(still, uv);
+            normal = scene.bumped(hit.object, still, ray.direction, material);
             material = &mapped;
         }
         trace.seen.hit(hit);
-        let shaded = ShadedHit::new(scene, &ray, hit, normal, material, trace.probe.is_enabled());
+        let color = material.color.color(still, || scene.uv(hit.object, still));
+        let shaded = ShadedHit::new(&ray, (hit, color), normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadow_rays.begin_at(hit.object);
         let light = shaded.local_light(trace, shadow_rays);

@@ -75,12 +75,11 @@ pub(super) trait ShadowRays<R: Real> {
 }
 
 impl<'s, R: Real> ShadedHit<'s, R> {
-    /// A hit with the unit `normal` to shade with, which a map may have turned.
+    /// A hit on a surface of this color, with the unit `normal` to shade with, which a map may have turned.
     #[inline(always)]
-    pub(super) fn new<S: Geometry>(
-        scene: &PreparedScene<'_, R, S>,
+    pub(super) fn new(
         ray: &Ray<R>,
-        hit: &'s Hit<R>,
+        (hit, color): (&'s Hit<R>, LinearRgb<R>),
         normal: Vec3<R>,
         material: &'s PreparedMaterial<'s, R>,
         has_probe: bool,
@@ -89,7 +88,6 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         let is_geometric = R::IS_FIXED_POINT && normal == hit.surface.normal;
         let (normal, cosine, is_turned) = normal.facing(incoming);
         let is_outside = is_geometric.then_some(!is_turned);
-        let color = material.color.color(&hit.surface, || scene.uv(hit.object, &hit.surface));
         // Skip the mirrored direction of matte materials: only highlights, mirrors and probes use it.
         let is_used = !R::IS_FIXED_POINT || material.specular > R::ZERO || material.sends_rays() || has_probe;
         let mirrored = if is_used { incoming + normal * (cosine + cosine) } else { incoming };

@@ -149,11 +149,11 @@ impl<'m, R: Real> Candidates<'m, R> {
         }
         let all = ObjectSet::first(objects.len());
         let meets_itself =
-            |index: usize| objects.get(index).is_none_or(|object| object.shape.form().is_met_again(true));
+            |index: usize| objects.get(index).is_none_or(|object| object.form().is_met_again(true));
         let but_itself = |set: ObjectSet, index| if meets_itself(index) { set } else { set.without(index) };
         let leaving = arena.store_with(objects.len(), |index| {
             let outward = but_itself(all, index);
-            let inward = match objects.get(index).map(|object| object.shape.form()) {
+            let inward = match objects.get(index).map(PreparedObject::form) {
                 // A ray that goes into a ball smaller than the ray offset begins outside of it.
                 Some(Form::Ball { center, radius })
                     if !(radius > R::offset(center.magnitude() + radius) * R::from_u16(8)) =>
@@ -167,7 +167,7 @@ impl<'m, R: Real> Candidates<'m, R> {
             };
             [inward, outward]
         })?;
-        let bounds = objects.iter().filter_map(|object| object.shape.bounds());
+        let bounds = objects.iter().filter_map(PreparedObject::bounds);
         let largest = bounds.fold(R::ZERO, |largest, bounds| largest.larger(bounds.magnitude()));
         // In fixed point objects lie within 8 units, so that 15 times as much is in range.
         let reach = largest * R::from_u16(15);
@@ -178,8 +178,8 @@ impl<'m, R: Real> Candidates<'m, R> {
                 light.is_none_or(|light| around.is_shaded_by(other, (&light.source, reach)))
             });
             let ball = match (objects.get(receiver), light) {
-                (Some(PreparedObject { shape, material }), Some(light)) => {
-                    BallFromLight::new(shape.form(), &material.shininess, &light.source, reach)
+                (Some(object), Some(light)) => {
+                    BallFromLight::new(object.form(), &object.material.shininess, &light.source, reach)
                 }
                 _ => BallFromLight::UNKNOWN,
             };
@@ -276,7 +276,7 @@ fn candidates_for<R: Real, P: Intersect<R>>(
     };
     let mut set = ObjectSet::NONE;
     for (index, object) in objects.iter().enumerate() {
-        let blocker = Blocker { ball: BoundingBall::around(object), form: object.shape.form() };
+        let blocker = Blocker { ball: BoundingBall::around(object), form: object.form() };
         if index == receiver || can_matter(&around, &blocker) {
             set = set.with(index);
         }
@@ -302,10 +302,10 @@ impl<R: Real> BoundingBall<R> {
     const SLACK: f32 = 1e-3;
 
     pub(super) fn around<P: Intersect<R>>(object: &PreparedObject<'_, R, P>) -> Option<Self> {
-        let (center, radius) = match object.shape.form() {
+        let (center, radius) = match object.form() {
             Form::Ball { center, radius } => (center.to_setup(), radius.to_setup()),
             _ => {
-                let bounds = object.shape.bounds()?.to_setup();
+                let bounds = object.bounds()?.to_setup();
                 let center = bounds.center();
                 (center, (bounds.max - center).length())
             }

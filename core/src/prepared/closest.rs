@@ -1,6 +1,7 @@
 //! The first question of a ray: which object does it meet first?
 
 use super::candidates::Candidates;
+use super::objects::PreparedObject;
 use super::{Among, Departure, Hit, ObjectSet, PreparedScene};
 use crate::hierarchy::{Hierarchy, WIDE};
 use crate::material::PreparedMaterial;
@@ -43,9 +44,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             return self.closest_of_all(&{ *ray }, Interval::AHEAD);
         }
         // A ray that leaves a surface misses most balls around it.
-        let misses = |shape: &S::Prepared<'m, R>| {
+        let misses = |object: &PreparedObject<'m, R, S::Prepared<'m, R>>| {
             from.outward
-                && matches!(shape.form(), Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
+                && matches!(object.form(), Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
         };
         let closest = self.closest_unless(ray, Interval::AHEAD, among, misses);
         if closest.is_none() && self.comes_out_again(from) {
@@ -56,7 +57,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// Distances and positions of the first objects that four rays meet among listed ones, for processors
-    /// that compute four numbers at once.
+    /// that compute four numbers at once. Nothing moves in such a scene.
     #[inline(always)]
     pub(crate) fn closest_of_four(&self, rays: &FourRays<R>, list: &[u16]) -> [Closest<R>; 4] {
         let (mut distances, mut closest) = ([R::FARTHEST; 4], [NO_OBJECT; 4]);
@@ -85,7 +86,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let (t, index) = closest?;
         let object = self.objects.get(index)?;
         (hit.t, hit.object) = (t, index);
-        hit.surface = object.shape.surface(ray, t);
+        hit.surface = self.surface(object, ray, t);
         Some(object.material)
     }
 
@@ -101,7 +102,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// Whether a ray that leaves an object may meet it again.
     pub(crate) fn is_met_again(&self, from: Departure) -> bool {
-        self.objects.get(from.object).is_none_or(|object| object.shape.form().is_met_again(from.outward))
+        self.objects.get(from.object).is_none_or(|object| object.form().is_met_again(from.outward))
     }
 
     fn comes_out_again(&self, from: Departure) -> bool {
@@ -135,13 +136,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         ray: &Ray<R>,
         mut range: Interval<R>,
         among: impl IntoIterator<Item = usize>,
-        misses: impl Fn(&S::Prepared<'m, R>) -> bool,
+        misses: impl Fn(&PreparedObject<'m, R, S::Prepared<'m, R>>) -> bool,
     ) -> Option<(R, usize)> {
         let mut closest = None;
         for index in among {
             let Some(object) = self.objects.get(index) else { continue };
-            if !misses(&object.shape)
-                && let Some(t) = object.shape.intersect(ray, range)
+            if !misses(object)
+                && let Some(t) = self.intersect(object, ray, range)
             {
                 range.max = t;
                 closest = Some((t, index));
@@ -167,7 +168,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 _ => range.max,
             };
             if let Some(object) = self.objects.get(index)
-                && let Some(t) = object.shape.intersect(ray, Interval { max, ..range })
+                && let Some(t) = self.intersect(object, ray, Interval { max, ..range })
                 && closest.is_none_or(|(nearest, _)| t <= nearest)
             {
                 closest = Some((t, index));

@@ -36,6 +36,8 @@ pub enum Part {
     Material(usize),
     /// The light at this position in [`Scene::lights`](crate::Scene::lights).
     Light(usize),
+    /// The motion at this position in [`Scene::motions`](crate::Scene::motions).
+    Motion(usize),
     /// The memory that was lent for the prepared scene.
     Memory,
 }
@@ -66,6 +68,7 @@ impl fmt::Display for SceneError {
             Part::Model(index) => write!(f, "object {index}, model: ")?,
             Part::Material(index) => write!(f, "material {index}: ")?,
             Part::Light(index) => write!(f, "light {index}: ")?,
+            Part::Motion(index) => write!(f, "motion {index}: ")?,
             Part::Memory => f.write_str("memory: ")?,
         }
         self.fault.fmt(f)

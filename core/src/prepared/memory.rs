@@ -6,6 +6,7 @@ use crate::arena::Arena;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::math::Real;
+use crate::motion::Motion;
 use crate::scene::Scene;
 use crate::shape::{Geometry, Shape};
 
@@ -37,7 +38,8 @@ impl Scene<'_> {
     }
 
     const fn parts_bytes<R: Real>(&self, has_baked: bool) -> usize {
-        let mut bytes = self.background.bytes::<R>();
+        let motions = Motion::bytes::<R>(self.motions.len());
+        let mut bytes = self.background.bytes::<R>().saturating_add(motions);
         let mut objects = self.objects;
         while let [object, rest @ ..] = objects {
             bytes = bytes.saturating_add(match &object.shape {

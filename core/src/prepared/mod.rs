@@ -30,6 +30,8 @@ use crate::background::PreparedBackground;
 use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
+#[cfg(feature = "distributed")]
+use crate::fault::check_coordinate;
 use crate::hierarchy::{Hierarchy, WIDE};
 #[cfg(feature = "distributed")]
 use crate::light::AreaLight;
@@ -37,6 +39,9 @@ use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
 use crate::math::{Ray, Real, Scale, Vec3};
+use crate::motion::Motion;
+#[cfg(feature = "distributed")]
+use crate::motion::{Moved, Mover, PreparedMotion};
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
@@ -54,6 +59,14 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// The objects that give light.
     #[cfg(feature = "distributed")]
     areas: &'m [AreaLight<R>],
+    /// The motion of the camera.
+    #[cfg(feature = "distributed")]
+    camera_motion: Option<&'m PreparedMotion<R>>,
+    /// The time of the sample for which rays are traced: 0 when the shutter opens, 1 when it closes.
+    #[cfg(feature = "distributed")]
+    time: R,
+    #[cfg(feature = "distributed")]
+    moves: bool,
     /// `None`: white.
     ambient: Option<LinearRgb<R>>,
     scale: Scale,
@@ -102,13 +115,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// # Errors
     /// The first part that is wrong, and why. The caller's scene and memory can be used again.
     pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
-        let Scene { camera, background, objects, materials, lights } = *scene;
+        let Scene { camera, background, objects, materials, lights, motions } = *scene;
         let scale = scene.scale::<R>();
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
         let counts = [
             (objects.len(), Part::Object(MAX_COUNT)),
             (materials.len(), Part::Material(MAX_COUNT)),
             (lights.len(), Part::Light(MAX_COUNT)),
+            (motions.len(), Part::Motion(MAX_COUNT)),
         ];
         for (given, part) in counts {
             if given > MAX_COUNT {
@@ -118,7 +132,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let parts = (objects.iter().map(|object| object.shape.bytes::<R>()))
             .chain(materials.iter().map(Material::bytes::<R>))
             .chain(lights.iter().map(Light::bytes::<R>));
-        let more = parts.fold(background.bytes::<R>(), usize::saturating_add);
+        let more = background.bytes::<R>().saturating_add(Motion::bytes::<R>(motions.len()));
+        let more = parts.fold(more, usize::saturating_add);
         let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), more);
         if memory.len() < needed {
             return Err(Part::Memory.error()(Fault::Memory { needed, lent: memory.len() }));
@@ -134,8 +149,20 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             let (named, materials) = (usize::from(object.material.0), prepared_materials.len());
             let material =
                 prepared_materials.get(named).ok_or(Fault::UnknownMaterial { named, materials })?;
-            Ok(PreparedObject { shape: object.shape.prepare(scale, arena)?, material })
+            Ok(PreparedObject {
+                shape: object.shape.prepare(scale, arena)?,
+                material,
+                #[cfg(feature = "distributed")]
+                motion: None,
+            })
         })?;
+        #[cfg(feature = "distributed")]
+        let camera_motion = set_motions(scene, prepared_objects, scale, arena)?;
+        #[cfg(not(feature = "distributed"))]
+        if !motions.is_empty() {
+            return Err(Part::Motion(0).error()(Fault::WithoutFeature { feature: "distributed" }));
+        }
+        let prepared_objects = &*prepared_objects;
         #[cfg(feature = "distributed")]
         let areas = areas(scene, prepared_objects, scale, arena)?;
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
@@ -148,6 +175,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             lights: prepared_lights,
             #[cfg(feature = "distributed")]
             areas,
+            #[cfg(feature = "distributed")]
+            camera_motion,
+            #[cfg(feature = "distributed")]
+            time: R::ZERO,
+            #[cfg(feature = "distributed")]
+            moves: !motions.is_empty(),
             ambient: ambient::<R>(lights)?,
             scale,
             candidates,
@@ -228,10 +261,46 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         #[cfg(feature = "distributed")]
         {
             let spreads_rays = |object: &PreparedObject<'_, R, _>| object.material.spreads_rays();
-            self.camera.lens().is_some() || !self.areas.is_empty() || self.objects.iter().any(spreads_rays)
+            self.camera.lens().is_some()
+                || self.moves()
+                || !self.areas.is_empty()
+                || self.objects.iter().any(spreads_rays)
         }
         #[cfg(not(feature = "distributed"))]
         false
+    }
+
+    /// Whether anything moves while the shutter is open.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn moves(&self) -> bool {
+        self.moves
+    }
+
+    /// The scene for rays of one time: 0 when the shutter opens, 1 when it closes.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn at(&self, time: R) -> Self {
+        Self { time, ..*self }
+    }
+
+    /// A camera ray, moved along with the camera.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn moved_by_camera(&self, ray: Ray<R>) -> Ray<R> {
+        self.camera_motion.map_or(ray, |motion| motion.at(self.time).ray(&ray))
+    }
+
+    /// Whether the camera has no lens and does not move, so that each object has one outline in the picture.
+    pub(crate) fn has_sharp_outlines(&self) -> bool {
+        #[cfg(feature = "distributed")]
+        let moves = self.camera_motion.is_some();
+        #[cfg(not(feature = "distributed"))]
+        let moves = false;
+        self.camera.lens().is_none() && !moves
+    }
+
+    /// How an object has moved by now; `None` if it does not move.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn moved(&self, object: usize) -> Option<Moved<R>> {
+        self.objects.get(object)?.moved(self.time)
     }
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses
@@ -291,13 +360,44 @@ fn areas<'m, R: Real, S: Geometry + 'm>(
     }
 }
 
+/// Prepares the motions of a scene and gives each object its own. Returns the camera's.
+#[cfg(feature = "distributed")]
+fn set_motions<'m, R: Real, S: Geometry + 'm>(
+    scene: &Scene<'_, S>,
+    objects: &mut [PreparedObject<'m, R, S::Prepared<'m, R>>],
+    scale: Scale,
+    arena: &mut Arena<'m>,
+) -> Result<Option<&'m PreparedMotion<R>>, SceneError> {
+    let prepared = &*prepare_all(arena, scene.motions, Part::Motion, |motion, _| {
+        if let Some(extent) = scene.moved_extent(motion) {
+            check_coordinate(extent.solid.larger(extent.flat).larger(extent.plane.unwrap_or(0.0)))?;
+        }
+        motion.prepare::<R>(scale)
+    })?;
+    let mut camera = None;
+    for (index, (motion, prepared)) in scene.motions.iter().zip(prepared).enumerate() {
+        let place = match motion.of {
+            Mover::Camera => &mut camera,
+            Mover::Object(object) => {
+                let (named, count) = (usize::from(object.0), objects.len());
+                let unknown = Fault::UnknownObject { named, objects: count };
+                &mut objects.get_mut(named).ok_or(unknown).map_err(Part::Motion(index).error())?.motion
+            }
+        };
+        if place.replace(prepared).is_some() {
+            return Err(Part::Motion(index).error()(Fault::MovesTwice));
+        }
+    }
+    Ok(camera)
+}
+
 /// Stores what each description becomes, or tells which of them is wrong.
 fn prepare_all<'m, D, P: Copy>(
     arena: &mut Arena<'m>,
     descriptions: &[D],
     part: fn(usize) -> Part,
     mut prepare: impl FnMut(&D, &mut Arena<'m>) -> Result<P, Fault>,
-) -> Result<&'m [P], SceneError> {
+) -> Result<&'m mut [P], SceneError> {
     let mut index = 0;
     let prepared = arena.try_store_with(descriptions.len(), |i, arena| {
         index = i;

@@ -6,7 +6,9 @@ use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
 use crate::limits::FEW_OBJECTS;
 use crate::material::PreparedMaterial;
-use crate::math::{Aabb, FOUR_AT_ONCE, Real, Vec3};
+use crate::math::{Aabb, FOUR_AT_ONCE, Interval, Ray, Real, Vec3};
+#[cfg(feature = "distributed")]
+use crate::motion::{Moved, PreparedMotion};
 use crate::shape::{Form, Geometry, Hull, Intersect, Rim, Silhouette, Tip};
 use crate::surface::Surface;
 use crate::throughput::Throughput;
@@ -16,6 +18,41 @@ use crate::throughput::Throughput;
 pub(super) struct PreparedObject<'m, R: Real, P> {
     pub(super) shape: P,
     pub(super) material: &'m PreparedMaterial<'m, R>,
+    /// How it moves while the shutter is open.
+    #[cfg(feature = "distributed")]
+    pub(super) motion: Option<&'m PreparedMotion<R>>,
+}
+
+impl<R: Real, P: Intersect<R>> PreparedObject<'_, R, P> {
+    #[inline]
+    fn is_moving(&self) -> bool {
+        #[cfg(feature = "distributed")]
+        let is_moving = self.motion.is_some();
+        #[cfg(not(feature = "distributed"))]
+        let is_moving = false;
+        is_moving
+    }
+
+    /// The kind of the shape. Of a moving one nothing is known.
+    #[inline]
+    pub(super) fn form(&self) -> Form<R> {
+        if self.is_moving() { Form::Any } else { self.shape.form() }
+    }
+
+    /// A box that contains the object at all times; `None` if it has no end.
+    pub(super) fn bounds(&self) -> Option<Aabb<R>> {
+        let bounds = self.shape.bounds();
+        #[cfg(feature = "distributed")]
+        let bounds = bounds.map(|still| self.motion.map_or(still, |motion| motion.bounds(still)));
+        bounds
+    }
+
+    /// How the object has moved at this time; `None` if it does not move.
+    #[cfg(feature = "distributed")]
+    #[inline]
+    pub(super) fn moved(&self, time: R) -> Option<Moved<R>> {
+        Some(self.motion?.at(time))
+    }
 }
 
 /// A volume that holds an object.
@@ -34,6 +71,65 @@ pub(crate) enum Enclosure<R> {
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
+    /// The distance at which a ray meets an object inside `range`.
+    #[inline]
+    pub(super) fn intersect(
+        &self,
+        object: &PreparedObject<'m, R, S::Prepared<'m, R>>,
+        ray: &Ray<R>,
+        range: Interval<R>,
+    ) -> Option<R> {
+        #[cfg(feature = "distributed")]
+        if object.motion.is_some() {
+            return self.intersect_moving(object, ray, range);
+        }
+        object.shape.intersect(ray, range)
+    }
+
+    #[cfg(feature = "distributed")]
+    #[inline(never)]
+    fn intersect_moving(
+        &self,
+        object: &PreparedObject<'m, R, S::Prepared<'m, R>>,
+        ray: &Ray<R>,
+        range: Interval<R>,
+    ) -> Option<R> {
+        object.shape.intersect(&object.moved(self.time)?.ray_back(ray), range)
+    }
+
+    /// The surface of an object that a ray meets at the distance `t`.
+    #[inline]
+    pub(super) fn surface(
+        &self,
+        object: &PreparedObject<'m, R, S::Prepared<'m, R>>,
+        ray: &Ray<R>,
+        t: R,
+    ) -> Surface<R> {
+        #[cfg(feature = "distributed")]
+        if let Some(moved) = object.moved(self.time) {
+            return moved.surface(&object.shape.surface(&moved.ray_back(ray), t));
+        }
+        object.shape.surface(ray, t)
+    }
+
+    /// A surface of an object where the object was described, for textures; `room` keeps it.
+    #[inline]
+    pub(crate) fn still<'s>(
+        &self,
+        object: usize,
+        surface: &'s Surface<R>,
+        room: &'s mut Option<Surface<R>>,
+    ) -> &'s Surface<R> {
+        #[cfg(feature = "distributed")]
+        if self.moves()
+            && let Some(moved) = self.moved(object)
+        {
+            return room.insert(moved.surface_back(surface));
+        }
+        let _ = (object, room);
+        surface
+    }
+
     /// The material of an object.
     #[inline]
     pub(crate) fn material(&self, object: usize) -> Option<&'m PreparedMaterial<'m, R>> {
@@ -44,6 +140,24 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(never)]
     pub(crate) fn uv(&self, object: usize, surface: &Surface<R>) -> [R; 2] {
         self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
+    }
+
+    /// The normal of a surface of an object, turned by the maps of the material. `still` is the surface where
+    /// the object was described; the ray's direction and the normal are those at the time of the sample.
+    #[inline]
+    pub(crate) fn bumped(
+        &self,
+        object: usize,
+        still: &Surface<R>,
+        direction: Vec3<R>,
+        material: &PreparedMaterial<'_, R>,
+    ) -> Vec3<R> {
+        let uv = |surface: &Surface<R>| self.uv(object, surface);
+        #[cfg(feature = "distributed")]
+        if let Some(moved) = self.moved(object) {
+            return moved.direction(material.maps.bumped(still, moved.direction_back(direction), uv));
+        }
+        material.maps.bumped(still, direction, uv)
     }
 
     /// The throughput of a ray after a `length`; `None` stands for a ray to the background. The material of
@@ -68,7 +182,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The kind of surface that an object is.
     pub(crate) fn form(&self, object: usize) -> Option<Form<R>> {
-        self.objects.get(object).map(|object| object.shape.form())
+        self.objects.get(object).map(PreparedObject::form)
     }
 
     /// The plane that an object lies in: its unit normal, and its distance from the origin along the normal.
@@ -82,9 +196,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The volume that holds each object, in scenes with sets of candidates.
     pub(crate) fn enclosures(&self) -> Option<impl Iterator<Item = Enclosure<R>>> {
         self.candidates()?;
-        Some(self.objects.iter().map(|object| match object.shape.form() {
+        Some(self.objects.iter().map(|object| match object.form() {
             Form::Ball { center, radius } => Enclosure::Ball { center, radius },
-            _ => object.shape.bounds().map_or(Enclosure::Everywhere, Enclosure::Box),
+            _ => object.bounds().map_or(Enclosure::Everywhere, Enclosure::Box),
         }))
     }
 
@@ -94,21 +208,26 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         object.map_or(surface.shading_normal, |object| object.shape.normal_beside(surface, step))
     }
 
-    /// The hulls of an object.
+    /// The hulls of an object. A moving one has none: it is blurred.
     pub(crate) fn hulls(&self, object: usize) -> impl Iterator<Item = Hull<R>> {
-        let shape = self.objects.get(object).map(|object| &object.shape);
+        let shape = self.still_shape(object);
         (0..).map_while(move |part| shape?.hull(part))
     }
 
-    /// The tips of an object.
+    /// The shape of an object that does not move.
+    fn still_shape(&self, object: usize) -> Option<&'m S::Prepared<'m, R>> {
+        self.objects.get(object).filter(|object| !object.is_moving()).map(|object| &object.shape)
+    }
+
+    /// The tips of an object. A moving one has none: it is blurred.
     pub(crate) fn tips(&self, object: usize) -> impl Iterator<Item = Tip<R>> {
-        let shape = self.objects.get(object).map(|object| &object.shape);
+        let shape = self.still_shape(object);
         (0..).map_while(move |number| shape?.tip(number))
     }
 
-    /// Visits the rims of all objects.
+    /// Visits the rims of all objects that do not move.
     pub(crate) fn each_rim(&self, mut visit: impl FnMut(Rim<R>)) {
-        for object in self.objects {
+        for object in self.objects.iter().filter(|object| !object.is_moving()) {
             object.shape.each_rim(&mut visit);
         }
     }
@@ -143,7 +262,7 @@ pub(super) fn hierarchy<'m, R: Real, P: Intersect<R>>(
 /// In one place for all shapes: in preparation size counts more than time.
 #[inline(never)]
 fn bounds<R: Real, P: Intersect<R>>(objects: &[PreparedObject<R, P>], object: u16) -> Option<Aabb<R>> {
-    objects.get(usize::from(object)).and_then(|object| object.shape.bounds())
+    objects.get(usize::from(object)).and_then(PreparedObject::bounds)
 }
 
 #[cfg(test)]

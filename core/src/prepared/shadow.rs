@@ -2,14 +2,13 @@
 
 use super::candidates::BoundingBall;
 use super::closest::NO_OBJECT;
-use super::objects::PreparedObject;
 use super::{Among, Departure, ObjectSet, PreparedScene};
 use crate::color::LinearRgb;
 use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
 use crate::material::PreparedOptics;
 use crate::math::{Interval, Ray, Real, Vec3};
-use crate::shape::{Geometry, Intersect};
+use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
 /// How much light gets through between a point and a light.
@@ -131,15 +130,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         // The objects that the ray meets, or that a part of it may meet though the whole ray does not.
         let (mut reachable, mut met) = (ObjectSet::NONE, None);
         for index in set {
-            let Some(PreparedObject { shape, material }) = self.objects.get(index) else { continue };
-            match shape.intersect(ray, range) {
+            let Some(object) = self.objects.get(index) else { continue };
+            match self.intersect(object, ray, range) {
                 Some(t) => {
-                    if !(material.transmittance > R::ZERO) {
+                    if !(object.material.transmittance > R::ZERO) {
                         return Through::Nothing;
                     }
                     met = Some((t, index));
                 }
-                None if shape.form().is_missed_by_parts() => continue,
+                None if object.form().is_missed_by_parts() => continue,
                 None => {}
             }
             reachable = reachable.with(index);
@@ -150,9 +149,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             return self.light_through_layers(ray, range, None, next(range), next);
         }
         // Most often one glass object is in the way, of which the first hit is known already.
-        let Some(PreparedObject { shape, .. }) = self.objects.get(index) else { return Through::All };
-        let next = |range| Some((shape.intersect(ray, range)?, index));
-        self.light_through_layers(ray, range, shape.form().most_hits(), met, next)
+        let Some(object) = self.objects.get(index) else { return Through::All };
+        let next = |range| Some((self.intersect(object, ray, range)?, index));
+        self.light_through_layers(ray, range, object.form().most_hits(), met, next)
     }
 
     /// The objects among `those` that can be in the way from a surface to a light in the unit direction
@@ -204,9 +203,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// Whether the object that a ray meets here is opaque; `None` if the ray does not meet it.
     #[inline(always)]
     fn is_opaque_in_the_way(&self, index: usize, ray: &Ray<R>, range: Interval<R>) -> Option<bool> {
-        let PreparedObject { shape, material } = self.objects.get(index)?;
-        shape.intersect(ray, range)?;
-        Some(!(material.transmittance > R::ZERO))
+        let object = self.objects.get(index)?;
+        self.intersect(object, ray, range)?;
+        Some(!(object.material.transmittance > R::ZERO))
     }
 
     /// The light that gets through layers: the `first`, and those that `next` finds in the rest of the ray,
@@ -237,16 +236,19 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// of `part`, and the surface before it at the beginning.
     #[inline(always)]
     fn behind(&self, light: Throughput<R>, object: usize, ray: &Ray<R>, part: Interval<R>) -> Throughput<R> {
-        let Some(PreparedObject { shape, material }) = self.objects.get(object) else {
+        let Some(prepared) = self.objects.get(object) else {
             return Throughput::even(R::ZERO);
         };
+        let material = prepared.material;
         let (optics, is_mapped) = (material.optics(), !material.maps.is_empty());
         // Most surfaces let the same share through at each place and from both sides.
         let needs_surface = is_mapped || optics.is_some_and(PreparedOptics::absorbs);
-        let surface = needs_surface.then(|| shape.surface(ray, part.max));
+        let surface = needs_surface.then(|| self.surface(prepared, ray, part.max));
         let transmittance = match &surface {
             Some(surface) if is_mapped => {
-                material.mapped(surface, |surface| self.uv(object, surface)).transmittance
+                let mut room = None;
+                let still = self.still(object, surface, &mut room);
+                material.mapped(still, |surface| self.uv(object, surface)).transmittance
             }
             _ => material.transmittance,
         };

@@ -104,8 +104,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             is_distributed: scene.is_distributed(),
             outlines: Outlines::UNKNOWN,
         };
-        // A lens blurs outlines, and several samples lie beside them.
-        if samples == 1 && scene.camera().lens().is_none() {
+        // A lens or a motion of the camera blurs outlines, and several samples lie beside them.
+        if samples == 1 && scene.has_sharp_outlines() {
             renderer.outlines.find(scene, &renderer.viewport);
             renderer.outlines.find_shadows(scene, &renderer.viewport);
         }

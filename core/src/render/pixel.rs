@@ -4,9 +4,13 @@ use super::Renderer;
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
+#[cfg(feature = "distributed")]
+use crate::math::Ray;
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
+#[cfg(feature = "distributed")]
+use crate::sampling::Dimension;
 use crate::sampling::{Adaptive, CENTER, PixelSample, RayNumbers, Sampling};
 use crate::shape::Geometry;
 
@@ -75,6 +79,22 @@ impl<R: Real> Spread<R> {
     }
 }
 
+/// The scene at the time of a sample, and the camera ray at that time; no scene if nothing moves.
+#[cfg(feature = "distributed")]
+#[inline]
+fn at_time<'m, R: Real, S: Geometry + 'm>(
+    scene: &PreparedScene<'m, R, S>,
+    numbers: &RayNumbers,
+    ray: Ray<R>,
+) -> (Option<PreparedScene<'m, R, S>>, Ray<R>) {
+    if !scene.moves() {
+        return (None, ray);
+    }
+    let [time, _] = numbers.pair(Dimension::TIME);
+    let scene = scene.at(R::from_fraction(time));
+    (Some(scene), scene.moved_by_camera(ray))
+}
+
 impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     /// The pixel in this column and line.
     pub(super) fn pixel_at(&self, x: u16, y: u16) -> Pixel<R> {
@@ -119,8 +139,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
             (across, row) = self.sample_place((x, y), 0);
         }
         loop {
-            let ray = self.viewport.ray(across, row, &numbers);
-            let shown = radiance(scene, (ray, numbers), sight, limits, &mut rays, probe);
+            let shown = self.trace_sample(scene, limits, (across, row, numbers), sight, &mut rays, probe);
             if has_one {
                 return (shown, rays_per_pixel.saturating_sub(rays.left.0));
             }
@@ -130,6 +149,25 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
             numbers = RayNumbers::of(self.sample((x, y), samples.taken));
             (across, row) = self.sample_place((x, y), samples.taken);
         }
+    }
+
+    /// The light of one sample: of the ray through a place in the picture, with these numbers.
+    #[inline]
+    fn trace_sample(
+        &self,
+        scene: &PreparedScene<'m, R, S>,
+        limits: &RayLimits<R>,
+        (across, row, numbers): (R, RayRow<R>, RayNumbers),
+        sight: Sight<'_>,
+        rays: &mut SampleRays,
+        probe: &mut impl Probe<R>,
+    ) -> LinearRgb<R> {
+        let ray = self.viewport.ray(across, row, &numbers);
+        #[cfg(feature = "distributed")]
+        let (moment, ray) = at_time(scene, &numbers, ray);
+        #[cfg(feature = "distributed")]
+        let scene = moment.as_ref().unwrap_or(scene);
+        radiance(scene, (ray, numbers), sight, limits, rays, probe)
     }
 
     /// The place of one of several samples of a pixel: its distance from the picture's left side, and its

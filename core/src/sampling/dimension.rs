@@ -4,6 +4,7 @@
 //! |---|---|
 //! | 0 | the place in the pixel |
 //! | 1 | the place on the lens |
+//! | 2 | the time |
 //! | 4 + 4 · b | the direction of a mirrored ray after b bounces |
 //! | 5 + 4 · b | the direction of a refracted ray after b bounces |
 //! | 6 + 4 · b + 256 · l | the points of the light l for a hit after b bounces |
@@ -18,6 +19,9 @@ impl Dimension {
     /// The place on the lens.
     #[cfg(feature = "distributed")]
     pub(crate) const LENS: Self = Self(1);
+    /// The time: the first number of the pair.
+    #[cfg(feature = "distributed")]
+    pub(crate) const TIME: Self = Self(2);
 
     /// The direction of a mirrored ray, which leaves a surface after so many bounces.
     pub(crate) const fn mirrored(bounces: u8) -> Self {
@@ -52,9 +56,9 @@ mod tests {
     fn each_use_has_a_number_of_its_own() {
         let text = include_str!("dimension.rs");
         let table: String = text.lines().take_while(|line| line.starts_with("//!")).collect();
-        let mut numbers = vec![Dimension::PIXEL.number(), Dimension::LENS.number()];
+        let mut numbers = vec![Dimension::PIXEL.number(), Dimension::LENS.number(), Dimension::TIME.number()];
         for number in &numbers {
-            assert!(table.contains(&format!("| {number} | the place")), "{number}");
+            assert!(table.contains(&format!("| {number} | the ")), "{number}");
         }
         let mut add = |entry: &str, number: u32, dimension: Dimension| {
             assert!(table.contains(entry), "{entry}");

@@ -7,6 +7,7 @@ use crate::background::Background;
 use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
+use crate::motion::Motion;
 
 /// A scene that is built at run time, in arrays of fixed capacity.
 ///
@@ -67,6 +68,8 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
     pub camera: Camera,
     /// The color of rays that hit nothing.
     pub background: Background<'a>,
+    /// What moves while the shutter is open: most often nothing.
+    pub motions: &'a [Motion],
     objects: Vec<Object<S>, OBJECTS>,
     materials: Vec<Material<'a>, MATERIALS>,
     lights: Vec<Light, LIGHTS>,
@@ -76,7 +79,7 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
 crate::read::read_struct! {
     [S: crate::read::Read<'m>, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize]
     Scene as SceneBuf<'m, S, OBJECTS, MATERIALS, LIGHTS> {
-        camera, background = Background::BLACK, objects, materials, lights = Vec::new(),
+        camera, background = Background::BLACK, objects, materials, lights = Vec::new(), motions = &[],
     }
 }
 
@@ -88,7 +91,14 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     /// An empty scene.
     pub const fn new(camera: Camera, background: Background<'a>) -> Self {
         let () = Self::NUMBERED_BY_U16;
-        Self { camera, background, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() }
+        Self {
+            camera,
+            background,
+            motions: &[],
+            objects: Vec::new(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+        }
     }
 
     /// Adds a material and returns its id.
@@ -131,11 +141,12 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
         &mut self.lights
     }
 
-    /// Removes all objects, materials and lights.
+    /// Removes all objects, materials, lights and motions.
     pub fn clear(&mut self) {
         self.objects.clear();
         self.materials.clear();
         self.lights.clear();
+        self.motions = &[];
     }
 
     /// The scene in its borrowed form.
@@ -146,6 +157,7 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
             objects: &self.objects,
             materials: &self.materials,
             lights: &self.lights,
+            motions: self.motions,
         }
     }
 }

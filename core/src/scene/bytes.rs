@@ -18,7 +18,7 @@ use crate::shape::Geometry;
 const MARK: [u8; 4] = *b"RAYL";
 
 /// The version of the format, raised with every change of it.
-const VERSION: u8 = 3;
+const VERSION: u8 = 4;
 
 /// The reason why bytes are no scene, or why a scene could not be written as bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -228,6 +228,7 @@ mod tests {
             background: CLASSIC.background,
             materials: CLASSIC.materials,
             lights: CLASSIC.lights,
+            motions: &[],
         };
         let bytes = few.to_bytes(&mut room).unwrap();
         assert_eq!(Scene::<Turned>::from_bytes(bytes, &mut memory), Err(BytesError::OtherSet));

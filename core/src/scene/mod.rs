@@ -17,6 +17,7 @@ use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
 use crate::math::{Extent, Real, Scale};
+use crate::motion::{Motion, Mover};
 use crate::shape::{Geometry, Shape};
 
 /// The description of a scene: everything that is in a picture.
@@ -37,6 +38,8 @@ pub struct Scene<'a, S = Shape<'a>> {
     pub materials: &'a [Material<'a>],
     /// The lights.
     pub lights: &'a [Light],
+    /// What moves while the shutter is open: most often nothing.
+    pub motions: &'a [Motion],
 }
 
 /// A shape with a material.
@@ -57,7 +60,7 @@ pub struct MaterialId(pub u16);
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
     [S: crate::read::Read<'m> + Copy] Scene as Scene<'m, S> {
-        camera, background = Background::BLACK, objects, materials, lights = &[],
+        camera, background = Background::BLACK, objects, materials, lights = &[], motions = &[],
     }
 }
 
@@ -71,7 +74,18 @@ impl<S: Geometry> Scene<'_, S> {
     /// The scale at which the scene is traced in the number system `R`.
     pub(crate) fn scale<R: Real>(&self) -> Scale {
         let extents = self.objects.iter().map(|object| object.shape.extent());
-        Scale::new::<R>(extents.fold(Extent::default(), Extent::union), self.camera.eye)
+        let still = extents.fold(Extent::default(), Extent::union);
+        let moved = self.motions.iter().filter_map(|motion| self.moved_extent(motion));
+        Scale::new::<R>(moved.fold(still, Extent::union), self.camera.eye)
+    }
+}
+
+impl<S: Geometry> Scene<'_, S> {
+    /// The extent of an object where a motion takes it; `None` for the camera.
+    pub(crate) fn moved_extent(&self, motion: &Motion) -> Option<Extent> {
+        let Mover::Object(object) = motion.of else { return None };
+        let object = self.objects.get(usize::from(object.0))?;
+        Some(motion.extent(object.shape.extent()))
     }
 }
 

@@ -92,7 +92,7 @@
 //! # let materials = [rayline::Material::matte(white); 2];
 //! # let background = white.into();
 //! # let objects = &OBJECTS;
-//! # let scene = rayline::Scene { camera, background, objects, materials: &materials, lights: &[] };
+//! # let scene = rayline::Scene { camera, background, objects, materials: &materials, lights: &[], motions: &[] };
 //! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
 //! ```
 //!
@@ -272,6 +272,7 @@
 //!     objects: &[Object::new(Shape::Polygon(TAG), 0)],
 //!     materials: MATERIALS,
 //!     lights: LIGHTS,
+//!     motions: &[],
 //! };
 //! const MORE: usize = BUILT_IN.part_bytes::<f32>() + BEADS.const_bytes::<f32>();
 //! const BYTES: usize = prepared_bytes::<f32, Window>(OBJECTS.len(), MATERIALS.len(), LIGHTS.len(), MORE);
@@ -283,6 +284,7 @@
 //!     objects: &OBJECTS,
 //!     materials: MATERIALS,
 //!     lights: LIGHTS,
+//!     motions: &[],
 //! };
 //! # #[cfg(feature = "optics")]
 //! assert!(PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());

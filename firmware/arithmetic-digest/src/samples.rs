@@ -1,11 +1,11 @@
-//! A digest of pictures with several samples: all samplers and filters, lamps with a size, a lens, gloss and
-//! translucency.
+//! A digest of pictures with several samples: all samplers and filters, lamps with a size, a lens, motion,
+//! gloss and translucency.
 
 use core::mem::MaybeUninit;
 
 use rayline::shape::{Disc, Shape, Sphere};
 use rayline::{
-    Adaptive, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Object, ObjectId, Optics,
+    Adaptive, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId, Optics,
     PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings, Vec3,
 };
 
@@ -52,6 +52,15 @@ static SCENE: Scene<'static> = Scene {
         Light::Point { position: Vec3::new(4.0, 6.0, 5.0), color: LinearRgb::gray(0.5) },
         Light::Object(ObjectId(3)),
         Light::Object(ObjectId(4)),
+    ],
+    motions: &[
+        Motion::of_object(0, Vec3::new(0.3, 0.0, 0.1)).spinning(
+            Vec3::new(-0.8, 0.0, 0.0),
+            Vec3::new(0.0, 1.0, 0.5),
+            2.0,
+        ),
+        Motion::of_object(3, Vec3::new(0.0, 0.2, 0.0)),
+        Motion::of_camera(Vec3::new(0.05, 0.0, 0.0)),
     ],
 };
 

@@ -188,6 +188,7 @@ fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials.all),
         lights: if lights.is_empty() { &view::LIGHTS } else { arena.alloc_slice_copy(&lights) },
+        motions: &[],
     };
     Ok(Import { scene, resolution, notes: notes.lines(), names })
 }

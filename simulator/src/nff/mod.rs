@@ -199,6 +199,7 @@ impl<'a> Reader<'a> {
             objects: self.arena.alloc_slice_copy(&self.objects),
             materials: self.arena.alloc_slice_copy(&self.materials),
             lights: self.arena.alloc_slice_fill_iter(self.lights.into_iter().map(light)),
+            motions: &[],
         };
         Ok(Import { scene, resolution, lines: self.lines })
     }

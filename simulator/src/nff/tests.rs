@@ -29,7 +29,9 @@ fn view_and_background() {
     let arena = Bump::new();
     let import = parse_ok(&arena, &format!("# a comment\n{VIEW}b .1 .2 .3 # v"));
     assert_eq!(import.resolution, (40, 30));
-    let Scene { camera, background, objects: [], materials: [], lights: [] } = import.scene else { panic!() };
+    let Scene { camera, background, objects: [], materials: [], lights: [], .. } = import.scene else {
+        panic!()
+    };
     assert_eq!(camera.eye, Vec3::new(0.0, 0.0, 5.0));
     assert_eq!(camera.target, Vec3::new(0.0, 0.0, 0.0));
     assert_eq!(camera.up, Vec3::new(0.0, 1.0, 0.0));

@@ -115,6 +115,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials),
         lights: &view::LIGHTS,
+        motions: &[],
     };
     Ok(Import { scene, resolution: view::SIZE, notes, names })
 }

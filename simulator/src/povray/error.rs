@@ -10,6 +10,8 @@ pub enum PovrayError {
     Background(Lack),
     /// The camera cannot be written. Replace its lens.
     Camera(Lack),
+    /// The motions cannot be written. Remove them.
+    Motions(Lack),
     /// A light cannot be written. Replace it.
     Light {
         /// The position of the light.
@@ -44,6 +46,8 @@ pub enum Lack {
     Falloff,
     /// Mirrored or refracted rays in a lobe.
     Lobes,
+    /// Motion blur.
+    Motion,
     /// Noise, marble and wood: POV-Ray's noise has other values.
     Noise,
     /// Texture coordinates of a CSG, of instances, of a polyhedron, quadric or implicit surface, or of a mesh
@@ -66,6 +70,7 @@ impl fmt::Display for Lack {
             Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
             Self::Falloff => "its lights fall off only as 1 / (1 + (d / distance)²)",
+            Self::Motion => "it blurs nothing that moves",
             Self::Lobes => "its mirrored and refracted rays are sharp",
             Self::Noise => "its noise has other values",
             Self::Place => "texture coordinates on this surface have no formula",
@@ -82,6 +87,7 @@ impl fmt::Display for Lack {
 impl fmt::Display for PovrayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Motions(lack) => write!(f, "the motions cannot be written for POV-Ray: {lack}"),
             Self::Background(lack) => write!(f, "the background cannot be written for POV-Ray: {lack}"),
             Self::Camera(lack) => write!(f, "the lens cannot be written for POV-Ray: {lack}"),
             Self::Light { index, lack } => write!(f, "light {index} cannot be written for POV-Ray: {lack}"),

@@ -51,6 +51,9 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
         rgb(ambient(scene))
     );
     text += &background(&scene.background).map_err(PovrayError::Background)?;
+    if !scene.motions.is_empty() {
+        return Err(PovrayError::Motions(Lack::Motion));
+    }
     text += &camera(&scene.camera, settings).map_err(PovrayError::Camera)?;
     let extent = extent(scene);
     for (index, source) in scene.lights.iter().enumerate() {
@@ -262,6 +265,7 @@ mod tests {
             objects,
             materials,
             lights,
+            motions: &[],
         }
     }
 

@@ -21,7 +21,7 @@
 //!
 //! | in | field | default |
 //! |---|---|---|
-//! | scene | `background`, `lights`, `settings` | black, none, the usual ones |
+//! | scene | `background`, `lights`, `motions`, `settings` | black, none, none, the usual ones |
 //! | material | `color`, `diffuse`, `ior` | white, 1, 1 |
 //! | | all others | 0, none |
 //! | `optics` | all | [`Optics::PLAIN`](rayline::Optics::PLAIN) |
@@ -33,6 +33,7 @@
 //! | lamp | `falloff`, `cone` | none |
 //! | falloff | `constant`, `linear`, `quadratic` | 1, 0, 0 |
 //! | instances | `size`, `rotation` | 1, not turned |
+//! | motion | `by`, `spin` | 0, none |
 //!
 //! The format also allows:
 //!

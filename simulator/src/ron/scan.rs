@@ -33,6 +33,7 @@ pub(super) fn position_of(text: &str, part: Part) -> Option<Position> {
         Part::Object(index) => ("objects", Some(index)),
         Part::Material(index) => ("materials", Some(index)),
         Part::Light(index) => ("lights", Some(index)),
+        Part::Motion(index) => ("motions", Some(index)),
         _ => return None,
     };
     let stopped = options().from_str_seed(text, Field { name, inside: &mut StopAt(index) });

@@ -2,7 +2,7 @@
 
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
-use rayline::{Background, Camera, Light, Material, Object, Sampling, Scene, Settings};
+use rayline::{Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings};
 use serde::{Deserialize, Serialize};
 
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
@@ -70,25 +70,27 @@ pub(super) struct File<'a> {
     objects: &'a [Object<Shape<'a>>],
     materials: &'a [Material<'a>],
     lights: &'a [Light],
+    #[serde(skip_serializing_if = "<[Motion]>::is_empty")]
+    motions: &'a [Motion],
     #[serde(skip_serializing_if = "FileSettings::are_usual")]
     pub(super) settings: FileSettings,
 }
 
 read_struct! {
     [] Scene as File<'m> {
-        camera, background = Background::BLACK, objects, materials, lights = &[],
+        camera, background = Background::BLACK, objects, materials, lights = &[], motions = &[],
         settings = FileSettings::default(),
     }
 }
 
 impl<'a> File<'a> {
     pub(super) fn new(scene: &Scene<'a>, settings: FileSettings) -> Self {
-        let Scene { camera, background, objects, materials, lights } = *scene;
-        Self { camera, background, objects, materials, lights, settings }
+        let Scene { camera, background, objects, materials, lights, motions } = *scene;
+        Self { camera, background, objects, materials, lights, motions, settings }
     }
 
     pub(super) fn scene(&self) -> Scene<'a> {
-        let Self { camera, background, objects, materials, lights, .. } = *self;
-        Scene { camera, background, objects, materials, lights }
+        let Self { camera, background, objects, materials, lights, motions, .. } = *self;
+        Scene { camera, background, objects, materials, lights, motions }
     }
 }

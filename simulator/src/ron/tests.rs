@@ -154,6 +154,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
         objects: arena.alloc_slice_fill_iter(SHAPES.map(|shape| Object::new(shape, 7))),
         materials: arena.alloc_slice_copy(&materials),
         lights: arena.alloc_slice_copy(&lights),
+        motions: &[],
     }
 }
 

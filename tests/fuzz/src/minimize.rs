@@ -5,7 +5,7 @@ use std::time::Duration;
 use bumpalo::Bump;
 use cpu_time::ThreadTime;
 use rayline::shape::{Csg, Instances, Mesh, Metaballs, Model, Shape};
-use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Scene};
+use rayline::{Background, Camera, Light, LinearRgb, Material, Motion, Object, Scene};
 
 use crate::case::{Case, Portions};
 use crate::check::{Bench, Finding};
@@ -18,17 +18,19 @@ pub(crate) struct Parts<'a> {
     objects: Vec<Object<Shape<'a>>>,
     materials: Vec<Material<'a>>,
     lights: Vec<Light>,
+    motions: Vec<Motion>,
 }
 
 impl<'a> Parts<'a> {
     fn of(scene: &Scene<'a>) -> Self {
-        let Scene { camera, background, objects, materials, lights } = *scene;
+        let Scene { camera, background, objects, materials, lights, motions } = *scene;
         Self {
             camera,
             background,
             objects: objects.to_vec(),
             materials: materials.to_vec(),
             lights: lights.to_vec(),
+            motions: motions.to_vec(),
         }
     }
 
@@ -39,6 +41,7 @@ impl<'a> Parts<'a> {
             objects: &self.objects,
             materials: &self.materials,
             lights: &self.lights,
+            motions: &self.motions,
         }
     }
 }
@@ -97,6 +100,9 @@ impl<'a> Smallest<'a> {
         }
         for light in (0..self.parts.lights.len()).rev() {
             is_smaller |= self.try_out(bench, |parts, _| _ = parts.lights.remove(light));
+        }
+        for motion in (0..self.parts.motions.len()).rev() {
+            is_smaller |= self.try_out(bench, |parts, _| _ = parts.motions.remove(motion));
         }
         is_smaller |= self.simplify_case(bench);
         for material in (0..self.parts.materials.len()).rev() {

@@ -233,7 +233,7 @@ fn with_accepted<R: Real>(
     let camera =
         Camera { eye, target: Vec3::ZERO, up: Vec3::new(0.1, 1.0, 0.05), vertical_fov: 1.0, lens: None };
     let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
-    let empty = Scene { camera, background, objects: &[], materials, lights: &[] };
+    let empty = Scene { camera, background, objects: &[], materials, lights: &[], motions: &[] };
     if !accepted::<R>(&empty) {
         return;
     }
@@ -279,6 +279,7 @@ fn lamps_close_to_balls_above_a_floor_to_the_horizon() {
                 ],
                 materials: &materials,
                 lights: &[light],
+                motions: &[],
             };
             assert_same_in_all_numbers(&scene, Settings::new(320, 240), (away, light));
         }
@@ -321,7 +322,14 @@ fn a_bow_tie_is_two_triangles() {
                 .chain([floor])
                 .chain(balls(count))
                 .collect();
-            check(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
+            check(&Scene {
+                camera,
+                background,
+                objects: &objects,
+                materials: &materials,
+                lights: &lights,
+                motions: &[],
+            });
         };
         let bow_tie = Shape::Polygon(Polygon::new(Box::leak(Box::new(corners))));
         with(&[bow_tie], &|bow_tie| {
@@ -422,6 +430,7 @@ fn rays_along_the_axes_through_a_grid() {
             objects: &objects,
             materials: &materials,
             lights: &lights,
+            motions: &[],
         };
         assert_eq!(differences::<f32>(&scene, Settings::new(41, 31)), 0);
         assert_eq!(differences::<f64>(&scene, Settings::new(41, 31)), 0);
@@ -463,7 +472,14 @@ fn glass(ior: f32, many: bool, check: impl Fn(&Scene)) {
     };
     let background = Background::Solid(LinearRgb::new(0.2, 0.4, 0.6));
     let lights = [Light::Point { position: Vec3::new(3.0, 4.0, 3.0), color: LinearRgb::gray(0.9) }];
-    check(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
+    check(&Scene {
+        camera,
+        background,
+        objects: &objects,
+        materials: &materials,
+        lights: &lights,
+        motions: &[],
+    });
 }
 
 fn assert_same_in_all_numbers(scene: &Scene, settings: Settings, which: impl std::fmt::Debug) {

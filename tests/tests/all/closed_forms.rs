@@ -26,7 +26,7 @@ fn scene<'a>(
     materials: &'a [Material<'a>],
     lights: &'a [Light],
 ) -> Scene<'a> {
-    Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights }
+    Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights, motions: &[] }
 }
 
 /// The light that the camera sees straight ahead, and the events on the way.

@@ -1,4 +1,4 @@
-//! Tests of distributed ray tracing: lenses, gloss and translucency, by closed forms, by `f64` with many
+//! Tests of distributed ray tracing: lenses, motion, gloss and translucency, by closed forms, by `f64` with many
 //! samples, and by POV-Ray.
 
 use std::mem::MaybeUninit;
@@ -8,14 +8,15 @@ use bumpalo::Bump;
 use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
-    Background, Camera, Fault, Lens, Light, LinearRgb, Material, Object, ObjectId, Optics, Part,
+    Background, Camera, Fault, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId, Optics, Part,
     PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, core_picture};
 
 /// The scenes of the gallery that draw numbers.
-const SCENES: [&str; 4] = ["camera-lens", "light-area", "material-gloss", "material-translucent"];
+const SCENES: [&str; 5] =
+    ["camera-lens", "camera-motion", "light-area", "material-gloss", "material-translucent"];
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GLOWING: Material = Material {
@@ -71,6 +72,7 @@ fn assert_circle_of_confusion<R: Real>() {
             objects: &objects,
             materials: &[GLOWING],
             lights: &[],
+            motions: &[],
         };
         let picture = lights::<R>(&scene, samples(side, side, 1024), true);
         let pixel = 2.0 * half_height() / f64::from(side);
@@ -109,6 +111,7 @@ fn what_is_in_focus_is_sharp() {
         objects: &[],
         materials: &[GLOWING],
         lights: &[],
+        motions: &[],
     };
     let objects = [Object::new(Shape::Rectangle(board), 0)];
     let of = |lens| lights::<f32>(&Scene { objects: &objects, ..scene(lens) }, samples(40, 40, 64), true);
@@ -144,6 +147,7 @@ fn assert_lobe_meets_lamp<R: Real>() {
             objects: &objects,
             materials: &[mirror, GLOWING],
             lights: &[],
+            motions: &[],
         };
         let found = f64::from(lights::<R>(&scene, samples(1, 1, 4096), true)[0].g);
         let cosine = (f64::from(distance) + 0.1) / (f64::from(distance) + 0.1).hypot(1.5);
@@ -189,6 +193,7 @@ fn a_furnace_stays_a_furnace() {
         objects: &objects,
         materials: &materials,
         lights: &[],
+        motions: &[],
     };
     let settings = Settings { bounces: 16, cutoff: 0.0, ..samples(24, 16, 16) };
     for picture in [lights::<f32>(&scene, settings, true), lights::<Fixed>(&scene, settings, true)] {
@@ -290,6 +295,7 @@ fn many_objects_have_the_same_bytes_with_a_hierarchy() {
         objects: &objects,
         materials: &[glossy, GLOWING],
         lights: &[],
+        motions: &[],
     };
     for count in [1, 3] {
         let settings = samples(24, 24, count);
@@ -335,6 +341,7 @@ fn below_lamp<'a>(objects: &'a [Object<Shape<'a>>], materials: &'a [Material<'a>
         objects,
         materials,
         lights: &[Light::Object(ObjectId(0))],
+        motions: &[],
     }
 }
 
@@ -438,4 +445,189 @@ fn bad_lamps_are_refused() {
     let ring = Shape::Disc(Disc::ring(UP, UP, 0.5, 1.0));
     assert_eq!(refused(ring, 0, 0), error(Fault::NoLuminaire));
     assert_eq!(refused(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 0, 0), error(Fault::NoLuminaire));
+}
+
+/// The light of a glowing rectangle, from x = -0.3 to 0.1 and 4 high, in a picture of one line: 2 wide, at the
+/// distance 1 of a camera that looks at x = 0.
+fn line_of<R: Real>(motions: &[Motion], settings: Settings, is_accelerated: bool) -> Vec<f64> {
+    let eye = Vec3::new(0.0, 0.0, 1.0);
+    let strip = Rectangle::new(Vec3::new(-0.3, -2.0, 0.0), Vec3::new(0.4, 0.0, 0.0), UP * 4.0);
+    let scene = Scene {
+        camera: Camera { eye, target: Vec3::ZERO, vertical_fov: 0.01, ..camera(None) },
+        background: Background::BLACK,
+        objects: &[Object::new(Shape::Rectangle(strip), 0)],
+        materials: &[GLOWING],
+        lights: &[],
+        motions,
+    };
+    lights::<R>(&scene, settings, is_accelerated).iter().map(|light| f64::from(light.g)).collect()
+}
+
+/// A strip of width w that moves by m leaves a blur of length w + m; each place shows the share of the time
+/// in which the strip is there.
+fn assert_blur_has_its_length<R: Real>() {
+    let half = (0.005f64).tan();
+    let (width, settings) = (200u32, samples(200, 1, 256));
+    let pixel = 2.0 * half;
+    for (way, by_camera) in [(0.5f32, false), (0.2, false), (0.5, true)] {
+        let by = Vec3::new(way, 0.0, 0.0);
+        // What a camera passes moves the other way.
+        let motion = if by_camera { Motion::of_camera(-by) } else { Motion::of_object(0, by) };
+        let line = line_of::<R>(&[motion], settings, true);
+        assert!(line == line_of::<R>(&[motion], settings, false));
+        let (mut length, mut worst) = (0.0, 0.0f64);
+        for (x, found) in line.iter().enumerate() {
+            let place = (x as f64 + 0.5 - f64::from(width) / 2.0) * pixel;
+            // The strip is here while its motion lies between these two.
+            let (from, to) = (place - 0.1, place + 0.3);
+            let way = f64::from(way);
+            let expected = (to.clamp(0.0, way) - from.clamp(0.0, way)) / way;
+            worst = worst.max((found - expected).abs());
+            if *found > 0.0 {
+                length += pixel;
+            }
+        }
+        println!("way {way}: blur of {length:.3}, worst error {worst:.4}");
+        assert!((length - (0.4 + f64::from(way))).abs() < 1.5 * pixel, "{length}");
+        // A pixel is as wide as a fiftieth of the way or less.
+        assert!(worst < 0.06, "{worst}");
+    }
+}
+
+#[test]
+fn a_moving_strip_leaves_a_blur_of_its_length() {
+    assert_blur_has_its_length::<f32>();
+    assert_blur_has_its_length::<f64>();
+    assert_blur_has_its_length::<Fixed>();
+}
+
+/// A disc with a hole beside its axis of spin: at a distance d from the axis, the hole of radius r, whose
+/// center is at distance a, is seen for the share acos((d² + a² - r²) / 2da) / π of a whole turn.
+fn assert_spin_shows_all_angles<R: Real>() {
+    let toward = Vec3::new(0.0, 0.0, 1.0);
+    let (a, r) = (0.5f32, 0.2f32);
+    let black = Material::matte(LinearRgb::BLACK);
+    let hub = Disc::new(Vec3::ZERO, toward, 1.0);
+    let spot = Disc::new(Vec3::new(a, 0.0, 0.01), toward, r);
+    let turn = Motion::of_object(1, Vec3::ZERO).spinning(Vec3::ZERO, toward * 3.0, core::f32::consts::TAU);
+    let scene = Scene {
+        camera: Camera {
+            eye: toward * 10.0,
+            target: Vec3::ZERO,
+            vertical_fov: 2.0 * 0.1f32.atan(),
+            ..camera(None)
+        },
+        background: Background::BLACK,
+        objects: &[Object::new(Shape::Disc(hub), 0), Object::new(Shape::Disc(spot), 1)],
+        materials: &[black, GLOWING],
+        lights: &[],
+        motions: &[turn],
+    };
+    let side = 41u32;
+    let picture = lights::<R>(&scene, samples(side, side, 1024), true);
+    let mut worst = 0.0f64;
+    for (index, light) in picture.iter().enumerate() {
+        let place = |pixel: u32| (f64::from(pixel) + 0.5) / f64::from(side) * 2.0 - 1.0;
+        let (x, y) = (place(index as u32 % side), place(index as u32 / side));
+        let (a, r, d) = (f64::from(a), f64::from(r), x.hypot(y));
+        // The mean over a pixel differs where the share is bent: at the inner and the outer edge.
+        if (d - a).abs() > r - 0.05 && (d - a).abs() < r + 0.05 || d < 0.05 {
+            continue;
+        }
+        let expected =
+            ((d * d + a * a - r * r) / (2.0 * d * a)).clamp(-1.0, 1.0).acos() / core::f64::consts::PI;
+        worst = worst.max((f64::from(light.g) - expected).abs());
+    }
+    println!("worst error of a spin: {worst:.4}");
+    assert!(worst < 0.01, "{worst}");
+}
+
+#[test]
+fn what_spins_is_seen_at_all_angles() {
+    assert_spin_shows_all_angles::<f32>();
+    assert_spin_shows_all_angles::<f64>();
+    assert_spin_shows_all_angles::<Fixed>();
+}
+
+/// If everything moves and spins with the camera, nothing is blurred: the picture is that of the scene at
+/// rest. Only lights do not come along, so there are none. Bumps and textures turn with their objects.
+#[test]
+fn what_moves_with_the_camera_is_sharp() {
+    let arena = Bump::new();
+    let loaded = gallery("texture-bump", &arena);
+    let materials: Vec<Material> = loaded
+        .scene
+        .materials
+        .iter()
+        .map(|material| Material { ambient: 1.0, diffuse: 0.0, ..*material })
+        .collect();
+    let still =
+        Scene { materials: &materials, lights: &[], background: Background::gray(0.3), ..loaded.scene };
+    let (by, center) = (Vec3::new(0.4, -0.2, 0.3), Vec3::new(0.2, 0.5, 0.1));
+    let along = |motion: Motion| Motion { by, ..motion }.spinning(center, Vec3::new(0.2, 1.0, 0.3), 0.8);
+    let motions: Vec<Motion> = (0..still.objects.len())
+        .map(|object| along(Motion::of_object(object as u16, by)))
+        .chain([along(Motion::of_camera(by))])
+        .collect();
+    let settings = Settings { bounces: 2, ..samples(48, 36, 4) };
+    let moving = lights::<f64>(&Scene { motions: &motions, ..still }, settings, true);
+    let sharp = lights::<f64>(&still, settings, true);
+    let differ = moving.iter().zip(&sharp).filter(|(a, b)| (a.g - b.g).abs() > 1e-3).count();
+    assert!(differ <= moving.len() / 200, "{differ} pixels differ");
+}
+
+/// A shadow and a mirror image have the time of the ray that sees them: a ball that moves along with a lamp
+/// shades what it shades at rest.
+#[test]
+fn all_rays_of_a_sample_have_one_time() {
+    let materials = [GLOWING, Material::matte(LinearRgb::WHITE)];
+    let lamp = Disc::new(Vec3::new(0.0, 4.0, 0.0), UP, 2.0);
+    let objects = [
+        Object::new(Shape::Disc(Disc::new(Vec3::ZERO, UP, 4.0)), 1),
+        Object::new(Shape::Disc(lamp), 0),
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 0.4)), 1),
+    ];
+    let by = Vec3::new(1.5, 0.0, 0.0);
+    let all = [0, 1, 2].map(|object| Motion::of_object(object, by));
+    let scene = |motions| Scene {
+        camera: Camera {
+            eye: Vec3::new(0.0, 3.0, 6.0),
+            target: Vec3::ZERO,
+            vertical_fov: 0.7,
+            ..camera(None)
+        },
+        background: Background::BLACK,
+        objects: &objects,
+        materials: &materials,
+        lights: &[Light::Object(ObjectId(1))],
+        motions,
+    };
+    let with_camera: Vec<Motion> = all.iter().copied().chain([Motion::of_camera(by)]).collect();
+    let settings = samples(32, 24, 16);
+    let (moving, still) =
+        (lights::<f64>(&scene(&with_camera), settings, true), lights::<f64>(&scene(&[]), settings, true));
+    let differ = moving.iter().zip(&still).filter(|(a, b)| (a.g - b.g).abs() > 0.01).count();
+    assert!(differ <= moving.len() / 100, "{differ} pixels differ");
+    // Without the camera's motion everything is blurred.
+    let blurred = lights::<f64>(&scene(&all), settings, true);
+    let differ = blurred.iter().zip(&still).filter(|(a, b)| (a.g - b.g).abs() > 0.01).count();
+    assert!(differ > moving.len() / 4, "{differ} pixels differ");
+}
+
+#[test]
+fn bad_motions_are_refused() {
+    fn refused(motions: &[Motion]) -> (Part, Fault) {
+        let arena = Bump::new();
+        let scene = Scene { motions, ..gallery("camera-lens", &arena).scene };
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+        let error = PreparedScene::<f32>::new(&scene, &mut memory).expect_err("a bad motion");
+        (error.part, error.fault)
+    }
+    let by = Vec3::new(1.0, 0.0, 0.0);
+    let first = Motion::of_object(0, by);
+    let (part, fault) = refused(&[first, Motion::of_object(999, by)]);
+    assert!(part == Part::Motion(1) && matches!(fault, Fault::UnknownObject { named: 999, .. }), "{fault}");
+    assert_eq!(refused(&[first, Motion::of_camera(by), first]), (Part::Motion(2), Fault::MovesTwice));
+    assert_eq!(refused(&[Motion::of_camera(by * f32::NAN)]), (Part::Motion(0), Fault::NotFinite));
+    assert_eq!(refused(&[Motion::of_object(1, by * 999_999.0)]), (Part::Motion(0), Fault::TooFar));
 }

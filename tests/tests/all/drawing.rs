@@ -437,6 +437,7 @@ fn ascii_scene<T>(use_it: impl FnOnce(&Scene) -> T) -> T {
             Material::matte(LinearRgb::WHITE),
         ],
         lights: &[Light::Directional { direction: Vec3::new(1.0, -1.0, -1.0), color: LinearRgb::WHITE }],
+        motions: &[],
     };
     use_it(&scene)
 }

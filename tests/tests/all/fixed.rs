@@ -75,7 +75,14 @@ fn lamps_fade_from_any_distance() {
             let position = Vec3::new(0.0, 0.8 * distance, 0.6 * distance);
             let lights = [Light::Lamp(Lamp { position, color: LinearRgb::WHITE, falloff, cone: None })];
             let background = Background::Solid(LinearRgb::BLACK);
-            let scene = Scene { camera, background, objects: &ball, materials: &white, lights: &lights };
+            let scene = Scene {
+                camera,
+                background,
+                objects: &ball,
+                materials: &white,
+                lights: &lights,
+                motions: &[],
+            };
             let settings = Settings { transfer: Transfer::Linear, ..Settings::new(64, 48) };
             let close =
                 psnr(&core_picture::<f64>(&scene, settings), &core_picture::<Fixed>(&scene, settings));
@@ -194,6 +201,7 @@ impl Parts {
             objects: &self.objects,
             materials: &self.materials,
             lights: &self.lights,
+            motions: &[],
         }
     }
 }
@@ -288,7 +296,14 @@ fn above<'a>(
     objects: &'a [Object<Shape<'static>>],
     materials: &'a [Material<'static>; 3],
 ) -> Scene<'a> {
-    Scene { camera, background: Background::Solid(LinearRgb::BLACK), objects, materials, lights: &[] }
+    Scene {
+        camera,
+        background: Background::Solid(LinearRgb::BLACK),
+        objects,
+        materials,
+        lights: &[],
+        motions: &[],
+    }
 }
 
 const FLOOR_AND_OTHERS: [Material; 3] = [
@@ -607,6 +622,7 @@ proptest! {
                 objects: &objects,
                 materials: &materials,
                 lights: &lights,
+motions: &[],
             };
             match pixels(&scene) {
                 Ok(pixels) => {

@@ -54,7 +54,7 @@ fn look<R: Real>(
     lights: &[Light],
 ) -> ([f32; 3], Way) {
     let background = Background::gray(0.5);
-    let scene = Scene { camera: CAMERA, background, objects, materials, lights };
+    let scene = Scene { camera: CAMERA, background, objects, materials, lights, motions: &[] };
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R, _>::new(&scene, &mut memory).expect("a legal scene");
     let settings = Settings { cutoff: 0.0, bounces: 8, ..Settings::new(1, 1) };
@@ -240,7 +240,14 @@ fn with_nested(then: impl FnOnce(&Scene)) {
         ball(1.6, 0.45, 0.3, 6),
     ];
     let background = Background::Solid(LinearRgb::new(0.5, 0.6, 0.8));
-    then(&Scene { camera: ABOVE, background, objects: &objects, materials: &materials, lights: &LIGHTS });
+    then(&Scene {
+        camera: ABOVE,
+        background,
+        objects: &objects,
+        materials: &materials,
+        lights: &LIGHTS,
+        motions: &[],
+    });
 }
 
 /// A glass of water with a straw, made of open surfaces that name the media on both sides.
@@ -292,7 +299,14 @@ fn with_glass(then: impl FnOnce(&Scene)) {
     ];
     static SKY: Sky = Sky::new(LinearRgb::gray(0.9), LinearRgb::new(0.2, 0.4, 0.8));
     let background = Background::Gradient(&SKY);
-    then(&Scene { camera: ABOVE, background, objects: &objects, materials: &materials, lights: &LIGHTS });
+    then(&Scene {
+        camera: ABOVE,
+        background,
+        objects: &objects,
+        materials: &materials,
+        lights: &LIGHTS,
+        motions: &[],
+    });
 }
 
 fn assert_as_in_textbook(name: &str, scene: &Scene) {

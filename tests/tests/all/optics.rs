@@ -41,7 +41,7 @@ fn assert_sees(
     expected: [f64; 3],
 ) {
     let background = Background::gray(0.5);
-    let scene = Scene { camera: CAMERA, background, objects, materials, lights };
+    let scene = Scene { camera: CAMERA, background, objects, materials, lights, motions: &[] };
     for (light, bound) in
         [(look::<f32>(&scene), 2e-5), (look::<f64>(&scene), 2e-5), (look::<Fixed>(&scene), 2e-3)]
     {
@@ -237,7 +237,14 @@ fn with_still_life(then: impl FnOnce(&Scene)) {
         lens: None,
     };
     let background = Background::Solid(LinearRgb::new(0.25, 0.35, 0.5));
-    then(&Scene { camera, background, objects: &objects, materials: &materials, lights: &lights });
+    then(&Scene {
+        camera,
+        background,
+        objects: &objects,
+        materials: &materials,
+        lights: &lights,
+        motions: &[],
+    });
 }
 
 #[test]

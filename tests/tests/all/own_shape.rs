@@ -241,7 +241,14 @@ const fn scene<S>(objects: &[Object<S>]) -> Scene<'_, S> {
         vertical_fov: 0.7,
         lens: None,
     };
-    Scene { camera, background: Background::gray(0.1), objects, materials: &MATERIALS, lights: &LIGHTS }
+    Scene {
+        camera,
+        background: Background::gray(0.1),
+        objects,
+        materials: &MATERIALS,
+        lights: &LIGHTS,
+        motions: &[],
+    }
 }
 
 const OBJECTS: [Object<Table>; 3] = [

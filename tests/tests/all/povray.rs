@@ -155,6 +155,7 @@ fn assert_textured(name: &str, shape: Shape<'_>) {
             objects: &[Object::new(shape, 0)],
             materials: &[material],
             lights: &[Light::Directional { direction: v(-1.0, -2.0, -3.0), color: LinearRgb::WHITE }],
+            motions: &[],
         };
         let name = format!("{name}-{filter}");
         let Some(povray) = PovrayPicture::render(&scene, settings(0), &directory(), &name) else {

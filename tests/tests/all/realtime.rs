@@ -242,6 +242,7 @@ fn staged<'s>(objects: &'s [Object<Shape<'s>>], eye: Vec3, target: Vec3, vertica
         objects,
         materials: &STAGE,
         lights: &SUN,
+        motions: &[],
     }
 }
 
@@ -302,6 +303,7 @@ fn bright<'s>(objects: &'s [Object<Shape<'s>>], materials: &'s [Material<'s>]) -
         objects,
         materials,
         lights: &[],
+        motions: &[],
     }
 }
 
@@ -803,6 +805,7 @@ fn a_level_horizon_is_even() {
         objects: &[Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0))), 0)],
         materials: &materials,
         lights: &[Light::Point { position: Vec3::new(4.0, 8.0, 5.0), color: LinearRgb::WHITE }],
+        motions: &[],
     };
     with_renderer::<f32, _>(&scene, Settings::new(320, 240), |renderer| {
         let (exact, close) = (exact(renderer, &mut ()), realtime(renderer, Realtime::new(), &mut ()));

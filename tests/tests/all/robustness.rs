@@ -55,6 +55,7 @@ impl Parts {
             objects: &self.objects,
             materials: &self.materials,
             lights: &self.lights,
+            motions: &[],
         }
     }
 }
@@ -544,7 +545,7 @@ proptest! {
             .collect();
         let lights: Vec<_> =
             lights.into_iter().filter(|light| accepted(&Scene { lights: &[*light], ..empty })).collect();
-        let scene = Scene { camera, background, objects: &objects, materials: &materials, lights: &lights };
+        let scene = Scene { camera, background, objects: &objects, materials: &materials, lights: &lights, motions: &[] };
 
         let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
         let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).expect("every part was accepted");

@@ -54,8 +54,14 @@ fn check_with(settings: Settings, name: &str, solids: &[(Shape<'_>, u16)]) {
     let objects: Vec<_> =
         solids.iter().chain([&(floor, 4)]).map(|(shape, material)| Object::new(*shape, *material)).collect();
     let background = Background::Solid(LinearRgb::new(0.2, 0.3, 0.5));
-    let scene =
-        Scene { camera: CAMERA, background, objects: &objects, materials: &MATERIALS, lights: &LIGHTS };
+    let scene = Scene {
+        camera: CAMERA,
+        background,
+        objects: &objects,
+        materials: &MATERIALS,
+        lights: &LIGHTS,
+        motions: &[],
+    };
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let single = core_picture::<f32>(&scene, settings);
     let against = |other: &str, picture: &Picture| {

@@ -7,7 +7,8 @@ mod shapes;
 use bumpalo::Bump;
 use rayline::shape::{Disc, Rectangle, Shape, Sphere};
 use rayline::{
-    Camera, Falloff, Lamp, Lens, Light, LightCone, LinearRgb, Material, Object, ObjectId, Optics, Scene, Vec3,
+    Camera, Falloff, Lamp, Lens, Light, LightCone, LinearRgb, Material, Motion, Object, ObjectId, Optics,
+    Scene, Vec3,
 };
 
 use crate::choices::Choices;
@@ -53,12 +54,14 @@ impl<'a> Maker<'_, '_, 'a> {
             objects.push(Object::new(self.luminaire(), materials.len() as u16));
             materials.push(self.emitting());
         }
+        let motions = if self.choices.chance(12) { self.motions(objects.len()) } else { Vec::new() };
         Scene {
             camera: self.camera(),
             background: self.background(),
             objects: self.arena.alloc_slice_copy(&objects),
             materials: self.arena.alloc_slice_copy(&materials),
             lights: self.arena.alloc_slice_copy(&lights),
+            motions: self.arena.alloc_slice_copy(&motions),
         }
     }
 
@@ -170,6 +173,30 @@ impl<'a> Maker<'_, '_, 'a> {
             }
             _ => Light::Ambient { color: color * 0.2 },
         }
+    }
+
+    /// Motions of up to two of so many objects, and now and then of the camera.
+    fn motions(&mut self, objects: usize) -> Vec<Motion> {
+        let mut motions = Vec::new();
+        if self.choices.chance(30) {
+            motions.push(Motion::of_camera(self.motion()));
+        }
+        let first = self.choices.below(objects.max(1));
+        for object in (first..objects).take(self.choices.between(1, 2)) {
+            let motion = Motion::of_object(object as u16, self.motion());
+            motions.push(if self.choices.chance(40) {
+                let angle = self.choices.one_of([0.1, 1.0, 6.0, -40.0]);
+                motion.spinning(held(self.place()), self.way(), angle)
+            } else {
+                motion
+            });
+        }
+        motions
+    }
+
+    /// How far something moves.
+    fn motion(&mut self) -> Vec3 {
+        self.way() * self.choices.one_of([0.0, 0.01, 0.5, 5.0])
     }
 
     /// A shape that can be a lamp: above the scene, or touching what is there.

@@ -1,0 +1,104 @@
+//! Motion blur: what moves while the shutter is open.
+//!
+//! Each sample of a pixel has one time, which all its rays share (Cook, Porter and Carpenter, "Distributed Ray
+//! Tracing", 1984). A ray that is tested against a moving object is moved back to where the object was
+//! described, and its hit is moved to where the object is by then.
+
+#[cfg(feature = "distributed")]
+mod moved;
+
+#[cfg(feature = "distributed")]
+pub(crate) use moved::{Moved, PreparedMotion};
+
+#[cfg(feature = "distributed")]
+use crate::arena::Arena;
+use crate::light::ObjectId;
+use crate::math::{Extent, Real, Vec3};
+
+/// A motion of the camera or of an object while the shutter is open, at even speed. The scene describes where
+/// everything is when the shutter opens. It needs the feature `distributed`, and several samples for each
+/// pixel.
+///
+/// What spins is first turned, then moved. Textures and bumps go along. Lights without a size do not move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Motion {
+    /// What moves: the camera or an object, each at most once in [`Scene::motions`](crate::Scene::motions).
+    pub of: Mover,
+    /// The way that it goes until the shutter closes.
+    pub by: Vec3,
+    /// The angle by which it turns until then; `None`: it does not turn.
+    pub spin: Option<Spin>,
+}
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Mover {
+    /// The camera.
+    Camera,
+    /// An object.
+    Object(ObjectId),
+}
+
+/// A turn about an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Spin {
+    /// A point of the axis.
+    pub center: Vec3,
+    /// The direction of the axis; any length but 0.
+    pub axis: Vec3,
+    /// The angle in radians: counterclockwise, as seen from the end of the axis. At most 10 turns.
+    pub angle: f32,
+}
+
+#[cfg(feature = "serde")]
+crate::read::plain!(Spin);
+#[cfg(feature = "serde")]
+crate::read::read_enum! { [] Mover as Mover { Camera, Object(ObjectId) } }
+#[cfg(feature = "serde")]
+crate::read::read_struct!([] Motion as Motion { of, by = Vec3::ZERO, spin = None });
+
+impl Motion {
+    /// The camera moves by this vector.
+    pub const fn of_camera(by: Vec3) -> Self {
+        Self { of: Mover::Camera, by, spin: None }
+    }
+
+    /// The object at this position in [`Scene::objects`](crate::Scene::objects) moves by this vector.
+    pub const fn of_object(object: u16, by: Vec3) -> Self {
+        Self { of: Mover::Object(ObjectId(object)), by, spin: None }
+    }
+
+    /// The same motion, with a turn.
+    pub const fn spinning(self, center: Vec3, axis: Vec3, angle: f32) -> Self {
+        Self { spin: Some(Spin { center, axis, angle }), ..self }
+    }
+
+    /// The memory that so many prepared motions take.
+    pub(crate) const fn bytes<R: Real>(count: usize) -> usize {
+        #[cfg(feature = "distributed")]
+        return Arena::bytes::<PreparedMotion<R>>(count);
+        // Such a scene is refused.
+        #[cfg(not(feature = "distributed"))]
+        return count.saturating_mul(0);
+    }
+
+    /// The extent of what is moved, where `still` is the extent before.
+    pub(crate) fn extent(&self, still: Extent) -> Extent {
+        let (mut reach, mut beside) = (self.by.magnitude(), 0.0);
+        if let Some(Spin { center, .. }) = self.spin {
+            // Within ±m, no point is farther from the center than √3 · m and the center's own distance.
+            beside = center.length() * 2.0;
+            reach += beside;
+        }
+        let grown = |magnitude: f32| {
+            let turned = if self.spin.is_some() { magnitude * 1.7321 } else { magnitude };
+            if magnitude > 0.0 { turned + reach } else { 0.0 }
+        };
+        let plane = still.plane.map(|distance| distance + self.by.length() + beside);
+        Extent { solid: grown(still.solid), flat: grown(still.flat), plane }
+    }
+}
