@@ -72,6 +72,10 @@ pub(crate) struct Render {
     /// Show the colors, or how many samples each pixel takes: black for none, white for all
     #[arg(long, value_name = "WHAT", default_value = "colors", value_enum, conflicts_with = "mode")]
     pub(crate) show: Show,
+    /// Draw in passes, each with one more sample of every pixel, and show them in the terminal; the file has
+    /// the same bytes as without this option
+    #[arg(long, conflicts_with_all = ["mode", "show", "lines"])]
+    pub(crate) passes: bool,
     /// Trace every pixel, or interpolate pixels whose neighbors hit the same
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     pub(crate) mode: Mode,

@@ -9,9 +9,9 @@ use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
 use rayline_simulator::{
-    BOARDS, Bench, Convergence, Demand, Demands, Gallery, LoadedScene, Picture, PictureFile, RenderError,
-    RenderOptions, ReportError, SceneFile, Stats, check, check_apart, check_writable, half_blocks,
-    render_watched, report_pixel, write_file,
+    BOARDS, Bench, Convergence, Demand, Demands, Gallery, LoadedScene, Pass, Picture, PictureFile,
+    RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart, check_writable,
+    half_blocks, render_in_passes, render_watched, report_pixel, write_file,
 };
 
 use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
@@ -74,7 +74,11 @@ fn render(arguments: &Render) -> Outcome {
         threads: arguments.threads.map_or(0, usize::from),
         ..arguments.look.options(&scene)
     };
-    let (picture, time) = timed(&scene, &options, arguments.quiet)?;
+    let (picture, time) = if arguments.passes {
+        in_passes(&scene, &options, arguments.quiet)?
+    } else {
+        timed(&scene, &options, arguments.quiet)?
+    };
     file.write(&picture)?;
     if !arguments.quiet && picture.rays.cut_rays > 0 {
         writeln!(
@@ -268,6 +272,60 @@ fn timed(
     let time = start.elapsed();
     bar.finish_and_clear();
     Ok((picture.map_err(|error| explain(scene, error))?, time))
+}
+
+/// Renders in passes. Shows pass 1, 2, 4, 8 and so on, and the last: as a picture if standard output is a
+/// terminal.
+fn in_passes(
+    scene: &LoadedScene<'_>,
+    options: &RenderOptions,
+    quiet: bool,
+) -> Result<(Picture, Duration), Box<dyn Error>> {
+    let terminal = console::Term::stdout();
+    let pixels = u64::from(options.settings.width) * u64::from(options.settings.height);
+    let start = Instant::now();
+    let mut rows_shown = 0;
+    let picture = render_in_passes(&scene.scene, options, |picture, pass| {
+        let Pass { number, most, pixels_refined } = pass;
+        if quiet || !(number.is_power_of_two() || pixels_refined == pixels) {
+            return Ok(());
+        }
+        if terminal.is_term() {
+            // The next picture takes the place of the last one.
+            terminal.clear_last_lines(rows_shown)?;
+            let (rows, columns) = terminal.size();
+            let text = half_blocks(picture, u32::from(columns), u32::from(rows.saturating_sub(3)));
+            rows_shown = text.lines().count() + 1;
+            terminal.write_str(&text)?;
+        }
+        let percent = pixels_refined as f64 / pixels.max(1) as f64 * 100.0;
+        let line = format!("pass {number} of at most {most}: {percent:.0} % of the pixels are complete");
+        Ok(terminal.write_line(&line)?)
+    });
+    let time = start.elapsed();
+    let explained = |error: PassError| match error {
+        PassError::Render(error) => explain(scene, error),
+        PassError::Terminal(error) => error.into(),
+    };
+    Ok((picture.map_err(explained)?, time))
+}
+
+/// The reason why rendering in passes ended.
+enum PassError {
+    Render(RenderError),
+    Terminal(io::Error),
+}
+
+impl From<RenderError> for PassError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(error)
+    }
+}
+
+impl From<io::Error> for PassError {
+    fn from(error: io::Error) -> Self {
+        Self::Terminal(error)
+    }
 }
 
 /// The error with the line of the scene's file, if the file has lines.

@@ -1,6 +1,7 @@
 //! Rayline on the desktop: multi-threaded pictures, scene files, a window, reports and measurements.
 //!
 //! - [`render`] makes a [`Picture`] of any [`Scene`](rayline::Scene), through any display color;
+//! - [`render_in_passes`] shows a picture early, and adds samples to it;
 //! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats, and
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
@@ -29,6 +30,7 @@ pub mod nff;
 pub mod obj;
 mod options;
 mod orbit;
+mod passes;
 mod picture;
 pub mod povray;
 mod realtime;
@@ -50,6 +52,7 @@ pub use gallery::{Gallery, GalleryError};
 pub use loaded::{LoadError, LoadedScene};
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
 pub use orbit::Orbit;
+pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};

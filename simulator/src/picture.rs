@@ -117,9 +117,7 @@ fn render_in<R: Real>(
         let error = LineError::NoSuchLine { line: lines.end.saturating_sub(1), height: renderer.height() };
         return Err(RenderError::Line(error));
     }
-    let pool =
-        rayon::ThreadPoolBuilder::new().num_threads(options.threads).build().map_err(RenderError::Threads)?;
-    let (width, height) = (renderer.width(), lines.len() as u32);
+    let (width, height, pool) = (renderer.width(), lines.len() as u32, pool(options)?);
     let mut rgb = blank(width, height)?;
     let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
     let rays = pool.install(|| match options.mode {
@@ -132,13 +130,18 @@ fn render_in<R: Real>(
     Ok(Picture { width, height, rgb, rays, prepared_bytes })
 }
 
+/// The threads that render.
+pub(crate) fn pool(options: &RenderOptions) -> Result<rayon::ThreadPool, RenderError> {
+    rayon::ThreadPoolBuilder::new().num_threads(options.threads).build().map_err(RenderError::Threads)
+}
+
 /// Memory to lend for a prepared scene.
 pub(crate) fn memory_for<R: Real>(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
     vec![MaybeUninit::uninit(); scene.bytes::<R>()]
 }
 
 /// A black picture of this size.
-fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
+pub(crate) fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
     let needed = u64::from(width) * u64::from(height) * 3;
     let mut rgb: Vec<u8> = Vec::new();
     match usize::try_from(needed) {
@@ -207,11 +210,11 @@ impl<R: Real> Lines<'_, '_, R> {
 }
 
 /// Lines of light that are to be turned into a display's colors.
-struct Lights<'l> {
-    lights: &'l [Light16],
-    settings: &'l Settings,
-    first: u32,
-    rgb: &'l mut [u8],
+pub(crate) struct Lights<'l> {
+    pub(crate) lights: &'l [Light16],
+    pub(crate) settings: &'l Settings,
+    pub(crate) first: u32,
+    pub(crate) rgb: &'l mut [u8],
 }
 
 impl ForColor for Lights<'_> {

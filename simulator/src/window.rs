@@ -12,8 +12,10 @@ use embedded_graphics_simulator::{
     OutputSettings, OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window,
 };
 use rayline::math::{Fixed, Interval, Ray};
+use rayline::shape::Shape;
 use rayline::{
-    Camera, DisplayColor, DrawError, Frame, PreparedScene, Real, Renderer, Scene, SceneError, SettingsError,
+    Camera, DisplayColor, DrawError, Frame, LineError, PixelSum, PreparedScene, Progressive, Quality, Real,
+    Renderer, Scene, SceneError, SettingsError,
 };
 
 use crate::display::ForColor;
@@ -148,15 +150,19 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         Ok(Some(true))
     }
 
-    /// Draws a picture until the camera is moved. Returns false if the window is to be closed.
-    fn show<C: DisplayColor + Into<Rgb888> + From<Rgb888>>(
+    /// Draws a picture until the camera is moved, and calls `refine` whenever it is complete. Returns false if
+    /// the window is to be closed.
+    fn show<'r, 'm, C: DisplayColor + Into<Rgb888> + From<Rgb888>, Q: Quality<R, Color = C>>(
         &mut self,
-        frame: &mut Frame<'_, '_, R, rayline::shape::Shape<'_>, &mut [C]>,
+        frame: &mut Frame<'r, 'm, R, Shape<'m>, Q>,
+        refine: impl Fn(&mut Frame<'r, 'm, R, Shape<'m>, Q>) -> Result<(), LineError>,
         display: &mut SimulatorDisplay<C>,
         window: &mut Window,
     ) -> Result<bool, WindowError> {
         loop {
-            draw_for_a_while(frame, display)?;
+            if draw_for_a_while(frame, display)? {
+                refine(frame).map_err(|error| WindowError::Draw(error.into()))?;
+            }
             window.update(display);
             // Carry out all waiting requests before the next picture, so that a held key does not lag.
             let requests: Vec<Request> = window.events().filter_map(request).collect();
@@ -188,16 +194,30 @@ impl<R: Real> ForColor for View<'_, '_, R> {
         let mut window =
             Window::new(&format!("rayline: {}", self.scene.name), &enlarged(display_side(&settings)));
         let mut buffer = vec![C::from(BinaryColor::Off); settings.width as usize];
+        let pixels = if settings.sampling.samples > 1 { settings.width * settings.height } else { 0 };
+        let mut sums = vec![PixelSum::<R>::EMPTY; pixels as usize];
         'scene: loop {
             let mut prepared = PreparedScene::<R, _>::new(&scene, &mut memory).map_err(WindowError::Scene)?;
             loop {
                 // If the moved camera is refused, return to this one.
                 let seen = self.orbit;
                 let renderer = Renderer::new(&prepared, settings).map_err(WindowError::Settings)?;
-                let mut frame = renderer
-                    .frame(0..settings.height, &mut buffer[..])
-                    .map_err(|error| WindowError::Draw(error.into()))?;
-                if !self.show(&mut frame, &mut display, &mut window)? {
+                let lines = 0..settings.height;
+                let failed = |error: LineError| WindowError::Draw(error.into());
+                let is_open = if settings.sampling.samples > 1 {
+                    sums.fill(PixelSum::EMPTY);
+                    let quality = Progressive::lend(&mut buffer, &mut sums);
+                    let mut frame = renderer.frame(lines.clone(), quality).map_err(failed)?;
+                    // While the camera rests, each pass adds a sample to every pixel.
+                    let refine = |frame: &mut Frame<'_, '_, _, _, Progressive<'_, C, R>>| {
+                        if frame.is_refined() { Ok(()) } else { frame.set_lines(lines.clone()) }
+                    };
+                    self.show(&mut frame, refine, &mut display, &mut window)?
+                } else {
+                    let mut frame = renderer.frame(lines, &mut buffer[..]).map_err(failed)?;
+                    self.show(&mut frame, |_| Ok(()), &mut display, &mut window)?
+                };
+                if !is_open {
                     return Ok(());
                 }
                 let camera = self.orbit.camera();
@@ -216,18 +236,18 @@ impl<R: Real> ForColor for View<'_, '_, R> {
     }
 }
 
-/// Draws until the window has to be updated or the picture is complete.
-fn draw_for_a_while<R: Real, C: DisplayColor>(
-    frame: &mut Frame<'_, '_, R, rayline::shape::Shape<'_>, &mut [C]>,
+/// Draws until the window has to be updated or the picture is complete. Returns whether it is complete.
+fn draw_for_a_while<R: Real, C: DisplayColor, Q: Quality<R, Color = C>>(
+    frame: &mut Frame<'_, '_, R, Shape<'_>, Q>,
     display: &mut SimulatorDisplay<C>,
-) -> Result<(), WindowError> {
+) -> Result<bool, WindowError> {
     let start = Instant::now();
     while start.elapsed() < PATIENCE {
         if frame.step(display, BUDGET_RAYS).map_err(WindowError::Draw)?.is_done() {
-            break;
+            return Ok(true);
         }
     }
-    Ok(())
+    Ok(false)
 }
 
 /// The request of an event, if it is one.

@@ -100,6 +100,13 @@ pub enum LineError {
         /// Samples of a row.
         needed: usize,
     },
+    /// There is not one [`PixelSum`](crate::PixelSum) for each pixel. Lend width times height of them.
+    SumCount {
+        /// Sums that were lent.
+        given: usize,
+        /// Pixels of the picture.
+        needed: usize,
+    },
     /// The picture has no such line. Name one below its height.
     NoSuchLine {
         /// The line that was named.
@@ -123,6 +130,9 @@ impl fmt::Display for LineError {
             }
             Self::SampleCount { given, needed } => {
                 write!(f, "a buffer of {given} samples has the wrong length; lend {needed} samples")
+            }
+            Self::SumCount { given, needed } => {
+                write!(f, "{given} sums do not fit a picture of {needed} pixels; lend one for each pixel")
             }
             Self::NoSuchLine { line, height } => {
                 write!(

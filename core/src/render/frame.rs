@@ -19,13 +19,13 @@ use crate::shape::Geometry;
 /// of lines, has the same bytes as one that is drawn at once, unless a budget of rays makes realtime quality
 /// coarser.
 #[derive(Debug)]
-pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> {
+pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> {
     renderer: &'r Renderer<'r, 'm, R, S>,
     /// The lines that are not yet on the display.
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
-    painter: Q::Painter<'m, R, S>,
+    painter: Q::Painter<'m, S>,
 }
 
 /// How far a [`Frame`] is.
@@ -46,7 +46,7 @@ impl Progress {
     }
 }
 
-impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
+impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     /// Of these lines, which the picture has, in memory that was checked.
     #[inline]
     pub(super) fn new(renderer: &'r Renderer<'r, 'm, R, S>, lines: Range<u32>, quality: Q) -> Self {
@@ -54,6 +54,11 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality> Frame<'r, 'm, R, S, Q> {
         let mut frame = Self { renderer, lines, total, painter: quality.painter(renderer) };
         frame.painter.restart(total);
         frame
+    }
+
+    /// The painter.
+    pub(super) fn painter(&self) -> &Q::Painter<'m, S> {
+        &self.painter
     }
 
     /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not

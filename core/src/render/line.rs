@@ -4,10 +4,19 @@ use super::line_candidates::LineCandidates;
 use super::pixel::Pixel;
 use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
 use crate::camera::RayRow;
+use crate::color::LinearRgb;
 use crate::integrator::Sight;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::shape::Geometry;
+
+impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
+    /// The light of a pixel in a display's colors.
+    #[inline]
+    pub(super) fn color<C: DisplayColor>(&self, light: LinearRgb<R>, x: u16, y: u16) -> C {
+        C::from_light(Light16::new(light), &Quantizer::new(&self.settings, x, y))
+    }
+}
 
 /// Renders the pixels of one line in a display's colors, from left to right.
 pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
@@ -94,7 +103,6 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         };
         let pixel = Pixel { x, y: self.y, row: self.row };
         let (light, rays) = self.renderer.light_at(pixel, sight, probe);
-        let quantizer = Quantizer::new(&self.renderer.settings, x, self.y);
-        (C::from_light(Light16::new(light), &quantizer), rays)
+        (self.renderer.color(light, x, self.y), rays)
     }
 }

@@ -2,8 +2,9 @@
 //!
 //! A [`Renderer`] is one picture: scene, settings and size. [`pixel`] traces the samples of one pixel.
 //! [`line`] traces the pixels of a line in exact quality, each by itself; [`groups`] traces neighboring
-//! pixels of large scenes together; [`realtime`] traces few pixels and interpolates the rest. Pixels leave
-//! the tracer as [`LinearRgb`], become [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
+//! pixels of large scenes together; [`progressive`] adds one sample of each pixel after the other;
+//! [`realtime`] traces few pixels and interpolates the rest. Pixels leave the tracer as [`LinearRgb`], become
+//! [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
 //!
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].
@@ -26,6 +27,7 @@ mod outlines;
 mod painter;
 mod pattern;
 mod pixel;
+mod progressive;
 mod quality;
 mod quantize;
 mod realtime;
@@ -40,6 +42,7 @@ pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use interleave::Interleave;
 pub use pattern::Pattern;
+pub use progressive::{PixelSum, Progressive};
 pub use quality::Quality;
 pub use quantize::{Light16, Quantizer};
 pub use realtime::{Grid, Realtime, RealtimeBuffer, Sample};
@@ -131,6 +134,18 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         self.light_at(self.pixel_at(x, y), Sight::among(self.scene.all()), probe)
     }
 
+    /// Adds to a pixel what one pass of [`Progressive`] adds, and returns the color of its samples so far. If
+    /// the sum is [complete](PixelSum::is_complete), that is the color of the picture that is drawn at once.
+    pub fn refine<C: DisplayColor>(
+        &self,
+        x: u16,
+        y: u16,
+        sum: &mut PixelSum<R>,
+        probe: &mut impl Probe<R>,
+    ) -> C {
+        self.color(self.refined(self.pixel_at(x, y), sum, probe), x, y)
+    }
+
     /// Renders line `y` into a slice of the picture's width.
     ///
     /// # Errors
@@ -205,7 +220,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     pub fn draw<D, Q>(&self, display: &mut D, quality: Q) -> Result<(), DrawError<D::Error>>
     where
         D: DrawTarget,
-        Q: Quality<Color = D::Color>,
+        Q: Quality<R, Color = D::Color>,
     {
         let lines = self.lines_of(0..self.height())?;
         quality.check(self)?;
@@ -218,7 +233,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     ///
     /// # Errors
     /// Memory of the wrong length, or lines that the picture does not have.
-    pub fn frame<Q: Quality>(
+    pub fn frame<Q: Quality<R>>(
         &self,
         lines: Range<u32>,
         quality: Q,

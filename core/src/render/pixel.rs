@@ -1,6 +1,6 @@
 //! One pixel: its samples, and their mean.
 
-use super::Renderer;
+use super::{PixelSum, Renderer, Settings};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
@@ -168,6 +168,47 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         #[cfg(feature = "distributed")]
         let scene = moment.as_ref().unwrap_or(scene);
         radiance(scene, (ray, numbers), sight, limits, rays, probe)
+    }
+
+    /// Adds one sample to a pixel's sum, and at the beginning the first samples of adaptive sampling. Returns
+    /// the mean of the samples.
+    pub(super) fn refined(
+        &self,
+        pixel: Pixel<R>,
+        sum: &mut PixelSum<R>,
+        probe: &mut impl Probe<R>,
+    ) -> LinearRgb<R> {
+        let Settings { sampling: Sampling { samples: most, adaptive, .. }, rays_per_pixel, .. } =
+            self.settings;
+        let (sight, place) = (Sight::among(self.scene.all()), (pixel.x, pixel.y));
+        if most <= 1 && !sum.is_complete {
+            (sum.light, sum.rays) = self.light_at(pixel, sight, probe);
+            (sum.taken, sum.is_complete) = (1, true);
+        }
+        let left = RayBudget(rays_per_pixel.saturating_sub(sum.rays));
+        let mut rays = SampleRays { left, seen: Seen::NOTHING };
+        let mut samples = Samples { light: sum.light, taken: sum.taken, spread: None };
+        while !sum.is_complete {
+            let numbers = RayNumbers::of(self.sample(place, samples.taken));
+            let (across, row) = self.sample_place(place, samples.taken);
+            let sample = (across, row, numbers);
+            let shown = self.trace_sample(self.scene, &self.limits, sample, sight, &mut rays, probe);
+            sum.is_complete = !self.add_sample(&mut samples, shown, rays.seen);
+            sum.rays = rays_per_pixel.saturating_sub(rays.left.0);
+            if adaptive.is_none_or(|Adaptive { at_first, .. }| samples.taken >= at_first) {
+                break;
+            }
+        }
+        (sum.light, sum.taken) = (samples.light, samples.taken);
+        if sum.is_complete {
+            return sum.light;
+        }
+        // Where samples are weighed at once, the sum lacks those that are still to come.
+        let whole = if R::IS_FIXED_POINT { R::Setup::from_u16(most) } else { R::Setup::ONE };
+        let share = whole / R::Setup::from_u16(sum.taken.max(1));
+        let LinearRgb { r, g, b } = sum.light;
+        let [r, g, b] = [r, g, b].map(|channel| R::from_setup(channel.to_setup() * share));
+        LinearRgb::new(r, g, b)
     }
 
     /// The place of one of several samples of a pixel: its distance from the picture's left side, and its

@@ -35,11 +35,13 @@ use super::{DisplayColor, LineError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;
 
-/// The quality in which a picture is drawn, with the memory that this takes. Three types implement it:
+/// The quality in which a picture is drawn in the number system `R`, with the memory that this takes. These
+/// types implement it:
 /// - `&mut [C]` and `&mut [C; N]`: exact quality, with memory for one line of the picture, or for several
 ///   whole lines that are sent to the display together;
 /// - [`RealtimeBuffer`](super::RealtimeBuffer): realtime quality, see
-///   [`Realtime::lend`](super::Realtime::lend).
+///   [`Realtime::lend`](super::Realtime::lend);
+/// - [`Progressive`](super::Progressive): exact quality, one sample of each pixel after the other.
 ///
 /// The trait is sealed: other crates cannot implement it.
 #[diagnostic::on_unimplemented(
@@ -47,24 +49,21 @@ use crate::shape::Geometry;
     note = "for exact quality, lend a slice of colors: `&mut line[..]`",
     note = "for realtime quality, lend `Realtime::lend(…)`"
 )]
-pub trait Quality: Sized + Sealed {
+pub trait Quality<R: Real>: Sized + Sealed {
     /// The color of the display's pixels.
     type Color: DisplayColor;
 
     /// Traces lines in this quality.
     #[doc(hidden)]
-    type Painter<'m, R: Real, S: Geometry + 'm>: Painter<'m, R, S, Color = Self::Color>;
+    type Painter<'m, S: Geometry + 'm>: Painter<'m, R, S, Color = Self::Color>;
 
     /// Whether the memory has the right length.
     #[doc(hidden)]
-    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError>;
+    fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError>;
 
     /// The painter of a frame. It is large: it is made where it stays, in a function that cannot fail.
     #[doc(hidden)]
-    fn painter<'m, R: Real, S: Geometry + 'm>(
-        self,
-        renderer: &Renderer<'_, 'm, R, S>,
-    ) -> Self::Painter<'m, R, S>;
+    fn painter<'m, S: Geometry + 'm>(self, renderer: &Renderer<'_, 'm, R, S>) -> Self::Painter<'m, S>;
 }
 
 /// No other crate can name this trait, and so none can implement [`Quality`].
@@ -72,30 +71,30 @@ pub trait Sealed {}
 
 impl<C: DisplayColor> Sealed for &mut [C] {}
 
-impl<'b, C: DisplayColor> Quality for &'b mut [C] {
+impl<'b, C: DisplayColor, R: Real> Quality<R> for &'b mut [C] {
     type Color = C;
-    type Painter<'m, R: Real, S: Geometry + 'm> = ExactPainter<'b, C>;
+    type Painter<'m, S: Geometry + 'm> = ExactPainter<'b, C>;
 
-    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+    fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
         renderer.whole_lines(self.len()).map(|_| ())
     }
 
-    fn painter<'m, R: Real, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
+    fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
         ExactPainter::new(self)
     }
 }
 
 impl<C: DisplayColor, const N: usize> Sealed for &mut [C; N] {}
 
-impl<'b, C: DisplayColor, const N: usize> Quality for &'b mut [C; N] {
+impl<'b, C: DisplayColor, R: Real, const N: usize> Quality<R> for &'b mut [C; N] {
     type Color = C;
-    type Painter<'m, R: Real, S: Geometry + 'm> = ExactPainter<'b, C>;
+    type Painter<'m, S: Geometry + 'm> = ExactPainter<'b, C>;
 
-    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+    fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
         renderer.whole_lines(N).map(|_| ())
     }
 
-    fn painter<'m, R: Real, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
+    fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
         ExactPainter::new(self)
     }
 }

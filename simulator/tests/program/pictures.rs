@@ -110,6 +110,18 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
+fn passes_end_in_the_same_bytes_and_are_told() {
+    let bench = Bench::new();
+    for extra in [&["--samples", "5"][..], &["--samples", "6", "--adaptive", "2", "--color", "mono"]] {
+        let arguments = [&["render"], &SMALL[..], &["-o", "passes.png", "--passes"], extra].concat();
+        let output = bench.output(&arguments);
+        assert!(pixels(&bench.path("passes.png")).2 == small(&bench, extra));
+        assert!(output.contains("pass 1 of at most"), "{output}");
+        assert!(output.contains("100 % of the pixels are complete"), "{output}");
+    }
+}
+
+#[test]
 fn lines_are_those_of_the_whole_picture() {
     let bench = Bench::new();
     let whole = small(&bench, &["--dither", "ordered", "--color", "rgb565"]);

@@ -23,6 +23,7 @@ mod operations;
 mod optics;
 mod own_shape;
 mod povray;
+mod progressive;
 mod realtime;
 mod reference;
 mod robustness;

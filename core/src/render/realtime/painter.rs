@@ -13,11 +13,11 @@ use crate::shape::Geometry;
 
 impl<C: DisplayColor> Sealed for RealtimeBuffer<'_, C> {}
 
-impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
+impl<'b, C: DisplayColor, R: Real> Quality<R> for RealtimeBuffer<'b, C> {
     type Color = C;
-    type Painter<'m, R: Real, S: Geometry + 'm> = RealtimePainter<'m, 'b, R, S, C>;
+    type Painter<'m, S: Geometry + 'm> = RealtimePainter<'m, 'b, R, S, C>;
 
-    fn check<R: Real, S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+    fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
         let needed = self.quality.colors(renderer.width);
         if self.colors.len() != needed {
             return Err(LineError::BandLength { given: self.colors.len(), needed });
@@ -30,7 +30,7 @@ impl<'b, C: DisplayColor> Quality for RealtimeBuffer<'b, C> {
     }
 
     #[inline]
-    fn painter<'m, R: Real, S: Geometry + 'm>(
+    fn painter<'m, S: Geometry + 'm>(
         self,
         renderer: &Renderer<'_, 'm, R, S>,
     ) -> RealtimePainter<'m, 'b, R, S, C> {

@@ -1,0 +1,167 @@
+//! Progressive refinement: a picture that is shown early and becomes smooth over several passes (Bergman,
+//! Fuchs, Grant and Spach, "Image Rendering by Adaptive Refinement", SIGGRAPH 1986).
+
+use core::ops::Range;
+
+use super::painter::{Painter, Traced};
+use super::quality::Sealed;
+use super::{DisplayColor, Frame, LineError, Quality, Renderer};
+use crate::color::LinearRgb;
+use crate::math::Real;
+use crate::probe::Probe;
+use crate::shape::Geometry;
+
+/// Memory for exact quality in passes: each pass adds a sample to every pixel and draws all pixels.
+///
+/// After the last pass the picture has the bytes of one that is drawn at once, in every number system. With
+/// [adaptive sampling](crate::Sampling::adaptive), the first pass takes the first samples of all pixels, and
+/// further passes only change the pixels whose samples differed. A pixel takes 24 bytes of memory in `f32`
+/// and in fixed point.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
+/// use rayline::{DrawError, PixelSum, Progressive, Real, Renderer};
+///
+/// fn refine<R: Real>(
+///     renderer: &Renderer<'_, '_, R>,
+///     display: &mut MockDisplay<Gray8>,
+/// ) -> Result<(), DrawError<core::convert::Infallible>> {
+///     let mut line = [Gray8::new(0); 64];
+///     let mut sums = [PixelSum::EMPTY; 64 * 48];
+///     let mut frame = renderer.frame(0..48, Progressive::lend(&mut line, &mut sums))?;
+///     loop {
+///         frame.draw(display)?;
+///         if frame.is_refined() {
+///             return Ok(());
+///         }
+///         frame.set_lines(0..48)?;
+///     }
+/// }
+/// ```
+#[derive(Debug)]
+pub struct Progressive<'b, C, R> {
+    line: &'b mut [C],
+    sums: &'b mut [PixelSum<R>],
+}
+
+/// What one pixel has received so far, for [`Progressive`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelSum<R> {
+    /// The light of its samples, summed up as in one pass; the mean, once the pixel is complete.
+    pub(super) light: LinearRgb<R>,
+    /// The rays that it took.
+    pub(super) rays: u32,
+    pub(super) taken: u16,
+    pub(super) is_complete: bool,
+}
+
+impl<R: Real> PixelSum<R> {
+    /// Nothing yet.
+    pub const EMPTY: Self = Self { light: LinearRgb::BLACK, rays: 0, taken: 0, is_complete: false };
+
+    /// Whether the pixel has all samples that it needs.
+    pub const fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+}
+
+impl<'b, C: DisplayColor, R: Real> Progressive<'b, C, R> {
+    /// Lends memory for one line of the picture, or for several whole lines that are sent to the display
+    /// together, and for one sum for each pixel of the picture, line by line. Sums that are not
+    /// [empty](PixelSum::EMPTY) are gone on with: they must be of the same picture.
+    pub fn lend(line: &'b mut [C], sums: &'b mut [PixelSum<R>]) -> Self {
+        Self { line, sums }
+    }
+}
+
+impl<C: DisplayColor, R: Real> Sealed for Progressive<'_, C, R> {}
+
+impl<'b, C: DisplayColor, R: Real> Quality<R> for Progressive<'b, C, R> {
+    type Color = C;
+    type Painter<'m, S: Geometry + 'm> = ProgressivePainter<'b, C, R>;
+
+    fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
+        let needed = (renderer.width() as usize).saturating_mul(renderer.height() as usize);
+        if self.sums.len() != needed {
+            return Err(LineError::SumCount { given: self.sums.len(), needed });
+        }
+        renderer.whole_lines(self.line.len()).map(|_| ())
+    }
+
+    fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ProgressivePainter<'b, C, R> {
+        ProgressivePainter { memory: self, traced: 0 }
+    }
+}
+
+impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'_, 'm, R, S, Progressive<'_, C, R>> {
+    /// Whether all pixels have all samples that they need, so that another pass would change nothing.
+    pub fn is_refined(&self) -> bool {
+        self.pixels_refined() == self.painter().memory.sums.len()
+    }
+
+    /// How many pixels of the picture have all samples that they need.
+    pub fn pixels_refined(&self) -> usize {
+        self.painter().memory.sums.iter().filter(|sum| sum.is_complete).count()
+    }
+}
+
+/// Adds a sample to each pixel of a band: of as many whole lines as the lent memory holds.
+#[derive(Debug)]
+pub struct ProgressivePainter<'b, C, R> {
+    memory: Progressive<'b, C, R>,
+    /// Pixels of the band that are traced.
+    traced: usize,
+}
+
+impl<C, R> ProgressivePainter<'_, C, R> {
+    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
+    /// picture.
+    fn band_pixels(&self, lines: &Range<u32>, width: u16) -> usize {
+        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
+        usize::try_from(left).map_or(self.memory.line.len(), |left| left.min(self.memory.line.len()))
+    }
+}
+
+impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for ProgressivePainter<'_, C, R> {
+    type Color = C;
+
+    fn restart(&mut self, _lines_total: u32) {
+        self.traced = 0;
+    }
+
+    fn trace(
+        &mut self,
+        renderer: &Renderer<'_, 'm, R, S>,
+        lines: &Range<u32>,
+        budget_rays: u32,
+        probe: &mut impl Probe<R>,
+    ) -> Traced {
+        let (pixels, width) = (self.band_pixels(lines, renderer.width), usize::from(renderer.width).max(1));
+        let above = (lines.start as usize).saturating_mul(width);
+        let mut spent: u32 = 0;
+        while self.traced < pixels && spent < budget_rays.max(1) {
+            let (down, x) = (self.traced / width, (self.traced % width) as u16);
+            let y = (lines.start as u16).wrapping_add(down as u16);
+            if let Some(sum) = self.memory.sums.get_mut(above.saturating_add(self.traced))
+                && let Some(color) = self.memory.line.get_mut(self.traced)
+            {
+                let before = sum.rays;
+                *color = renderer.refine(x, y, sum, probe);
+                // A complete pixel takes time, too.
+                spent = spent.saturating_add(sum.rays.saturating_sub(before).max(1));
+            }
+            self.traced = self.traced.saturating_add(1);
+        }
+        Traced { rays: spent, is_complete: self.traced >= pixels }
+    }
+
+    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
+        let pixels = self.band_pixels(lines, renderer.width);
+        let height = pixels.checked_div(usize::from(renderer.width)).unwrap_or(0) as u32;
+        (lines.start.saturating_add(height), self.memory.line.get(..pixels).unwrap_or_default())
+    }
+
+    fn next_band(&mut self) {
+        self.traced = 0;
+    }
+}

@@ -1,0 +1,97 @@
+//! Pictures in passes: every pass adds a sample to each pixel.
+
+use rayline::math::Fixed;
+use rayline::{Light16, PixelSum, PreparedScene, RayCounts, Real, Renderer, Scene};
+use rayon::prelude::*;
+
+use crate::picture::{Lights, blank, memory_for, pool};
+use crate::{Number, Picture, RenderError, RenderOptions};
+
+/// A pass that is complete.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pass {
+    /// Its number, from 1 on.
+    pub number: u32,
+    /// The passes that there are at most.
+    pub most: u32,
+    /// The pixels that have all samples that they need.
+    pub pixels_refined: u64,
+}
+
+/// Renders a whole picture in passes, and calls `pass_done` with the picture after each. The last picture has
+/// the bytes of [`render`](crate::render).
+///
+/// # Errors
+/// The errors of [`render`](crate::render), and those of `pass_done`.
+pub fn render_in_passes<E: From<RenderError>>(
+    scene: &Scene<'_>,
+    options: &RenderOptions,
+    mut pass_done: impl FnMut(&Picture, Pass) -> Result<(), E>,
+) -> Result<Picture, E> {
+    match options.number {
+        Number::F32 => passes_in::<f32, E>(scene, options, &mut pass_done),
+        Number::Fixed => passes_in::<Fixed, E>(scene, options, &mut pass_done),
+        Number::F64 => passes_in::<f64, E>(scene, options, &mut pass_done),
+    }
+}
+
+fn passes_in<R: Real, E: From<RenderError>>(
+    scene: &Scene<'_>,
+    options: &RenderOptions,
+    pass_done: &mut dyn FnMut(&Picture, Pass) -> Result<(), E>,
+) -> Result<Picture, E> {
+    let mut memory = memory_for::<R>(scene);
+    let prepared_bytes = memory.len();
+    let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+    let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
+    let (width, height, pool) = (renderer.width(), renderer.height(), pool(options)?);
+    let rgb = blank(width, height)?;
+    let mut picture = Picture { width, height, rgb, rays: RayCounts::default(), prepared_bytes };
+    let mut sums = no_sums::<R>(width, height)?;
+    for number in 1.. {
+        pool.install(|| draw(&renderer, options, &mut sums, &mut picture));
+        let pixels_refined = sums.iter().filter(|sum| sum.is_complete()).count() as u64;
+        let most = u32::from(options.settings.sampling.samples);
+        pass_done(&picture, Pass { number, most, pixels_refined })?;
+        if pixels_refined == sums.len() as u64 {
+            break;
+        }
+    }
+    Ok(picture)
+}
+
+/// Draws one pass.
+fn draw<R: Real>(
+    renderer: &Renderer<'_, '_, R>,
+    options: &RenderOptions,
+    sums: &mut [PixelSum<R>],
+    picture: &mut Picture,
+) {
+    // The length of a chunk must not be 0, even if a picture has no columns.
+    let width = (picture.width as usize).max(1);
+    let lines = sums.par_chunks_mut(width).zip(picture.rgb.par_chunks_mut(width * 3)).enumerate();
+    let rays = lines.map(|(y, (sums, rgb))| {
+        let mut rays = RayCounts::default();
+        let pixels = sums.iter_mut().enumerate();
+        let lights: Vec<Light16> =
+            pixels.map(|(x, sum)| renderer.refine(x as u16, y as u16, sum, &mut rays)).collect();
+        let RenderOptions { display, settings, .. } = options;
+        display.color(Lights { lights: &lights, settings, first: y as u32, rgb });
+        rays
+    });
+    picture.rays += rays.reduce(RayCounts::default, |mut a, b| {
+        a += b;
+        a
+    });
+}
+
+/// Empty sums for all pixels of a picture.
+fn no_sums<R: Real>(width: u32, height: u32) -> Result<Vec<PixelSum<R>>, RenderError> {
+    let pixels = u64::from(width) * u64::from(height);
+    let mut sums = Vec::new();
+    match usize::try_from(pixels) {
+        Ok(pixels) if sums.try_reserve_exact(pixels).is_ok() => sums.resize(pixels, PixelSum::EMPTY),
+        _ => return Err(RenderError::Memory { needed: pixels * size_of::<PixelSum<R>>() as u64 }),
+    }
+    Ok(sums)
+}
