@@ -151,6 +151,8 @@ pub enum Fault {
     TooManyTurns,
     /// An object or the camera has several [`Motion`](crate::Motion)s. Write one, with `by` and `spin`.
     MovesTwice,
+    /// Several lights are the sky. Write one.
+    TwoSkies,
     /// A coefficient of a falloff is negative or above 1e6, or all are zero. Use 0 to 1e6, and more than 0
     /// for one of them. [`Falloff::inverse_square`](crate::Falloff::inverse_square) takes a distance from
     /// 0.001 to 1e19.
@@ -358,6 +360,7 @@ impl fmt::Display for Fault {
             Self::MovesTwice => {
                 "an object or the camera has several motions; write one, with both `by` and `spin`"
             }
+            Self::TwoSkies => "several lights are the sky; write one",
             Self::Falloff => {
                 "a coefficient of a falloff is not within 0 to 1e6, or all are 0; use more than 0 for one of \
                  the three, and give `inverse_square` a distance from 0.001 to 1e19"

@@ -129,6 +129,7 @@ pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;
 pub use fault::{Coefficient, Fault};
+pub use integrator::AreaLights;
 pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone, ObjectId};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};

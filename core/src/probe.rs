@@ -68,9 +68,10 @@ pub enum Event<R> {
         /// Share of that light that reaches the pixel, in each channel.
         throughput: LinearRgb<R>,
     },
-    /// Light that leaves the hit along the ray without any lamp: once for each hit, before its lamps.
+    /// Light that leaves the hit along the ray without any lamp: once for each hit, before its lamps, and once
+    /// more for the light of the sky in closed form.
     Surface {
-        /// Ambient light that the surface reflects, plus light that it emits.
+        /// Ambient light that the surface reflects, plus light that it emits; or light of the sky.
         shown: LinearRgb<R>,
     },
     /// A light in front of the surface, which the surface shows if it is not blocked: one shadow ray of the

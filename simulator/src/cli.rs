@@ -8,7 +8,7 @@ use std::str::FromStr;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
-use rayline::{Adaptive, Dither, Reconstruction, Sampler, Sampling, Settings, Transfer};
+use rayline::{Adaptive, AreaLights, Dither, Reconstruction, Sampler, Sampling, Settings, Transfer};
 use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, SAMPLERS, Show};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -210,6 +210,10 @@ pub(crate) struct Look {
     transfer: Transfer,
     #[command(flatten)]
     sampling: SamplingArgs,
+    /// Light lamps with a size by rays, or by formulas: without noise, and with soft shadows of opaque balls
+    /// only [default: the scene's own, else sampled]
+    #[arg(long, value_name = "HOW", value_parser = named(&AREA_LIGHTS))]
+    area_lights: Option<AreaLights>,
     /// The most rays for one pixel, shadow rays included [default: the scene's own, else 4096]
     #[arg(
         long,
@@ -254,6 +258,9 @@ struct SamplingArgs {
     seed: Option<u32>,
 }
 
+const AREA_LIGHTS: [(&str, AreaLights); 2] =
+    [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
+
 const FILTERS: [(&str, Reconstruction); 3] =
     [("box", Reconstruction::Box), ("tent", Reconstruction::Tent), ("gaussian", Reconstruction::Gaussian)];
 
@@ -292,6 +299,7 @@ impl Look {
             rays_per_pixel: self.rays_per_pixel.unwrap_or(own.rays_per_pixel),
             cutoff: self.cutoff.unwrap_or(own.cutoff),
             sampling: self.sampling.over(own.sampling),
+            area_lights: self.area_lights.unwrap_or(own.area_lights),
             transfer: self.transfer,
             dither: self.dither,
         };

@@ -132,6 +132,29 @@ impl<R: Real> PreparedBackground<'_, R> {
         }
     }
 
+    /// Whether [`light_on`](Self::light_on) has a formula.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn has_closed_form(&self) -> bool {
+        match self {
+            Self::Solid(_) => true,
+            Self::Varying(surroundings) => matches!(surroundings.get(), Surroundings::Sky(_)),
+        }
+    }
+
+    /// The light that comes from all directions above a white surface with this unit normal: the mean of the
+    /// colors, weighted by the cosine. Below a ground with this unit normal it is black. `None` for a panorama.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn light_on(&self, normal: Vec3<R>, ground: Option<Vec3<R>>) -> Option<LinearRgb<R>> {
+        let above = ground.map(|ground| share_above(ground, normal));
+        match self {
+            Self::Solid(color) => Some(above.map_or(*color, |above| color.scaled(above))),
+            Self::Varying(surroundings) => match surroundings.get() {
+                Surroundings::Sky(sky) => Some(sky.light_on(normal, ground.zip(above))),
+                Surroundings::Panorama(_) => None,
+            },
+        }
+    }
+
     /// A number for the part of the background that is seen along `direction`, in this color. Two directions
     /// have different numbers where interpolating between their two colors would be wrong. A solid background
     /// has the number 0.
@@ -158,6 +181,12 @@ impl<R: Real> PreparedBackground<'_, R> {
             _ => false,
         }
     }
+}
+
+/// The share of an even sky that is above a plane, on a surface with this normal.
+#[cfg(feature = "distributed")]
+pub(crate) fn share_above<R: Real>(plane: Vec3<R>, normal: Vec3<R>) -> R {
+    (R::ONE + plane.dot(normal)).larger(R::ZERO) * R::from_f32(0.5)
 }
 
 impl<R: Real> Surroundings<'_, R> {

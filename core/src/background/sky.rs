@@ -56,12 +56,43 @@ pub(crate) struct PreparedSky<R> {
     nadir: LinearRgb<R>,
 }
 
+/// The cosine of the largest slope of a ground that counts as level.
+#[cfg(feature = "distributed")]
+const LEVEL: f32 = 0.99;
+
 impl<R: Real> PreparedSky<R> {
     pub(super) fn color(&self, direction: Vec3<R>) -> LinearRgb<R> {
         let height = self.up.dot(direction);
         let (end, share) = if height < R::ZERO { (self.nadir, -height) } else { (self.zenith, height) };
         // The rounded length of a unit vector may be slightly above 1.
         blend(self.horizon, end, if share < R::ONE { share } else { R::ONE })
+    }
+
+    /// The mean of the colors above a surface with this unit normal, weighted by the cosine.
+    ///
+    /// The color is linear in the height h above and below the horizon. The weighted mean of max(h, 0) is
+    /// `2/3π · (sin γ + (π - γ) cos γ)`, where γ is the angle between the normal and the zenith: the integral
+    /// of the product of two clamped cosines.
+    ///
+    /// A ground with this normal hides what lies below it, and leaves this share of an even sky. That is exact
+    /// for a ground that is level.
+    #[cfg(feature = "distributed")]
+    pub(super) fn light_on(&self, normal: Vec3<R>, ground: Option<(Vec3<R>, R)>) -> LinearRgb<R> {
+        let (sine, cosine) = (self.up.cross(normal).length(), self.up.dot(normal));
+        let angle = R::turn(sine, cosine) * R::from_f32(core::f32::consts::TAU);
+        let scale = R::from_f32(2.0 / 3.0 * core::f32::consts::FRAC_1_PI);
+        let below = ((sine - angle * cosine) * scale).larger(R::ZERO);
+        let above = (below + cosine * R::from_f32(2.0 / 3.0)).larger(R::ZERO);
+        let of_heights = |below: R, level: R| {
+            self.horizon.scaled(level.larger(R::ZERO)) + self.zenith.scaled(above) + self.nadir.scaled(below)
+        };
+        match ground {
+            Some((ground, share)) if ground.dot(self.up) > R::from_f32(LEVEL) => {
+                of_heights(R::ZERO, share - above)
+            }
+            Some((_, share)) => of_heights(below, R::ONE - above - below).scaled(share),
+            None => of_heights(below, R::ONE - above - below),
+        }
     }
 
     /// Whether a direction is below the horizon.
@@ -80,6 +111,37 @@ mod tests {
         nadir: LinearRgb::gray(0.125),
         ..Sky::new(LinearRgb::new(1.0, 0.75, 0.5), LinearRgb::WHITE)
     };
+
+    /// The formula gives the weighted mean of the colors.
+    #[cfg(feature = "distributed")]
+    fn assert_light<R: Real>() {
+        use crate::sampling::{around, disc};
+        let sky = SKY.prepare::<R>().unwrap();
+        for angle in [0.0f32, 0.5, 1.2, 1.6, 2.2, 3.1] {
+            let normal = Vec3::new(angle.sin(), angle.cos(), 0.0).to::<R>().normalized().unwrap();
+            let (mut sum, steps) = ([0.0; 3], 64u16);
+            for pair in (0..steps).flat_map(|a| (0..steps).map(move |b| [a * 1024 + 512, b * 1024 + 512])) {
+                let [x, y] = disc::<R>(pair);
+                let sine_squared = x * x + y * y;
+                let toward = around(normal, (R::ONE - sine_squared).sqrt(), sine_squared, [x, y]);
+                let LinearRgb { r, g, b } = sky.color(toward).to_f32();
+                sum = [sum[0] + r, sum[1] + g, sum[2] + b];
+            }
+            let LinearRgb { r, g, b } = sky.light_on(normal, None).to_f32();
+            for (found, sum) in [r, g, b].iter().zip(sum) {
+                let expected = sum / f32::from(steps).powi(2);
+                assert!((found - expected).abs() < 2e-3, "{angle}: {found}, not {expected}");
+            }
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "distributed")]
+    fn the_light_of_all_directions() {
+        assert_light::<f32>();
+        assert_light::<f64>();
+        assert_light::<Fixed>();
+    }
 
     fn assert_sky<R: Real>() {
         let seen = |sky: Sky, x: f32, y: f32, z: f32| {

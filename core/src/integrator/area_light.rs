@@ -1,11 +1,11 @@
-//! The light of lamps with a size at a hit: rays to several points of each.
+//! The light of lamps with a size at a hit: by rays to several points of each, or in closed form.
 
-use super::Trace;
 use super::shaded_hit::{FacingLight, LampLight, ShadedHit};
+use super::{AreaLights, Trace};
 use crate::color::LinearRgb;
-use crate::light::{AreaLight, LampPoint};
-use crate::math::Real;
-use crate::prepared::Among;
+use crate::light::{AreaLight, LampPoint, SeenLamp};
+use crate::math::{Real, Vec3};
+use crate::prepared::{Among, Through};
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::Dimension;
 use crate::shape::Geometry;
@@ -20,18 +20,26 @@ const FIRST: u16 = 4;
 const MOST: u16 = 16;
 
 impl<R: Real> ShadedHit<'_, R> {
-    /// Diffuse light and highlights of all lamps with a size, at a hit after so many bounces.
+    /// Diffuse light and highlights of all lamps with a size and of the sky, at a hit after so many bounces.
     pub(super) fn light_of_areas<S: Geometry, P: Probe<R>>(
         &self,
         trace: &mut Trace<'_, '_, R, S, P>,
         bounces: u8,
     ) -> LinearRgb<R> {
         let mut light = LinearRgb::BLACK;
+        if let Some(sky) = trace.scene.sky() {
+            light = self.light_of_sky(trace, sky, bounces);
+        }
         for area in trace.scene.areas() {
             // Balls and flat lamps do not light themselves.
-            if area.object != self.hit.object {
-                light = light + self.light_of(area, trace, bounces);
+            if area.object == self.hit.object {
+                continue;
             }
+            light = light
+                + match trace.limits.area_lights {
+                    AreaLights::Sampled => self.light_of(area, trace, bounces),
+                    AreaLights::ClosedForm => self.closed_light_of(area, trace),
+                };
         }
         light
     }
@@ -87,10 +95,49 @@ impl<R: Real> ShadedHit<'_, R> {
         self.reflected_light(LinearRgb::BLACK, sum)
     }
 
+    /// The light of a lamp by formulas, and with one ray.
+    fn closed_light_of<S: Geometry, P: Probe<R>>(
+        &self,
+        area: &AreaLight<R>,
+        trace: &mut Trace<'_, '_, R, S, P>,
+    ) -> LinearRgb<R> {
+        let scene = trace.scene;
+        let (moved, point) = (scene.moved(area.object), self.hit.surface.point);
+        let seen = match &moved {
+            None => area.seen_from(point, self.normal),
+            Some(moved) => {
+                let (point, normal) = (moved.point_back(point), moved.direction_back(self.normal));
+                area.seen_from(point, normal).map(|seen| seen.turned(|direction| moved.direction(direction)))
+            }
+        };
+        let Some(SeenLamp { cap, toward, distance, weight, cosine }) = seen else { return LinearRgb::BLACK };
+        let Some(facing) = self.facing_from(toward, distance, cosine) else { return LinearRgb::BLACK };
+        let mut sum = LampLight::NONE;
+        if !trace.rays.spend() {
+            trace.probe.record(Event::Cut(Cut::Rays));
+            return LinearRgb::BLACK;
+        }
+        let ray = self.hit.spawn(toward, self.departure(toward, false));
+        let mut through = scene.through_but_balls(&ray, distance, area.object);
+        let left = scene.left_by_balls(&cap, point, [self.hit.object, area.object]);
+        if !(left > R::ZERO) {
+            through = Through::Nothing;
+        } else if left < R::ONE && !matches!(through, Through::TooManyLayers) {
+            through = Through::Some(through.throughput() * left);
+        }
+        self.receive(trace, &mut sum, (area.light, area.radiance.scaled(weight)), &facing, through);
+        self.reflected_light(LinearRgb::BLACK, sum)
+    }
+
     /// A point of a lamp that the surface faces and would show, and its weight.
     fn facing_point(&self, point: LampPoint<R>) -> Option<(FacingLight<R>, R)> {
         let LampPoint { toward, distance, weight } = point;
-        let cosine = self.normal.dot(toward);
+        Some((self.facing_from(toward, distance, self.normal.dot(toward))?, weight))
+    }
+
+    /// Light from a direction, with the cosine that its diffuse light has; `None` if the surface would not
+    /// show it.
+    fn facing_from(&self, toward: Vec3<R>, distance: R, cosine: R) -> Option<FacingLight<R>> {
         if !(cosine > R::ZERO) {
             return None;
         }
@@ -99,6 +146,6 @@ impl<R: Real> ShadedHit<'_, R> {
         if !(self.material.diffuse > R::ZERO) && highlight_cosine.is_none() {
             return None;
         }
-        Some((FacingLight { toward, distance, cosine, highlight_cosine, share: None }, weight))
+        Some(FacingLight { toward, distance, cosine, highlight_cosine, share: None })
     }
 }

@@ -117,10 +117,10 @@ impl<R: Real> Path<R> {
         shadow_rays.begin_at(hit.object);
         let light = shaded.local_light(trace, shadow_rays);
         #[cfg(feature = "distributed")]
-        let light = if trace.scene.areas().is_empty() {
-            light
-        } else {
+        let light = if trace.scene.has_wide_lights() {
             light + shaded.light_of_areas(trace, self.next.bounces)
+        } else {
+            light
         };
         self.receive(throughput, light);
         if material.sends_rays() {

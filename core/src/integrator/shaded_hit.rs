@@ -246,6 +246,12 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         LinearRgb::new(color.r * r, color.g * g, color.b * b)
     }
 
+    /// Light from all around that the surface scatters.
+    #[cfg(feature = "distributed")]
+    pub(super) fn scattered(&self, light: LinearRgb<R>) -> LinearRgb<R> {
+        light * self.color * self.material.diffuse
+    }
+
     /// Ambient light, and the light of lamps as the surface reflects it.
     #[inline(always)]
     pub(super) fn reflected_light(&self, ambient: LinearRgb<R>, lamps: LampLight<R>) -> LinearRgb<R> {

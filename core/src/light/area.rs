@@ -19,11 +19,11 @@ pub(crate) struct AreaLight<R: Real> {
     pub(crate) light: usize,
     /// The light that its surface emits in each direction.
     pub(crate) radiance: LinearRgb<R>,
-    surface: LampSurface<R>,
+    pub(super) surface: LampSurface<R>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum LampSurface<R: Real> {
+pub(super) enum LampSurface<R: Real> {
     Ball {
         center: Vec3<R>,
         radius: R,
@@ -52,7 +52,7 @@ pub(crate) struct LampPoint<R> {
 }
 
 /// Other objects can be in the way on this share of the way to a lamp. The lamp itself must not.
-const FREE_SHARE: f32 = 1.0 - 1.0 / 512.0;
+pub(super) const FREE_SHARE: f32 = 1.0 - 1.0 / 512.0;
 /// In fixed point, flat lamps count as at least an eighth of their radius away: nearer, their weight would be
 /// beyond its range.
 const MOST_RADIUS_OVER_DISTANCE: f32 = 8.0;
@@ -104,19 +104,30 @@ impl<R: Real> AreaLight<R> {
             LampSurface::Ball { center, radius } => in_cone(center - point, radius, pair),
             LampSurface::Flat { center, halves: [a, b], normal, is_round, radius } => {
                 let [x, y] = if is_round { disc(pair) } else { pair.map(centered) };
-                let (toward, distance) = (center + a * x + b * y - point).unit_and_length();
-                if !(distance > R::ZERO) {
-                    return None;
-                }
-                let mut ratio = radius / distance;
-                if R::IS_FIXED_POINT {
-                    ratio = ratio.smaller(R::from_f32(MOST_RADIUS_OVER_DISTANCE));
-                }
-                let weight = ratio * ratio * normal.dot(toward).abs();
-                Some(LampPoint { toward, distance: distance * R::from_f32(FREE_SHARE), weight })
+                on_flat(center + a * x + b * y - point, normal, radius)
             }
         }
     }
+
+    /// The solid angle of a flat lamp over π, computed from its middle alone.
+    pub(super) fn weight_of(&self, point: Vec3<R>) -> Option<R> {
+        let LampSurface::Flat { center, normal, radius, .. } = self.surface else { return None };
+        Some(on_flat(center - point, normal, radius)?.weight)
+    }
+}
+
+/// A point of a flat lamp that is this far away.
+fn on_flat<R: Real>(way: Vec3<R>, normal: Vec3<R>, radius: R) -> Option<LampPoint<R>> {
+    let (toward, distance) = way.unit_and_length();
+    if !(distance > R::ZERO) {
+        return None;
+    }
+    let mut ratio = radius / distance;
+    if R::IS_FIXED_POINT {
+        ratio = ratio.smaller(R::from_f32(MOST_RADIUS_OVER_DISTANCE));
+    }
+    let weight = ratio * ratio * normal.dot(toward).abs();
+    Some(LampPoint { toward, distance: distance * R::from_f32(FREE_SHARE), weight })
 }
 
 /// A direction in the cone that a ball fills; `None` from inside the ball.

@@ -2,10 +2,14 @@
 
 #[cfg(feature = "distributed")]
 mod area;
+#[cfg(feature = "distributed")]
+mod closed_form;
 mod lamp;
 
 #[cfg(feature = "distributed")]
 pub(crate) use area::{AreaLight, LampPoint};
+#[cfg(feature = "distributed")]
+pub(crate) use closed_form::{Cap, SeenLamp, light_of_ball};
 pub(crate) use lamp::PreparedLamp;
 pub use lamp::{Lamp, LightCone};
 
@@ -14,7 +18,7 @@ use crate::color::{LinearRgb, check_emission};
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Real, Scale, Vec3};
 
-/// A light. All but [`Object`](Self::Object) have no size, and shadows with sharp edges.
+/// A light. All but [`Object`](Self::Object) and [`Sky`](Self::Sky) have no size, and shadows with sharp edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -50,6 +54,14 @@ pub enum Light {
     /// the pixel, 16 in the penumbra. What touches the lamp throws no shadow on the last 1/512 of the way to
     /// it. Needs the feature `distributed`.
     Object(ObjectId),
+    /// The light of the background from all directions: a diffuse surface shows the mean of the sky above
+    /// it, and less where objects hide the sky. It makes no highlights. At most one light of a scene is the
+    /// sky. Needs the feature `distributed`.
+    ///
+    /// Each hit takes 4 rays into the sky; with one sample of the pixel, 16. In
+    /// [closed form](crate::AreaLights::ClosedForm) it takes none: then only opaque balls and planes without end hide the sky, and a
+    /// [`Panorama`](crate::Panorama) is sampled all the same.
+    Sky,
 }
 
 /// The position of an object in [`Scene::objects`](crate::Scene::objects).
@@ -96,6 +108,7 @@ crate::read::read_enum! {
         Lamp(Lamp),
         Ambient { AmbientFields: color },
         Object(ObjectId),
+        Sky,
     }
 }
 
@@ -106,8 +119,14 @@ impl Light {
     }
 
     /// The object that gives the light, if it is one.
+    #[cfg(feature = "distributed")]
     pub(crate) const fn object(&self) -> Option<ObjectId> {
         if let Self::Object(object) = self { Some(*object) } else { None }
+    }
+
+    /// Whether the light needs the feature `distributed`.
+    pub(crate) const fn needs_distributed(&self) -> bool {
+        matches!(self, Self::Object(_) | Self::Sky)
     }
 
     /// The most bytes of lent memory that this light takes in addition to its `PreparedLight`.
@@ -144,11 +163,11 @@ impl Light {
             // An ambient light is kept in the list with direction zero, so that no surface receives light
             // from it.
             Self::Ambient { color } => (Source::Toward(Vec3::ZERO), color),
-            // So is an object, whose light is found apart.
-            Self::Object(_) if cfg!(feature = "distributed") => {
+            // So are objects and the sky, whose light is found apart.
+            Self::Object(_) | Self::Sky if cfg!(feature = "distributed") => {
                 (Source::Toward(Vec3::ZERO), LinearRgb::gray(0.0))
             }
-            Self::Object(_) => return Err(Fault::WithoutFeature { feature: "distributed" }),
+            Self::Object(_) | Self::Sky => return Err(Fault::WithoutFeature { feature: "distributed" }),
             Self::Point { position, color } => {
                 check_point(position)?;
                 (Source::point(position, scale), color)

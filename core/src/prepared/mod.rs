@@ -11,6 +11,8 @@ mod object_set;
 mod objects;
 mod search;
 mod shadow;
+#[cfg(feature = "distributed")]
+mod wide_lights;
 
 use core::mem::MaybeUninit;
 
@@ -59,6 +61,14 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// The objects that give light.
     #[cfg(feature = "distributed")]
     areas: &'m [AreaLight<R>],
+    /// The light that is the sky.
+    #[cfg(feature = "distributed")]
+    sky: Option<usize>,
+    /// Opaque balls and planes without end, in a scene of few objects.
+    #[cfg(feature = "distributed")]
+    balls: ObjectSet,
+    #[cfg(feature = "distributed")]
+    planes: ObjectSet,
     /// The motion of the camera.
     #[cfg(feature = "distributed")]
     camera_motion: Option<&'m PreparedMotion<R>>,
@@ -165,6 +175,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let prepared_objects = &*prepared_objects;
         #[cfg(feature = "distributed")]
         let areas = areas(scene, prepared_objects, scale, arena)?;
+        #[cfg(feature = "distributed")]
+        let [balls, planes] = wide_lights::balls_and_planes(prepared_objects);
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         let candidates = candidates.map_err(Part::Memory.error())?;
         let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
@@ -175,6 +187,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             lights: prepared_lights,
             #[cfg(feature = "distributed")]
             areas,
+            #[cfg(feature = "distributed")]
+            balls,
+            #[cfg(feature = "distributed")]
+            planes,
+            #[cfg(feature = "distributed")]
+            sky: sky(lights)?,
             #[cfg(feature = "distributed")]
             camera_motion,
             #[cfg(feature = "distributed")]
@@ -200,8 +218,22 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             lights: &[],
             #[cfg(feature = "distributed")]
             areas: &[],
+            #[cfg(feature = "distributed")]
+            sky: None,
             ..self
         }
+    }
+
+    /// Whether objects or the sky give light.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn has_wide_lights(&self) -> bool {
+        self.sky.is_some() || !self.areas.is_empty()
+    }
+
+    /// The position of the light that is the sky.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn sky(&self) -> Option<usize> {
+        self.sky
     }
 
     /// The objects that give light.
@@ -257,17 +289,21 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// Whether rays draw numbers, so that a sample is more than its place in the pixel.
-    pub(crate) fn is_distributed(&self) -> bool {
+    pub(crate) fn is_distributed(&self, samples_areas: bool) -> bool {
         #[cfg(feature = "distributed")]
         {
             let spreads_rays = |object: &PreparedObject<'_, R, _>| object.material.spreads_rays();
             self.camera.lens().is_some()
                 || self.moves()
-                || !self.areas.is_empty()
+                || (samples_areas && self.has_wide_lights())
+                || (self.sky.is_some() && !self.background.has_closed_form())
                 || self.objects.iter().any(spreads_rays)
         }
         #[cfg(not(feature = "distributed"))]
-        false
+        {
+            let _ = samples_areas;
+            false
+        }
     }
 
     /// Whether anything moves while the shutter is open.
@@ -328,6 +364,17 @@ fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError
         }
     }
     Ok(sum.map(LinearRgb::to))
+}
+
+/// The light of a scene that is the sky.
+#[cfg(feature = "distributed")]
+fn sky(lights: &[Light]) -> Result<Option<usize>, SceneError> {
+    let mut skies = lights.iter().enumerate().filter(|(_, light)| matches!(light, Light::Sky));
+    let first = skies.next().map(|(index, _)| index);
+    match skies.next() {
+        Some((second, _)) => Err(Part::Light(second).error()(Fault::TwoSkies)),
+        None => Ok(first),
+    }
 }
 
 /// The lights of a scene that are objects.

@@ -31,6 +31,12 @@ impl ObjectSet {
         Self(self.0 & other.0)
     }
 
+    /// The objects that are not in another set.
+    #[cfg(feature = "distributed")]
+    pub(super) const fn but(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
     pub(crate) const fn contains(self, object: usize) -> bool {
         !self.common(Self::NONE.with(object)).is_empty()
     }
@@ -46,7 +52,7 @@ impl ObjectSet {
     /// The lowest position.
     #[inline]
     pub(super) fn lowest(self) -> Option<usize> {
-        if Self::CAPACITY == 0 {
+        if Self::CAPACITY == 0 && !cfg!(feature = "distributed") {
             // A build without sets makes no code for their objects.
             return None;
         }

@@ -87,7 +87,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     #[cfg(feature = "distributed")]
-    #[inline(never)]
+    #[cold]
     fn intersect_moving(
         &self,
         object: &PreparedObject<'m, R, S::Prepared<'m, R>>,

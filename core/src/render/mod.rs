@@ -27,6 +27,7 @@ mod outlines;
 mod painter;
 mod pattern;
 mod pixel;
+mod pixel_sum;
 mod progressive;
 mod quality;
 mod quantize;
@@ -42,7 +43,8 @@ pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use interleave::Interleave;
 pub use pattern::Pattern;
-pub use progressive::{PixelSum, Progressive};
+pub use pixel_sum::PixelSum;
+pub use progressive::Progressive;
 pub use quality::Quality;
 pub use quantize::{Light16, Quantizer};
 pub use realtime::{Grid, Realtime, RealtimeBuffer, Sample};
@@ -59,7 +61,7 @@ use embedded_graphics::draw_target::DrawTarget;
 
 use crate::camera::Viewport;
 use crate::color::LinearRgb;
-use crate::integrator::{RayLimits, Sight};
+use crate::integrator::{AreaLights, RayLimits, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
@@ -101,10 +103,15 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             viewport,
             width,
             height,
-            limits: RayLimits { bounces: settings.bounces, cutoff: R::from_f32(settings.cutoff) },
+            limits: RayLimits {
+                bounces: settings.bounces,
+                cutoff: R::from_f32(settings.cutoff),
+                #[cfg(feature = "distributed")]
+                area_lights: settings.area_lights,
+            },
             sample_weight: R::from_setup(R::Setup::from_u16(samples).recip()),
             settings,
-            is_distributed: scene.is_distributed(),
+            is_distributed: scene.is_distributed(settings.area_lights == AreaLights::Sampled),
             outlines: Outlines::UNKNOWN,
         };
         // A lens or a motion of the camera blurs outlines, and several samples lie beside them.

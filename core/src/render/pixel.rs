@@ -1,6 +1,7 @@
 //! One pixel: its samples, and their mean.
 
-use super::{PixelSum, Renderer, Settings};
+use super::pixel_sum::PixelSum;
+use super::{Renderer, Settings};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};

@@ -1,6 +1,7 @@
 //! How a picture is rendered.
 
 use super::SettingsError;
+use crate::integrator::AreaLights;
 use crate::limits::{MAX_BOUNCES, MAX_SIDE};
 use crate::sampling::{Adaptive, Sampling};
 
@@ -26,6 +27,8 @@ pub struct Settings {
     pub cutoff: f32,
     /// The rays from the eye through each pixel: how many, and where.
     pub sampling: Sampling,
+    /// How the light of lamps with a size is found.
+    pub area_lights: AreaLights,
     /// The curve from light to the codes of a display.
     pub transfer: Transfer,
     /// The rounding of light to the levels of a display.
@@ -33,7 +36,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Four bounces, one sample for each pixel, sRGB, no dithering.
+    /// Four bounces, one sample for each pixel, lamps with a size by rays, sRGB, no dithering.
     pub const fn new(width: u32, height: u32) -> Self {
         Self {
             width,
@@ -42,6 +45,7 @@ impl Settings {
             rays_per_pixel: 4096,
             cutoff: 1.0 / 256.0,
             sampling: Sampling::CENTER,
+            area_lights: AreaLights::Sampled,
             transfer: Transfer::Srgb,
             dither: Dither::None,
         }

@@ -7,6 +7,7 @@
 //! | 2 | the time |
 //! | 4 + 4 · b | the direction of a mirrored ray after b bounces |
 //! | 5 + 4 · b | the direction of a refracted ray after b bounces |
+//! | 7 + 4 · b | the directions into the sky from a hit after b bounces |
 //! | 6 + 4 · b + 256 · l | the points of the light l for a hit after b bounces |
 
 /// A use of two numbers that a sample draws. Two uses never share numbers.
@@ -39,6 +40,12 @@ impl Dimension {
         Self(6 + 4 * bounces as u32 + ((light as u32) << 8))
     }
 
+    /// The directions into the sky, from a hit after so many bounces.
+    #[cfg(feature = "distributed")]
+    pub(crate) const fn sky(bounces: u8) -> Self {
+        Self(7 + 4 * bounces as u32)
+    }
+
     /// Its number, which hashes take.
     pub(super) const fn number(self) -> u32 {
         self.0
@@ -69,6 +76,7 @@ mod tests {
             let first = 4 * u32::from(b);
             add("| 4 + 4 · b | the direction of a mirrored ray", 4 + first, Dimension::mirrored(b));
             add("| 5 + 4 · b | the direction of a refracted ray", 5 + first, Dimension::refracted(b));
+            add("| 7 + 4 · b | the directions into the sky", 7 + first, Dimension::sky(b));
             for light in [0, 1, 7, 65_534] {
                 let number = 6 + first + 256 * light as u32;
                 add("| 6 + 4 · b + 256 · l | the points of the light l", number, Dimension::lamp(b, light));

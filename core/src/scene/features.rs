@@ -18,7 +18,7 @@ impl<S> Scene<'_, S> {
             self.background.needs_textures() || self.materials.iter().any(Material::needs_textures);
         let has_distributed = self.camera.lens.is_some()
             || self.materials.iter().any(Material::needs_distributed)
-            || self.lights.iter().any(|light| light.object().is_some())
+            || self.lights.iter().any(Light::needs_distributed)
             || !self.motions.is_empty();
         let has_few = self.objects.len() <= FEW_OBJECTS;
         let all = [

@@ -5,8 +5,9 @@ use core::mem::MaybeUninit;
 
 use rayline::shape::{Disc, Shape, Sphere};
 use rayline::{
-    Adaptive, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId, Optics,
-    PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings, Vec3,
+    Adaptive, AreaLights, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Motion, Object,
+    ObjectId, Optics, PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings,
+    Vec3,
 };
 
 /// The memory that is lent for the prepared scene.
@@ -78,9 +79,10 @@ pub(super) fn update<R: Real>(digest: &mut Digest) {
         for filter in FILTERS {
             let adaptive = Some(Adaptive { at_first: 3, ..Adaptive::NEW });
             let sampling = Sampling { sampler, filter, adaptive, ..Sampling::new(5) };
-            let Ok(renderer) = Renderer::new(&scene, Settings { sampling, ..Settings::new(6, 4) }) else {
-                return;
-            };
+            let is_box = filter == Reconstruction::Box;
+            let area_lights = if is_box { AreaLights::ClosedForm } else { AreaLights::Sampled };
+            let settings = Settings { sampling, area_lights, ..Settings::new(6, 4) };
+            let Ok(renderer) = Renderer::new(&scene, settings) else { return };
             for (x, y) in (0..4).flat_map(|y| (0..6).map(move |x| (x, y))) {
                 let (light, rays) = renderer.pixel(x, y, &mut ());
                 digest.update(&rays.to_le_bytes());

@@ -55,6 +55,8 @@ pub enum Lack {
     Place,
     /// Falloff of reflections with distance.
     ReflectionFalloff,
+    /// The light of the sky.
+    Sky,
     /// Schlick's approximation for a transparent material.
     Schlick,
     /// A transmission color of a surface that is also matte: POV-Ray has one color for both.
@@ -75,6 +77,7 @@ impl fmt::Display for Lack {
             Self::Noise => "its noise has other values",
             Self::Place => "texture coordinates on this surface have no formula",
             Self::ReflectionFalloff => "its reflections do not fade with distance",
+            Self::Sky => "its background gives no light without radiosity",
             Self::Schlick => "Schlick's approximation can be written for opaque surfaces only",
             Self::TransmissionColor => {
                 "it has one color for both the diffuse and the transmitted light of a surface"

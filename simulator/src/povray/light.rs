@@ -19,6 +19,7 @@ pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
         // Ambient light is a global setting, see `ambient`.
         Light::Ambient { .. } => String::new(),
         Light::Object(_) => return Err(Lack::Area),
+        Light::Sky => return Err(Lack::Sky),
         Light::Lamp(lamp) => lamp_source(&lamp)?,
         _ => return Err(Lack::New),
     })

@@ -2,7 +2,7 @@
 
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
-use rayline::{Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings};
+use rayline::{AreaLights, Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings};
 use serde::{Deserialize, Serialize};
 
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
@@ -24,6 +24,9 @@ pub struct FileSettings {
     /// [`Settings::sampling`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sampling: Option<Sampling>,
+    /// [`Settings::area_lights`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area_lights: Option<AreaLights>,
 }
 
 plain!(FileSettings);
@@ -40,6 +43,7 @@ impl FileSettings {
             rays_per_pixel: changed(usual.rays_per_pixel, settings.rays_per_pixel),
             cutoff: changed(usual.cutoff, settings.cutoff),
             sampling: changed(usual.sampling, settings.sampling),
+            area_lights: changed(usual.area_lights, settings.area_lights),
         }
     }
 
@@ -57,6 +61,7 @@ impl FileSettings {
             rays_per_pixel: self.rays_per_pixel.unwrap_or(usual.rays_per_pixel),
             cutoff: self.cutoff.unwrap_or(usual.cutoff),
             sampling: self.sampling.unwrap_or(usual.sampling),
+            area_lights: self.area_lights.unwrap_or(usual.area_lights),
             ..usual
         }
     }

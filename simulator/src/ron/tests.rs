@@ -6,9 +6,9 @@ use rayline::shape::{
 };
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
-    Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Noise, Object,
-    ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space, Squares,
-    Stripes, Texture, Vec3, Wood, builtin,
+    Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Motion, Noise,
+    Object, ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space,
+    Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -143,6 +143,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
         lamp(Some(LightCone { direction: UP, bright: 0.1, dark: 0.2 })),
         Light::Ambient { color: GRAY },
         Light::Object(ObjectId(2)),
+        Light::Sky,
     ];
     let lens = Some(Lens { radius: 0.1, focus: 4.0, blades: 6 });
     let camera = Camera { eye: Vec3::ZERO, target: UP, up: UP, vertical_fov: 0.7, lens };
@@ -154,7 +155,10 @@ fn everything(arena: &Bump) -> Scene<'_> {
         objects: arena.alloc_slice_fill_iter(SHAPES.map(|shape| Object::new(shape, 7))),
         materials: arena.alloc_slice_copy(&materials),
         lights: arena.alloc_slice_copy(&lights),
-        motions: &[],
+        motions: arena.alloc_slice_copy(&[
+            Motion::of_object(1, UP),
+            Motion::of_camera(UP).spinning(Vec3::ZERO, UP, 0.5),
+        ]),
     }
 }
 

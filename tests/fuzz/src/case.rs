@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rayline::{Grid, Realtime, Sampling, Settings};
+use rayline::{AreaLights, Grid, Realtime, Sampling, Settings};
 
 use crate::choices::Choices;
 
@@ -45,6 +45,8 @@ pub enum Portions {
         /// Lines of the buffer.
         lines: u32,
     },
+    /// Pixel by pixel, in passes of one sample each.
+    Passes,
 }
 
 /// How a scene is drawn in one execution.
@@ -88,11 +90,13 @@ impl Case {
             rays_per_pixel,
             cutoff: choices.one_of([0.0, 1.0 / 256.0, 0.1]),
             sampling: Sampling::new(samples.min(rays_per_pixel) as u16),
+            area_lights: choices.one_of([AreaLights::Sampled, AreaLights::ClosedForm]),
             ..Settings::new(width as u32, height as u32)
         };
         let portions = match choices.below(8) {
             0..=3 => Portions::All,
-            4..=6 => Portions::Lines,
+            4..=5 => Portions::Lines,
+            6 => Portions::Passes,
             _ => Portions::Steps {
                 rays: choices.one_of([0, 1, 7, 50, 1000]),
                 lines: choices.between(1, height.min(9)) as u32,
@@ -108,7 +112,8 @@ impl Case {
 }
 
 /// As in `f32-16x10-b2-r4096-c256-lines`: number system, size, bounces, rays per pixel, the cutoff's
-/// reciprocal, `s` and samples per pixel where they are several, portions, and `g` with grid, threshold
+/// reciprocal, `s` and samples per pixel where they are several, `closed` where wide lights are found in
+/// closed form, portions, and `g` with grid, threshold
 /// and budget of realtime quality.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -119,9 +124,13 @@ impl fmt::Display for Case {
         if sampling.samples > 1 {
             write!(f, "-s{}", sampling.samples)?;
         }
+        if self.settings.area_lights == AreaLights::ClosedForm {
+            write!(f, "-closed")?;
+        }
         match self.portions {
             Portions::All => {}
             Portions::Lines => write!(f, "-lines")?,
+            Portions::Passes => write!(f, "-passes")?,
             Portions::Steps { rays, lines } => write!(f, "-steps{rays}x{lines}")?,
         }
         if let Some(Realtime { grid, threshold, budget_rays }) = self.realtime {
@@ -153,8 +162,12 @@ impl FromStr for Case {
         let mut case = Self { number, settings, portions: Portions::All, realtime: None };
         for part in parts {
             let Some((kind, digits)) = part.split_at_checked(1) else { continue };
-            if part == "lines" {
+            if part == "closed" {
+                case.settings.area_lights = AreaLights::ClosedForm;
+            } else if part == "lines" {
                 case.portions = Portions::Lines;
+            } else if part == "passes" {
+                case.portions = Portions::Passes;
             } else if let Some(digits) = part.strip_prefix("steps") {
                 let (rays, lines) = read_pair(digits)?;
                 case.portions = Portions::Steps { rays, lines };

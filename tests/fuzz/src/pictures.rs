@@ -10,8 +10,8 @@ use embedded_graphics::pixelcolor::{PixelColor, raw::RawU24};
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Frame, Light16, PreparedScene, Quantizer, RayCounts, Real, Realtime, RealtimeBuffer,
-    Renderer, Sample, Scene, Settings,
+    AreaLights, DisplayColor, Frame, Light16, PixelSum, PreparedScene, Quantizer, RayCounts, Real, Realtime,
+    RealtimeBuffer, Renderer, Sample, Scene, Settings,
 };
 
 use crate::case::Portions;
@@ -172,6 +172,15 @@ fn draw<R: Real>(
                 renderer.lines(y, line, &mut ()).map_err(broken)?;
             }
         }
+        Portions::Passes => {
+            let mut sums = vec![PixelSum::EMPTY; pixels];
+            while !sums.iter().all(PixelSum::is_complete) {
+                for (index, (pixel, sum)) in picture.iter_mut().zip(&mut sums).enumerate() {
+                    let (x, y) = (index as u32 % width, index as u32 / width);
+                    *pixel = renderer.refine(x as u16, y as u16, sum, &mut ());
+                }
+            }
+        }
         Portions::Steps { rays, lines } => {
             buffer.clear();
             buffer.resize(width as usize * lines.max(1) as usize, Light::NONE);
@@ -289,11 +298,15 @@ pub(crate) fn plain<R: rayline_plain::Real>(
     let memory = lend(&mut room.memory, scene.bytes::<R>());
     let prepared = rayline_plain::PreparedScene::<R>::new(&scene, memory);
     let prepared = prepared.map_err(|error| Stop::Refused(error.to_string()))?;
-    let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = settings;
+    let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, area_lights, .. } = settings;
     let settings = rayline_plain::Settings::new(width, height);
     let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, ..settings };
     let sampling = rayline_plain::Sampling::new(sampling.samples);
-    let settings = rayline_plain::Settings { sampling, ..settings };
+    let area_lights = match area_lights {
+        AreaLights::ClosedForm => rayline_plain::AreaLights::ClosedForm,
+        _ => rayline_plain::AreaLights::Sampled,
+    };
+    let settings = rayline_plain::Settings { sampling, area_lights, ..settings };
     let renderer = rayline_plain::Renderer::new(&prepared, settings).map_err(broken)?;
     picture.clear();
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {

@@ -8,15 +8,23 @@ use bumpalo::Bump;
 use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
-    Background, Camera, Fault, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId, Optics, Part,
-    PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Transfer, Vec3,
+    AreaLights, Background, Camera, Fault, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId,
+    Optics, Part, PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Transfer,
+    Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, core_picture};
 
 /// The scenes of the gallery that draw numbers.
-const SCENES: [&str; 5] =
-    ["camera-lens", "camera-motion", "light-area", "material-gloss", "material-translucent"];
+const SCENES: [&str; 7] = [
+    "camera-lens",
+    "camera-motion",
+    "light-area",
+    "light-closed-form",
+    "light-sky",
+    "material-gloss",
+    "material-translucent",
+];
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GLOWING: Material = Material {
@@ -612,6 +620,113 @@ fn all_rays_of_a_sample_have_one_time() {
     let blurred = lights::<f64>(&scene(&all), settings, true);
     let differ = blurred.iter().zip(&still).filter(|(a, b)| (a.g - b.g).abs() > 0.01).count();
     assert!(differ > moving.len() / 4, "{differ} pixels differ");
+}
+
+/// Lamps in closed form against rays: the error of the formulas, in a scene of balls.
+#[test]
+fn closed_forms_agree_with_rays() {
+    assert_closed_form_agrees("light-closed-form", 0.002, 0.03);
+    // Where two balls hide the same part of the sky, it is missing twice.
+    assert_closed_form_agrees("light-sky", 0.006, 0.08);
+}
+
+fn assert_closed_form_agrees(name: &str, most_mean: f64, most: f64) {
+    let arena = Bump::new();
+    let loaded = gallery(name, &arena);
+    assert_eq!(loaded.settings.area_lights, AreaLights::ClosedForm);
+    let sampled = Settings { bounces: 2, ..samples(64, 48, 256) };
+    let closed = Settings { area_lights: AreaLights::ClosedForm, ..sampled };
+    let matte: Vec<Material> =
+        loaded.scene.materials.iter().map(|material| Material { specular: 0.0, ..*material }).collect();
+    let scene = Scene { materials: &matte, ..loaded.scene };
+    fn errors<R: Real>(name: &str, scene: &Scene, closed: Settings, reference: &[LinearRgb]) -> [f64; 2] {
+        let picture = lights::<R>(scene, closed, true);
+        assert!(picture == lights::<R>(scene, closed, false));
+        let errors: Vec<f64> =
+            picture.iter().zip(reference).map(|(a, b)| f64::from((a.g - b.g).abs())).collect();
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        let worst = errors.iter().copied().fold(0.0, f64::max);
+        println!("{name}, closed form against rays: mean error {mean:.4}, worst {worst:.4}");
+        [mean, worst]
+    }
+    let reference = lights::<f64>(&scene, sampled, true);
+    for [mean, worst] in
+        [errors::<f32>(name, &scene, closed, &reference), errors::<Fixed>(name, &scene, closed, &reference)]
+    {
+        assert!(mean < most_mean && worst < most, "{mean} {worst}");
+    }
+}
+
+/// A ball at the zenith hides sin² of its angular radius of an even sky.
+fn assert_ball_hides_its_share<R: Real>() {
+    for radius in [0.3f32, 0.8, 1.9] {
+        let ball = Sphere::new(Vec3::new(0.0, 2.0, 0.0), radius);
+        let objects = [
+            Object::new(Shape::Disc(Disc::new(Vec3::ZERO, UP, 0.1)), 0),
+            Object::new(Shape::Sphere(ball), 0),
+        ];
+        let scene = Scene {
+            camera: Camera {
+                eye: Vec3::new(0.0, 0.05, 1.0),
+                target: Vec3::ZERO,
+                vertical_fov: 0.01,
+                ..camera(None)
+            },
+            background: Background::gray(0.5),
+            objects: &objects,
+            materials: &[Material::matte(LinearRgb::WHITE)],
+            lights: &[Light::Sky],
+            motions: &[],
+        };
+        let expected = 0.5 * (1.0 - f64::from(radius / 2.0).powi(2));
+        let settings = samples(3, 3, 1024);
+        for (area_lights, allowed) in [(AreaLights::Sampled, 0.003), (AreaLights::ClosedForm, 0.001)] {
+            let picture = lights::<R>(&scene, Settings { area_lights, ..settings }, true);
+            let found = f64::from(picture[4].g);
+            assert!((found - expected).abs() < allowed, "{radius}, {area_lights:?}: {found}, not {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_ball_hides_its_share_of_the_sky() {
+    assert_ball_hides_its_share::<f32>();
+    assert_ball_hides_its_share::<f64>();
+    assert_ball_hides_its_share::<Fixed>();
+}
+
+#[test]
+fn a_scene_has_one_sky() {
+    let arena = Bump::new();
+    let scene = Scene { lights: &[Light::Sky, Light::Sky], ..gallery("light-sky", &arena).scene };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let error = PreparedScene::<f32>::new(&scene, &mut memory).expect_err("two skies");
+    assert_eq!((error.part, error.fault), (Part::Light(1), Fault::TwoSkies));
+}
+
+/// One ray a lamp, no numbers: pixels draw nothing, and a picture of one sample has no noise.
+#[test]
+fn closed_forms_take_one_ray_for_each_lamp() {
+    let arena = Bump::new();
+    let loaded = gallery("light-closed-form", &arena);
+    let settings = Settings { bounces: 0, ..Settings::new(40, 30) };
+    let rays = |area_lights| {
+        let options = RenderOptions::new(Settings { area_lights, ..settings });
+        let rays = render(&loaded.scene, &options).unwrap().rays;
+        (rays.camera, rays.shadow)
+    };
+    let (camera, shadow) = rays(AreaLights::ClosedForm);
+    assert!(camera == 1200 && shadow <= 2 * camera, "{shadow}");
+    assert!(rays(AreaLights::Sampled).1 > 4 * shadow);
+    let with = |seed| {
+        let sampling = Sampling { seed, ..Sampling::CENTER };
+        lights::<f32>(
+            &loaded.scene,
+            Settings { sampling, area_lights: AreaLights::ClosedForm, ..settings },
+            true,
+        )
+    };
+    assert!(with(1) == with(2));
 }
 
 #[test]

@@ -54,6 +54,9 @@ impl<'a> Maker<'_, '_, 'a> {
             objects.push(Object::new(self.luminaire(), materials.len() as u16));
             materials.push(self.emitting());
         }
+        if self.choices.chance(8) {
+            lights.push(Light::Sky);
+        }
         let motions = if self.choices.chance(12) { self.motions(objects.len()) } else { Vec::new() };
         Scene {
             camera: self.camera(),
