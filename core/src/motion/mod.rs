@@ -10,7 +10,6 @@ mod moved;
 #[cfg(feature = "distributed")]
 pub(crate) use moved::{Moved, PreparedMotion};
 
-#[cfg(feature = "distributed")]
 use crate::arena::Arena;
 use crate::light::ObjectId;
 use crate::math::{Extent, Real, Vec3};
@@ -77,13 +76,9 @@ impl Motion {
         Self { spin: Some(Spin { center, axis, angle }), ..self }
     }
 
-    /// The memory that so many prepared motions take.
+    /// The memory that so many prepared motions take: at most as much as this array.
     pub(crate) const fn bytes<R: Real>(count: usize) -> usize {
-        #[cfg(feature = "distributed")]
-        return Arena::bytes::<PreparedMotion<R>>(count);
-        // Such a scene is refused.
-        #[cfg(not(feature = "distributed"))]
-        return count.saturating_mul(0);
+        Arena::bytes::<[R; 12]>(count)
     }
 
     /// The extent of what is moved, where `still` is the extent before.

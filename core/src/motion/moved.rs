@@ -1,5 +1,7 @@
 //! Where moving things are at one time.
 
+use core::f32::consts::FRAC_PI_2;
+
 use super::{Motion, Spin};
 use crate::fault::{Fault, check_direction, check_number, check_point};
 use crate::math::{Aabb, Ray, Real, Scale, Vec3};
@@ -170,7 +172,7 @@ fn cosine_and_sine<R: Real>(turns: R) -> (R, R) {
     let sine_of = |x: R| {
         let square = x * x;
         let mut sum = R::ZERO;
-        for coefficient in [1.6044118e-4, -4.6817541e-3, 7.9692626e-2, -6.4596410e-1, 1.5707963] {
+        for coefficient in [1.604_411_8e-4, -4.681_754e-3, 7.969_262_6e-2, -0.645_964_1, FRAC_PI_2] {
             sum = sum * square + R::from_f32(coefficient);
         }
         sum * x
@@ -242,6 +244,13 @@ mod tests {
         assert_goes_there_and_back::<f32>();
         assert_goes_there_and_back::<f64>();
         assert_goes_there_and_back::<Fixed>();
+    }
+
+    #[test]
+    fn the_memory_is_enough() {
+        assert!(size_of::<PreparedMotion<f32>>() <= Motion::bytes::<f32>(1));
+        assert!(size_of::<PreparedMotion<f64>>() <= Motion::bytes::<f64>(1));
+        assert!(size_of::<PreparedMotion<Fixed>>() <= Motion::bytes::<Fixed>(1));
     }
 
     #[test]

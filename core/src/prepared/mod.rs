@@ -5,6 +5,8 @@ mod among;
 pub(crate) mod candidates;
 pub(crate) mod closest;
 mod departure;
+#[cfg(feature = "distributed")]
+mod distributed;
 mod error;
 mod memory;
 mod object_set;
@@ -25,6 +27,8 @@ pub(crate) use objects::Enclosure;
 pub use shadow::Through;
 
 use candidates::Candidates;
+#[cfg(feature = "distributed")]
+use distributed::Distributed;
 use objects::PreparedObject;
 
 use crate::arena::Arena;
@@ -32,18 +36,12 @@ use crate::background::PreparedBackground;
 use crate::camera::{Camera, PreparedCamera};
 use crate::color::{LinearRgb, check_emission};
 use crate::fault::Fault;
-#[cfg(feature = "distributed")]
-use crate::fault::check_coordinate;
 use crate::hierarchy::{Hierarchy, WIDE};
-#[cfg(feature = "distributed")]
-use crate::light::AreaLight;
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
 use crate::math::{Ray, Real, Scale, Vec3};
 use crate::motion::Motion;
-#[cfg(feature = "distributed")]
-use crate::motion::{Moved, Mover, PreparedMotion};
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
@@ -58,25 +56,9 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     pub(crate) background: PreparedBackground<'m, R>,
     objects: &'m [PreparedObject<'m, R, S::Prepared<'m, R>>],
     pub(crate) lights: &'m [PreparedLight<'m, R>],
-    /// The objects that give light.
+    /// Of distributed ray tracing.
     #[cfg(feature = "distributed")]
-    areas: &'m [AreaLight<R>],
-    /// The light that is the sky.
-    #[cfg(feature = "distributed")]
-    sky: Option<usize>,
-    /// Opaque balls and planes without end, in a scene of few objects.
-    #[cfg(feature = "distributed")]
-    balls: ObjectSet,
-    #[cfg(feature = "distributed")]
-    planes: ObjectSet,
-    /// The motion of the camera.
-    #[cfg(feature = "distributed")]
-    camera_motion: Option<&'m PreparedMotion<R>>,
-    /// The time of the sample for which rays are traced: 0 when the shutter opens, 1 when it closes.
-    #[cfg(feature = "distributed")]
-    time: R,
-    #[cfg(feature = "distributed")]
-    moves: bool,
+    distributed: Distributed<'m, R>,
     /// `None`: white.
     ambient: Option<LinearRgb<R>>,
     scale: Scale,
@@ -128,17 +110,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let Scene { camera, background, objects, materials, lights, motions } = *scene;
         let scale = scene.scale::<R>();
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
-        let counts = [
-            (objects.len(), Part::Object(MAX_COUNT)),
-            (materials.len(), Part::Material(MAX_COUNT)),
-            (lights.len(), Part::Light(MAX_COUNT)),
-            (motions.len(), Part::Motion(MAX_COUNT)),
-        ];
-        for (given, part) in counts {
-            if given > MAX_COUNT {
-                return Err(part.error()(Fault::TooMany { given }));
-            }
-        }
+        check_counts(scene)?;
         let parts = (objects.iter().map(|object| object.shape.bytes::<R>()))
             .chain(materials.iter().map(Material::bytes::<R>))
             .chain(lights.iter().map(Light::bytes::<R>));
@@ -167,16 +139,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             })
         })?;
         #[cfg(feature = "distributed")]
-        let camera_motion = set_motions(scene, prepared_objects, scale, arena)?;
+        let distributed = Distributed::new(scene, prepared_objects, scale, arena)?;
         #[cfg(not(feature = "distributed"))]
         if !motions.is_empty() {
             return Err(Part::Motion(0).error()(Fault::WithoutFeature { feature: "distributed" }));
         }
         let prepared_objects = &*prepared_objects;
-        #[cfg(feature = "distributed")]
-        let areas = areas(scene, prepared_objects, scale, arena)?;
-        #[cfg(feature = "distributed")]
-        let [balls, planes] = wide_lights::balls_and_planes(prepared_objects);
         let candidates = Candidates::new(prepared_objects, prepared_lights, arena);
         let candidates = candidates.map_err(Part::Memory.error())?;
         let hierarchy = objects::hierarchy(prepared_objects, arena).map_err(Part::Memory.error())?;
@@ -186,19 +154,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             objects: prepared_objects,
             lights: prepared_lights,
             #[cfg(feature = "distributed")]
-            areas,
-            #[cfg(feature = "distributed")]
-            balls,
-            #[cfg(feature = "distributed")]
-            planes,
-            #[cfg(feature = "distributed")]
-            sky: sky(lights)?,
-            #[cfg(feature = "distributed")]
-            camera_motion,
-            #[cfg(feature = "distributed")]
-            time: R::ZERO,
-            #[cfg(feature = "distributed")]
-            moves: !motions.is_empty(),
+            distributed,
             ambient: ambient::<R>(lights)?,
             scale,
             candidates,
@@ -217,29 +173,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Self {
             lights: &[],
             #[cfg(feature = "distributed")]
-            areas: &[],
-            #[cfg(feature = "distributed")]
-            sky: None,
+            distributed: self.distributed.without_lights(),
             ..self
         }
-    }
-
-    /// Whether objects or the sky give light.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn has_wide_lights(&self) -> bool {
-        self.sky.is_some() || !self.areas.is_empty()
-    }
-
-    /// The position of the light that is the sky.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn sky(&self) -> Option<usize> {
-        self.sky
-    }
-
-    /// The objects that give light.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn areas(&self) -> &'m [AreaLight<R>] {
-        self.areas
     }
 
     /// Looks at the same scene from elsewhere.
@@ -296,7 +232,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             self.camera.lens().is_some()
                 || self.moves()
                 || (samples_areas && self.has_wide_lights())
-                || (self.sky.is_some() && !self.background.has_closed_form())
+                || (self.distributed.sky.is_some() && !self.background.has_closed_form())
                 || self.objects.iter().any(spreads_rays)
         }
         #[cfg(not(feature = "distributed"))]
@@ -306,37 +242,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// Whether anything moves while the shutter is open.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn moves(&self) -> bool {
-        self.moves
-    }
-
-    /// The scene for rays of one time: 0 when the shutter opens, 1 when it closes.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn at(&self, time: R) -> Self {
-        Self { time, ..*self }
-    }
-
-    /// A camera ray, moved along with the camera.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn moved_by_camera(&self, ray: Ray<R>) -> Ray<R> {
-        self.camera_motion.map_or(ray, |motion| motion.at(self.time).ray(&ray))
-    }
-
     /// Whether the camera has no lens and does not move, so that each object has one outline in the picture.
     pub(crate) fn has_sharp_outlines(&self) -> bool {
         #[cfg(feature = "distributed")]
-        let moves = self.camera_motion.is_some();
+        let moves = self.distributed.camera_motion.is_some();
         #[cfg(not(feature = "distributed"))]
         let moves = false;
         self.camera.lens().is_none() && !moves
-    }
-
-    /// How an object has moved by now; `None` if it does not move.
-    #[cfg(feature = "distributed")]
-    pub(crate) fn moved(&self, object: usize) -> Option<Moved<R>> {
-        self.objects.get(object)?.moved(self.time)
     }
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses
@@ -353,6 +265,20 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 }
 
+/// Refuses lists that are too long for their numbers.
+fn check_counts<S>(scene: &Scene<'_, S>) -> Result<(), SceneError> {
+    let counts = [
+        (scene.objects.len(), Part::Object(MAX_COUNT)),
+        (scene.materials.len(), Part::Material(MAX_COUNT)),
+        (scene.lights.len(), Part::Light(MAX_COUNT)),
+        (scene.motions.len(), Part::Motion(MAX_COUNT)),
+    ];
+    match counts.into_iter().find(|(given, _)| *given > MAX_COUNT) {
+        Some((given, part)) => Err(part.error()(Fault::TooMany { given })),
+        None => Ok(()),
+    }
+}
+
 /// The sum of a scene's ambient lights, if it has any.
 fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError> {
     let mut sum: Option<LinearRgb> = None;
@@ -364,78 +290,6 @@ fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError
         }
     }
     Ok(sum.map(LinearRgb::to))
-}
-
-/// The light of a scene that is the sky.
-#[cfg(feature = "distributed")]
-fn sky(lights: &[Light]) -> Result<Option<usize>, SceneError> {
-    let mut skies = lights.iter().enumerate().filter(|(_, light)| matches!(light, Light::Sky));
-    let first = skies.next().map(|(index, _)| index);
-    match skies.next() {
-        Some((second, _)) => Err(Part::Light(second).error()(Fault::TwoSkies)),
-        None => Ok(first),
-    }
-}
-
-/// The lights of a scene that are objects.
-#[cfg(feature = "distributed")]
-fn areas<'m, R: Real, S: Geometry + 'm>(
-    scene: &Scene<'_, S>,
-    objects: &[PreparedObject<'_, R, S::Prepared<'m, R>>],
-    scale: Scale,
-    arena: &mut Arena<'m>,
-) -> Result<&'m [AreaLight<R>], SceneError> {
-    let lamps = || {
-        let lights = scene.lights.iter().enumerate();
-        lights.filter_map(|(index, light)| Some((index, usize::from(light.object()?.0))))
-    };
-    let (mut light, mut rest) = (0, lamps());
-    let prepared = arena.try_store_with(lamps().count(), |_, _| {
-        // There is a lamp for each call; the fault is never seen.
-        let (index, named) = rest.next().ok_or(Fault::NotFinite)?;
-        light = index;
-        let unknown = Fault::UnknownObject { named, objects: objects.len() };
-        let (object, prepared) = scene.objects.get(named).zip(objects.get(named)).ok_or(unknown)?;
-        let luminaire = object.shape.luminaire().ok_or(Fault::NoLuminaire)?;
-        let emission = prepared.material.optics().map(|optics| optics.emission);
-        let emission = emission.filter(|emission| *emission != LinearRgb::BLACK).ok_or(Fault::NoEmission)?;
-        AreaLight::new(luminaire, (named, index), emission, scale)
-    });
-    match prepared {
-        Ok(areas) => Ok(areas),
-        Err(fault) => Err(Part::Light(light).error()(fault)),
-    }
-}
-
-/// Prepares the motions of a scene and gives each object its own. Returns the camera's.
-#[cfg(feature = "distributed")]
-fn set_motions<'m, R: Real, S: Geometry + 'm>(
-    scene: &Scene<'_, S>,
-    objects: &mut [PreparedObject<'m, R, S::Prepared<'m, R>>],
-    scale: Scale,
-    arena: &mut Arena<'m>,
-) -> Result<Option<&'m PreparedMotion<R>>, SceneError> {
-    let prepared = &*prepare_all(arena, scene.motions, Part::Motion, |motion, _| {
-        if let Some(extent) = scene.moved_extent(motion) {
-            check_coordinate(extent.solid.larger(extent.flat).larger(extent.plane.unwrap_or(0.0)))?;
-        }
-        motion.prepare::<R>(scale)
-    })?;
-    let mut camera = None;
-    for (index, (motion, prepared)) in scene.motions.iter().zip(prepared).enumerate() {
-        let place = match motion.of {
-            Mover::Camera => &mut camera,
-            Mover::Object(object) => {
-                let (named, count) = (usize::from(object.0), objects.len());
-                let unknown = Fault::UnknownObject { named, objects: count };
-                &mut objects.get_mut(named).ok_or(unknown).map_err(Part::Motion(index).error())?.motion
-            }
-        };
-        if place.replace(prepared).is_some() {
-            return Err(Part::Motion(index).error()(Fault::MovesTwice));
-        }
-    }
-    Ok(camera)
 }
 
 /// Stores what each description becomes, or tells which of them is wrong.

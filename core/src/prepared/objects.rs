@@ -94,7 +94,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         ray: &Ray<R>,
         range: Interval<R>,
     ) -> Option<R> {
-        object.shape.intersect(&object.moved(self.time)?.ray_back(ray), range)
+        object.shape.intersect(&object.moved(self.time())?.ray_back(ray), range)
     }
 
     /// The surface of an object that a ray meets at the distance `t`.
@@ -106,7 +106,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         t: R,
     ) -> Surface<R> {
         #[cfg(feature = "distributed")]
-        if let Some(moved) = object.moved(self.time) {
+        if let Some(moved) = object.moved(self.time()) {
             return moved.surface(&object.shape.surface(&moved.ray_back(ray), t));
         }
         object.shape.surface(ray, t)

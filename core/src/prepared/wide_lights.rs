@@ -16,7 +16,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// the point lies on and the lamp itself are no obstacles.
     pub(crate) fn left_by_balls(&self, cap: &Cap<R>, point: Vec3<R>, [own, lamp]: [usize; 2]) -> R {
         let mut left = R::ONE;
-        for index in self.balls.without(own).without(lamp) {
+        for index in self.distributed.balls.without(own).without(lamp) {
             let Some(Form::Ball { center, radius }) = self.form(index) else { continue };
             if let Some(ball) = Cap::of_ball(center - point, radius)
                 && ball.distance < cap.distance
@@ -34,7 +34,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The normals of the opaque planes without end, on a point's side.
     fn planes_around(&self, point: Vec3<R>, own: usize) -> impl Iterator<Item = Vec3<R>> {
-        self.planes.without(own).filter_map(move |index| match self.form(index)? {
+        self.distributed.planes.without(own).filter_map(move |index| match self.form(index)? {
             Form::Flat { normal, distance } if normal.dot(point) > distance => Some(normal),
             Form::Flat { normal, .. } => Some(-normal),
             _ => None,
@@ -49,7 +49,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         for plane in self.planes_around(point, own).skip(1) {
             left = left * share_above(plane, normal);
         }
-        for index in self.balls.without(own) {
+        for index in self.distributed.balls.without(own) {
             let Some(Form::Ball { center, radius }) = self.form(index) else { continue };
             left = left * (R::ONE - light_of_ball(center - point, radius, normal));
         }
@@ -63,7 +63,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let among = if count > FEW_OBJECTS {
             Among::All
         } else {
-            Among::Few(ObjectSet::first(count).but(self.balls).without(lamp))
+            Among::Few(ObjectSet::first(count).but(self.distributed.balls).without(lamp))
         };
         self.light_through_among(ray, distance, among)
     }

@@ -140,7 +140,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
             (across, row) = self.sample_place((x, y), 0);
         }
         loop {
-            let shown = self.trace_sample(scene, limits, (across, row, numbers), sight, &mut rays, probe);
+            let shown = self.trace_sample((scene, limits), (across, row, numbers), sight, &mut rays, probe);
             if has_one {
                 return (shown, rays_per_pixel.saturating_sub(rays.left.0));
             }
@@ -156,8 +156,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     #[inline]
     fn trace_sample(
         &self,
-        scene: &PreparedScene<'m, R, S>,
-        limits: &RayLimits<R>,
+        (scene, limits): (&PreparedScene<'m, R, S>, &RayLimits<R>),
         (across, row, numbers): (R, RayRow<R>, RayNumbers),
         sight: Sight<'_>,
         rays: &mut SampleRays,
@@ -193,7 +192,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
             let numbers = RayNumbers::of(self.sample(place, samples.taken));
             let (across, row) = self.sample_place(place, samples.taken);
             let sample = (across, row, numbers);
-            let shown = self.trace_sample(self.scene, &self.limits, sample, sight, &mut rays, probe);
+            let shown = self.trace_sample((self.scene, &self.limits), sample, sight, &mut rays, probe);
             sum.is_complete = !self.add_sample(&mut samples, shown, rays.seen);
             sum.rays = rays_per_pixel.saturating_sub(rays.left.0);
             if adaptive.is_none_or(|Adaptive { at_first, .. }| samples.taken >= at_first) {
