@@ -7,7 +7,7 @@ use crate::arena::Arena;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate};
 use crate::light::{AreaLight, Light};
-use crate::math::{Ray, Real, Scale};
+use crate::math::{Extent, Ray, Real, Scale, Vec3};
 use crate::motion::{Moved, Mover, PreparedMotion};
 use crate::scene::Scene;
 use crate::shape::Geometry;
@@ -147,6 +147,12 @@ fn set_motions<'m, R: Real, S: Geometry + 'm>(
     let prepared = &*prepare_all(arena, scene.motions, Part::Motion, |motion, _| {
         if let Some(extent) = scene.moved_extent(motion) {
             check_coordinate(extent.solid.larger(extent.flat).larger(extent.plane.unwrap_or(0.0)))?;
+        }
+        // The farthest place that the camera may come to.
+        let reach =
+            motion.extent(Extent::solid(scene.camera.eye.magnitude().larger(f32::MIN_POSITIVE))).solid;
+        if motion.of == Mover::Camera && !scale.is_near::<R>(Vec3::new(reach, 0.0, 0.0)) {
+            return Err(Fault::BeyondReach);
         }
         motion.prepare::<R>(scale)
     })?;

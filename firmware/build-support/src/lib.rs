@@ -7,6 +7,7 @@
 //! | `RAYLINE_SCENE` | a built-in scene, or the path of a `.rayline` file | `classic` |
 //! | `RAYLINE_SIZE` | width and height, such as `320x240` | the program's own |
 //! | `RAYLINE_BOUNCES` | how often a ray may be mirrored or refracted | the scene's own; 6 for a file |
+//! | `RAYLINE_AREA_LIGHTS` | `sampled` or `closed-form` | `sampled` |
 //! | `RAYLINE_NUMBER` | `f32` or `fixed`, see [`write_number`] | `f32` |
 //! | `RAYLINE_MODE` | `exact` or `realtime`, see [`write_mode`] | `exact` |
 
@@ -49,6 +50,13 @@ pub fn write_picture(default_size: &str, number: Number) -> Result<(), Box<dyn E
             .map_err(|_| format!("RAYLINE_BOUNCES={bounces}: set it to a number from 0 to 255"))?,
         None => default_bounces,
     };
+    let area_lights = match variable("RAYLINE_AREA_LIGHTS").as_deref() {
+        None | Some("sampled") => "Sampled",
+        Some("closed-form") => "ClosedForm",
+        Some(other) => {
+            return Err(format!("RAYLINE_AREA_LIGHTS={other}: set it to sampled or closed-form").into());
+        }
+    };
     let picture = format!(
         "{source}
 /// Bytes of memory for the prepared scene.
@@ -59,6 +67,8 @@ pub const WIDTH: usize = {width};
 pub const HEIGHT: usize = {height};
 /// How often a ray may be mirrored or refracted.
 pub const BOUNCES: u8 = {bounces};
+/// How lamps with a size light.
+pub const AREA_LIGHTS: rayline::AreaLights = rayline::AreaLights::{area_lights};
 "
     );
     write("picture.rs", &picture)

@@ -16,7 +16,8 @@ pub type Memory = Workspace<PREPARED_BYTES>;
 pub const LINES: usize = if cfg!(feature = "hierarchy") && IS_FLOAT { LINES_AT_ONCE } else { 1 };
 
 /// The settings of the renderer.
-pub const SETTINGS: Settings = Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
+pub const SETTINGS: Settings =
+    Settings { bounces: BOUNCES, area_lights: AREA_LIGHTS, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
 /// Number of colors in the buffer: those of [`LINES`], or of the band of lines that realtime quality needs.
 const COLORS: usize = match QUALITY {

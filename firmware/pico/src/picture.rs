@@ -16,7 +16,7 @@ pub(crate) type Workspace = rayline::Workspace<PREPARED_BYTES>;
 
 /// How the picture is rendered.
 pub(crate) const SETTINGS: Settings =
-    Settings { bounces: BOUNCES, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
+    Settings { bounces: BOUNCES, area_lights: AREA_LIGHTS, ..Settings::new(WIDTH as u32, HEIGHT as u32) };
 
 /// Lines of a band, which is traced and sent at once. A band consists of whole cells of realtime quality's
 /// grid. 120 lines are three bands of the same size, so that neither core waits for the other. Bands of 24

@@ -44,6 +44,10 @@ pub(crate) struct Arguments {
     #[arg(long)]
     pub(crate) small: bool,
 
+    /// Light lamps with a size by formulas, not by rays
+    #[arg(long)]
+    pub(crate) closed_form: bool,
+
     /// Write the board's picture; of several boards, each file has the board's name added
     #[arg(long, value_name = "FILE.png")]
     pub(crate) picture: Option<PathBuf>,
@@ -111,6 +115,15 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "bench", conflicts_with = "update")]
     pub(crate) check: bool,
 
+    /// Measure what distributed ray tracing costs, and write a page: docs/effects.md
+    #[arg(
+        long,
+        value_name = "FILE.md",
+        conflicts_with_all = OF_PICTURES,
+        conflicts_with_all = ["boards", "gallery", "bench", "report"]
+    )]
+    pub(crate) effects: Option<PathBuf>,
+
     /// Write the tables as a page: docs/benchmarks.md
     ///
     /// With --bench the page has what was measured, and the desktop is measured as well. Without, its boards
@@ -132,8 +145,19 @@ impl Arguments {
 }
 
 /// The arguments of commands that draw one picture.
-const OF_PICTURES: [&str; 10] =
-    ["scene", "size", "bounces", "number", "mode", "small", "picture", "json", "prove_no_panic", "profile"];
+const OF_PICTURES: [&str; 11] = [
+    "scene",
+    "size",
+    "bounces",
+    "number",
+    "mode",
+    "small",
+    "closed_form",
+    "picture",
+    "json",
+    "prove_no_panic",
+    "profile",
+];
 
 /// The time limits of an emulator, in seconds.
 fn seconds() -> RangedU64ValueParser<u64> {

@@ -61,6 +61,9 @@ fn run(arguments: &Arguments) -> Result<bool> {
         bench::write_report(file)?;
         return Ok(true);
     }
+    if let Some(file) = &arguments.effects {
+        return bench::effects::run(file, arguments.timeout());
+    }
     let request = request(arguments)?;
     if let Some(name) = &arguments.profile {
         return profile(find(name)?, &request, arguments);
@@ -81,12 +84,12 @@ fn run(arguments: &Arguments) -> Result<bool> {
 
 /// The picture that the arguments describe.
 fn request(arguments: &Arguments) -> Result<Request> {
-    let Arguments { size, bounces, number, mode, small, .. } = *arguments;
+    let Arguments { size, bounces, number, mode, small, closed_form, .. } = *arguments;
     ensure!(
         !small || mode == Mode::Exact,
         "--small is for exact pictures: use --mode exact, or leave out --small"
     );
-    Ok(Request { size, bounces, number, mode, small, ..Request::new(&arguments.scene)? })
+    Ok(Request { size, bounces, number, mode, small, closed_form, ..Request::new(&arguments.scene)? })
 }
 
 /// Measures all programs of the bench.

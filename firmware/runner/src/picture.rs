@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use anyhow::{Context, Error, Result, ensure};
 use rayline::builtin::{self, Builtin};
-use rayline::{Scene, Settings};
+use rayline::{AreaLights, Scene, Settings};
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,6 +136,8 @@ pub(crate) struct Picture {
     pub(crate) mode: Mode,
     /// Whether the program leaves out the features that only make exact pictures faster.
     pub(crate) small: bool,
+    /// Whether lamps with a size light by formulas.
+    pub(crate) closed_form: bool,
 }
 
 impl fmt::Display for Picture {
@@ -149,7 +151,8 @@ impl Picture {
     /// The settings of the renderer, which are the program's.
     pub(crate) fn settings(&self) -> Settings {
         let Size { width, height } = self.size;
-        Settings { bounces: self.bounces, ..Settings::new(width.into(), height.into()) }
+        let area_lights = if self.closed_form { AreaLights::ClosedForm } else { AreaLights::Sampled };
+        Settings { bounces: self.bounces, area_lights, ..Settings::new(width.into(), height.into()) }
     }
 }
 

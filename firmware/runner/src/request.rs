@@ -17,6 +17,8 @@ pub(crate) struct Request {
     pub(crate) mode: Mode,
     /// Whether programs leave out the features that only make exact pictures faster.
     pub(crate) small: bool,
+    /// Whether lamps with a size light by formulas.
+    pub(crate) closed_form: bool,
 }
 
 impl Request {
@@ -29,6 +31,7 @@ impl Request {
             number: Number::F32,
             mode: Mode::Exact,
             small: false,
+            closed_form: false,
         })
     }
 
@@ -44,6 +47,7 @@ impl Request {
             },
             mode: self.mode,
             small: self.small,
+            closed_form: self.closed_form,
         }
     }
 }

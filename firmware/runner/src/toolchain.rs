@@ -114,6 +114,7 @@ impl Toolchain {
             .env("RAYLINE_SCENE", picture.scene.source)
             .env("RAYLINE_SIZE", picture.size.to_string())
             .env("RAYLINE_BOUNCES", picture.bounces.to_string())
+            .env("RAYLINE_AREA_LIGHTS", if picture.closed_form { "closed-form" } else { "sampled" })
             .env("RAYLINE_NUMBER", picture.number.name())
             .env("RAYLINE_MODE", picture.mode.name())
             .env("RAYLINE_BOARD", board.program.layout)

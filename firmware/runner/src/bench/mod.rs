@@ -3,6 +3,7 @@
 mod allowances;
 mod committed;
 mod desktop;
+pub(crate) mod effects;
 mod entries;
 mod measured;
 mod report;

@@ -1,0 +1,144 @@
+//! `cargo boards --effects`: the costs of distributed ray tracing, beside the same scenes without it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, Result, ensure};
+use rayline::shape::{Geometry, Luminaire, Shape};
+use rayline::{Camera, Light, LinearRgb, Material, Optics, Scene};
+
+use super::entries::{LARGE_M0, M3, M4F};
+use super::measured::Measured;
+use super::{compiler, gallery, measure};
+use crate::board::BOARDS;
+use crate::convert;
+use crate::picture::{Mode, Number, Size};
+use crate::request::Request;
+use crate::session::Session;
+use crate::table::{Align, Table, with_commas};
+
+/// Size of the pictures.
+const SIZE: Size = Size { width: 160, height: 120 };
+
+/// The boards, with the number system that each computes in.
+const ON: [(&str, &str, Number); 3] =
+    [("M4F, `f32`", M4F, Number::F32), ("M3", M3, Number::Fixed), ("M0", LARGE_M0, Number::Fixed)];
+
+/// An effect, and the scene of the gallery that shows it.
+struct Effect {
+    name: &'static str,
+    scene: &'static str,
+    /// Whether lamps with a size light by formulas.
+    closed_form: bool,
+}
+
+const fn effect(name: &'static str, scene: &'static str) -> Effect {
+    Effect { name, scene, closed_form: false }
+}
+
+const EFFECTS: [Effect; 8] = [
+    effect("lens", "camera-lens"),
+    effect("motion", "camera-motion"),
+    effect("gloss", "material-gloss"),
+    effect("translucency", "material-translucent"),
+    effect("two lamps, by rays", "light-area"),
+    Effect { closed_form: true, ..effect("two lamps, closed form", "light-area") },
+    effect("two lamps among balls, by rays", "light-closed-form"),
+    Effect { closed_form: true, ..effect("two lamps among balls, closed form", "light-closed-form") },
+];
+
+const HEAD: &str = "\
+# The costs of distributed ray tracing
+
+A command writes this page; do not edit it: `cargo boards --effects docs/effects.md`.
+
+Rays and instructions of one sample a pixel, 160x120, exact, beside those of the same scene without the effect:
+with a pinhole, at rest, with sharp mirrors and glass, and with points in place of lamps. Several samples cost
+as many times as much. The Pico's processor executes the M0's instructions.
+";
+
+/// Measures all effects, and writes the page.
+pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
+    let folder = tempfile::tempdir()?;
+    let mut sessions = Vec::new();
+    for Effect { scene, closed_form, .. } in &EFFECTS {
+        let source = gallery().join(scene).with_extension("ron");
+        let with = convert::to_bytes(&[source], folder.path())?.remove(0);
+        let without = plain(&with)?;
+        for (_, board, number) in ON {
+            let board = BOARDS.iter().find(|known| known.name == board).context("there is no such board")?;
+            for (bytes, closed_form) in [(&without, false), (&with, *closed_form)] {
+                let source = bytes.to_str().context("a path that is not UTF-8")?;
+                let (size, mode) = (Some(SIZE), Mode::Exact);
+                let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
+                sessions.push(Session { board, picture: request.on(board), picture_file: None, timeout });
+            }
+        }
+    }
+    let records = measure(&sessions, folder.path())?;
+    let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
+    ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
+    let table = table(&measured);
+    println!("{table}");
+    let page = format!("{HEAD}\nThe compiler is {}.\n\n{table}", compiler()?);
+    fs::write(file, page).with_context(|| file.display().to_string())?;
+    Ok(true)
+}
+
+/// The table, of figures in the order of the programs.
+fn table(measured: &[Measured]) -> Table {
+    let mut headings = vec![("effect", Align::Left), ("rays/pixel", Align::Right), ("without", Align::Right)];
+    for (name, ..) in ON {
+        headings.extend([(name, Align::Right), ("without", Align::Right)]);
+    }
+    let mut table = Table::new(headings);
+    for (Effect { name, .. }, figures) in EFFECTS.iter().zip(measured.chunks(2 * ON.len())) {
+        let mut row = vec![(*name).to_owned()];
+        let (pairs, _) = figures.as_chunks::<2>();
+        let rays = |figures: &Measured| format!("{:.2}", figures.rays_per_pixel());
+        if let Some([without, with]) = pairs.first() {
+            row.extend([rays(with), rays(without)]);
+        }
+        for [without, with] in pairs {
+            let instructions =
+                |figures: &Measured| with_commas(figures.instructions_per_pixel().round() as u64);
+            row.extend([instructions(with), instructions(without)]);
+        }
+        table.push(row);
+    }
+    table
+}
+
+/// Writes a scene without what needs samples beside it; returns the file.
+fn plain(file: &Path) -> Result<PathBuf> {
+    let bytes = fs::read(file)?;
+    let mut memory = rayline_build_support::memory_for(&bytes);
+    let scene = Scene::<Shape<'_>>::from_bytes(&bytes, &mut memory)?;
+    let optics: Vec<Option<Optics>> = (scene.materials.iter())
+        .map(|material| Some(Optics { gloss: None, translucency: None, ..*material.optics? }))
+        .collect();
+    let materials: Vec<Material<'_>> = (scene.materials.iter().zip(&optics))
+        .map(|(material, optics)| Material { optics: optics.as_ref(), ..*material })
+        .collect();
+    let point = |light: &Light| {
+        let Light::Object(object) = light else { return *light };
+        let object = scene.objects.get(usize::from(object.0));
+        let Some(luminaire) = object.and_then(|object| object.shape.luminaire()) else { return *light };
+        let position = match luminaire {
+            Luminaire::Ball { center, .. } | Luminaire::Disc { center, .. } => center,
+            Luminaire::Rectangle { corner, right, up } => corner + (right + up) * 0.5,
+            _ => return *light,
+        };
+        Light::Point { position, color: LinearRgb::gray(0.7) }
+    };
+    let lights: Vec<Light> = scene.lights.iter().map(point).collect();
+    let camera = Camera { lens: None, ..scene.camera };
+    let plain = Scene { camera, materials: &materials, lights: &lights, motions: &[], ..scene };
+    let mut room = vec![0; bytes.len() * 2 + 1024];
+    let written = plain.to_bytes(&mut room)?;
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let path = file.with_file_name(format!("{stem}-plain.rayline"));
+    fs::write(&path, written)?;
+    Ok(path)
+}
