@@ -28,7 +28,7 @@ impl<R: Real> FourRays<R> {
     }
 
     /// The ray at a place: 0 to 3.
-    #[inline(always)]
+    #[inline]
     pub fn ray(&self, place: usize) -> Ray<R> {
         Ray { origin: row(&self.origins, place), direction: row(&self.directions, place) }
     }

@@ -116,7 +116,9 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     }
 
     /// Begins the band that holds the first of the `lines` that are still to be drawn.
-    // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F).
+    // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F, 2,200 on an
+    // M0).
+    #[inline(never)]
     pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band<R> {
         let size = self.quality.grid.pixels();
         let top = lines.start & !(size as u32 - 1);
