@@ -53,65 +53,104 @@ const HEAD: &str = "\
 
 A command writes this page; do not edit it: `cargo boards --effects docs/effects.md`.
 
-Rays and instructions of one sample a pixel, 160x120, exact, beside those of the same scene without the effect:
-with a pinhole, at rest, with sharp mirrors and glass, and with points in place of lamps. Several samples cost
-as many times as much. The Pico's processor executes the M0's instructions.
+Rays and instructions of one sample a pixel, 160x120, exact, beside those of the same scene without the
+effect: with a pinhole, at rest, with sharp mirrors and glass, and with points in place of lamps. Several
+samples cost as many times as much. The Pico's processor executes the M0's instructions.
 ";
+
+/// A way in which a scene of the gallery is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    Plain,
+    Sampled,
+    ClosedForm,
+}
+
+impl Effect {
+    /// The way that shows the effect.
+    fn way(&self) -> Way {
+        if self.closed_form { Way::ClosedForm } else { Way::Sampled }
+    }
+}
+
+/// The programs: each scene in each of its ways once, on each board.
+fn programs() -> Vec<(&'static str, Way, usize)> {
+    let mut programs = Vec::new();
+    for effect in &EFFECTS {
+        for way in [Way::Plain, effect.way()] {
+            for board in 0..ON.len() {
+                let program = (effect.scene, way, board);
+                if !programs.contains(&program) {
+                    programs.push(program);
+                }
+            }
+        }
+    }
+    programs
+}
 
 /// Measures all effects, and writes the page.
 pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
     let folder = tempfile::tempdir()?;
+    let programs = programs();
+    let scenes: Vec<PathBuf> =
+        EFFECTS.iter().map(|effect| gallery().join(effect.scene).with_extension("ron")).collect();
+    for bytes in convert::to_bytes(&scenes, folder.path())? {
+        plain(&bytes)?;
+    }
     let mut sessions = Vec::new();
-    for Effect { scene, closed_form, .. } in &EFFECTS {
-        let source = gallery().join(scene).with_extension("ron");
-        let with = convert::to_bytes(&[source], folder.path())?.remove(0);
-        let without = plain(&with)?;
-        for (_, board, number) in ON {
-            let board = BOARDS.iter().find(|known| known.name == board).context("there is no such board")?;
-            for (bytes, closed_form) in [(&without, false), (&with, *closed_form)] {
-                let source = bytes.to_str().context("a path that is not UTF-8")?;
-                let (size, mode) = (Some(SIZE), Mode::Exact);
-                let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
-                sessions.push(Session { board, picture: request.on(board), picture_file: None, timeout });
-            }
-        }
+    for &(scene, way, on) in &programs {
+        let (_, board, number) = ON.get(on).copied().context("there is no such board")?;
+        let board = BOARDS.iter().find(|known| known.name == board).context("there is no such board")?;
+        let plain = if way == Way::Plain { PLAIN } else { "" };
+        let bytes = folder.path().join(format!("{scene}{plain}.rayline"));
+        let source = bytes.to_str().context("a path that is not UTF-8")?;
+        let (size, mode, closed_form) = (Some(SIZE), Mode::Exact, way == Way::ClosedForm);
+        let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
+        sessions.push(Session { board, picture: request.on(board), picture_file: None, timeout });
     }
     let records = measure(&sessions, folder.path())?;
     let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
     ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
-    let table = table(&measured);
+    let table = table(&programs, &measured);
     println!("{table}");
     let page = format!("{HEAD}\nThe compiler is {}.\n\n{table}", compiler()?);
     fs::write(file, page).with_context(|| file.display().to_string())?;
     Ok(true)
 }
 
-/// The table, of figures in the order of the programs.
-fn table(measured: &[Measured]) -> Table {
+/// The table, of the figures of these programs.
+fn table(programs: &[(&str, Way, usize)], measured: &[Measured]) -> Table {
     let mut headings = vec![("effect", Align::Left), ("rays/pixel", Align::Right), ("without", Align::Right)];
     for (name, ..) in ON {
         headings.extend([(name, Align::Right), ("without", Align::Right)]);
     }
     let mut table = Table::new(headings);
-    for (Effect { name, .. }, figures) in EFFECTS.iter().zip(measured.chunks(2 * ON.len())) {
-        let mut row = vec![(*name).to_owned()];
-        let (pairs, _) = figures.as_chunks::<2>();
+    for effect in &EFFECTS {
+        let figures = |way, board| {
+            let place = programs.iter().position(|program| *program == (effect.scene, way, board))?;
+            measured.get(place)
+        };
         let rays = |figures: &Measured| format!("{:.2}", figures.rays_per_pixel());
-        if let Some([without, with]) = pairs.first() {
-            row.extend([rays(with), rays(without)]);
-        }
-        for [without, with] in pairs {
-            let instructions =
-                |figures: &Measured| with_commas(figures.instructions_per_pixel().round() as u64);
-            row.extend([instructions(with), instructions(without)]);
+        let instructions = |figures: &Measured| with_commas(figures.instructions_per_pixel().round() as u64);
+        let ways = [effect.way(), Way::Plain];
+        let cell =
+            |text: &dyn Fn(&Measured) -> String, way, board| figures(way, board).map_or("-".into(), text);
+        let mut row = vec![effect.name.to_owned()];
+        row.extend(ways.map(|way| cell(&rays, way, 0)));
+        for board in 0..ON.len() {
+            row.extend(ways.map(|way| cell(&instructions, way, board)));
         }
         table.push(row);
     }
     table
 }
 
-/// Writes a scene without what needs samples beside it; returns the file.
-fn plain(file: &Path) -> Result<PathBuf> {
+/// The end of the name of a scene without effects.
+const PLAIN: &str = "-plain";
+
+/// Writes a scene without what needs samples beside it.
+fn plain(file: &Path) -> Result<()> {
     let bytes = fs::read(file)?;
     let mut memory = rayline_build_support::memory_for(&bytes);
     let scene = Scene::<Shape<'_>>::from_bytes(&bytes, &mut memory)?;
@@ -138,7 +177,6 @@ fn plain(file: &Path) -> Result<PathBuf> {
     let mut room = vec![0; bytes.len() * 2 + 1024];
     let written = plain.to_bytes(&mut room)?;
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    let path = file.with_file_name(format!("{stem}-plain.rayline"));
-    fs::write(&path, written)?;
-    Ok(path)
+    fs::write(file.with_file_name(format!("{stem}{PLAIN}.rayline")), written)?;
+    Ok(())
 }
