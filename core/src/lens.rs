@@ -9,8 +9,8 @@ use crate::sampling::disc;
 /// and Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981). It
 /// needs the feature `distributed`, and several samples for each pixel.
 ///
-/// The light of a point at the distance d covers a circle with a diameter of `2 · radius · |d - focus| / d` at the
-/// distance of focus.
+/// The light of a point at the distance d covers a circle with a diameter of `2 · radius · |d - focus| / d`
+/// at the distance of focus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Lens {

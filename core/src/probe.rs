@@ -68,8 +68,8 @@ pub enum Event<R> {
         /// Share of that light that reaches the pixel, in each channel.
         throughput: LinearRgb<R>,
     },
-    /// Light that leaves the hit along the ray without any lamp: once for each hit, before its lamps, and once
-    /// more for the light of the sky in closed form.
+    /// Light that leaves the hit along the ray without any lamp: once for each hit, before its lamps, and
+    /// once more for the light of the sky in closed form.
     Surface {
         /// Ambient light that the surface reflects, plus light that it emits; or light of the sky.
         shown: LinearRgb<R>,

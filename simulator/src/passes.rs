@@ -4,7 +4,7 @@ use rayline::math::Fixed;
 use rayline::{Light16, PixelSum, PreparedScene, RayCounts, Real, Renderer, Scene};
 use rayon::prelude::*;
 
-use crate::picture::{Lights, blank, memory_for, pool};
+use crate::picture::{Lights, blank, many, memory_for, pool};
 use crate::{Number, Picture, RenderError, RenderOptions};
 
 /// A pass that is complete.
@@ -47,7 +47,7 @@ fn passes_in<R: Real, E: From<RenderError>>(
     let (width, height, pool) = (renderer.width(), renderer.height(), pool(options)?);
     let rgb = blank(width, height)?;
     let mut picture = Picture { width, height, rgb, rays: RayCounts::default(), prepared_bytes };
-    let mut sums = no_sums::<R>(width, height)?;
+    let mut sums = many(u64::from(width) * u64::from(height), PixelSum::<R>::EMPTY)?;
     for number in 1.. {
         pool.install(|| draw(&renderer, options, &mut sums, &mut picture));
         let pixels_refined = sums.iter().filter(|sum| sum.is_complete()).count() as u64;
@@ -83,15 +83,4 @@ fn draw<R: Real>(
         a += b;
         a
     });
-}
-
-/// Empty sums for all pixels of a picture.
-fn no_sums<R: Real>(width: u32, height: u32) -> Result<Vec<PixelSum<R>>, RenderError> {
-    let pixels = u64::from(width) * u64::from(height);
-    let mut sums = Vec::new();
-    match usize::try_from(pixels) {
-        Ok(pixels) if sums.try_reserve_exact(pixels).is_ok() => sums.resize(pixels, PixelSum::EMPTY),
-        _ => return Err(RenderError::Memory { needed: pixels * size_of::<PixelSum<R>>() as u64 }),
-    }
-    Ok(sums)
 }

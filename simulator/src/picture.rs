@@ -142,13 +142,17 @@ pub(crate) fn memory_for<R: Real>(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
 
 /// A black picture of this size.
 pub(crate) fn blank(width: u32, height: u32) -> Result<Vec<u8>, RenderError> {
-    let needed = u64::from(width) * u64::from(height) * 3;
-    let mut rgb: Vec<u8> = Vec::new();
-    match usize::try_from(needed) {
-        Ok(bytes) if rgb.try_reserve_exact(bytes).is_ok() => rgb.resize(bytes, 0),
-        _ => return Err(RenderError::Memory { needed }),
+    many(u64::from(width) * u64::from(height) * 3, 0)
+}
+
+/// So many equal values.
+pub(crate) fn many<T: Clone>(count: u64, value: T) -> Result<Vec<T>, RenderError> {
+    let mut values = Vec::new();
+    match usize::try_from(count) {
+        Ok(count) if values.try_reserve_exact(count).is_ok() => values.resize(count, value),
+        _ => return Err(RenderError::Memory { needed: count.saturating_mul(size_of::<T>() as u64) }),
     }
-    Ok(rgb)
+    Ok(values)
 }
 
 /// Some lines to be rendered in exact quality. They are traced as light: the tracer is compiled once for all

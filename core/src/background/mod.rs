@@ -142,7 +142,7 @@ impl<R: Real> PreparedBackground<'_, R> {
     }
 
     /// The light that comes from all directions above a white surface with this unit normal: the mean of the
-    /// colors, weighted by the cosine. Below a ground with this unit normal it is black. `None` for a panorama.
+    /// colors, weighted by the cosine. A ground with this unit normal is black. `None` for a panorama.
     #[cfg(feature = "distributed")]
     pub(crate) fn light_on(&self, normal: Vec3<R>, ground: Option<Vec3<R>>) -> Option<LinearRgb<R>> {
         let above = ground.map(|ground| share_above(ground, normal));

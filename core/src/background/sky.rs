@@ -74,8 +74,8 @@ impl<R: Real> PreparedSky<R> {
     /// `2/3π · (sin γ + (π - γ) cos γ)`, where γ is the angle between the normal and the zenith: the integral
     /// of the product of two clamped cosines.
     ///
-    /// A ground with this normal hides what lies below it, and leaves this share of an even sky. That is exact
-    /// for a ground that is level.
+    /// A ground with this normal hides the sky below it, and leaves this share of an even sky. The result is
+    /// exact for a ground that is level.
     #[cfg(feature = "distributed")]
     pub(super) fn light_on(&self, normal: Vec3<R>, ground: Option<(Vec3<R>, R)>) -> LinearRgb<R> {
         let (sine, cosine) = (self.up.cross(normal).length(), self.up.dot(normal));

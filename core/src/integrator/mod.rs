@@ -50,19 +50,21 @@ pub(crate) struct RayLimits<R> {
     pub(crate) area_lights: AreaLights,
 }
 
-/// How the light of lamps with a size and of the sky is found, see [`Light::Object`](crate::Light::Object) and
-/// [`Light::Sky`](crate::Light::Sky). Other scenes are the same in both ways.
+/// The way to find the light of lamps with a size and of the sky, see
+/// [`Light::Object`](crate::Light::Object) and [`Light::Sky`](crate::Light::Sky). Other scenes are the same in
+/// both ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum AreaLights {
-    /// By rays to several points of each lamp and of the sky: right for all shapes, with noise where samples are few.
+    /// By rays to several points of each lamp and of the sky: right for all shapes, with noise where samples
+    /// are few.
     #[default]
     Sampled,
     /// By formulas, with one ray for each lamp: without noise, for realtime quality and small processors.
-    /// Opaque balls throw soft shadows, and with opaque planes hide the sky; everything else, and all of a scene of more than 32 objects, throws
-    /// shadows with sharp edges. Where two balls cover the same part of a lamp, it counts twice. Highlights
-    /// are those of a lamp without a size.
+    /// Opaque balls throw soft shadows. Opaque balls and planes hide the sky. All other objects throw shadows
+    /// with sharp edges, and so do all objects of a scene of more than 32. Where two balls cover the same part
+    /// of a lamp, the part counts twice. Highlights are those of a lamp without a size.
     ClosedForm,
 }
 

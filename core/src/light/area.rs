@@ -130,13 +130,16 @@ fn on_flat<R: Real>(way: Vec3<R>, normal: Vec3<R>, radius: R) -> Option<LampPoin
     Some(LampPoint { toward, distance: distance * R::from_f32(FREE_SHARE), weight })
 }
 
+/// The unit vector toward the center of a ball, its distance, and the sine of the ball's angular radius;
+/// `None` from inside the ball.
+pub(super) fn ball_seen<R: Real>(toward_center: Vec3<R>, radius: R) -> Option<(Vec3<R>, R, R)> {
+    let (toward, distance) = toward_center.unit_and_length();
+    (distance > radius).then(|| (toward, distance, radius / distance))
+}
+
 /// A direction in the cone that a ball fills; `None` from inside the ball.
 fn in_cone<R: Real>(toward_center: Vec3<R>, radius: R, pair: [u16; 2]) -> Option<LampPoint<R>> {
-    let (axis, distance) = toward_center.unit_and_length();
-    if !(distance > radius) {
-        return None;
-    }
-    let sine = radius / distance;
+    let (axis, distance, sine) = ball_seen(toward_center, radius)?;
     let sine_squared = sine * sine;
     let cosine_of_cone = (R::ONE - sine_squared).larger(R::ZERO).sqrt();
     // 1 minus the cosine, without a difference of nearly equal numbers.

@@ -1,17 +1,17 @@
 //! The light of lamps with a size in closed form: no noise, and one ray at most.
 //!
 //! - A ball of angular radius α whose middle stands at the angle θ from the normal gives sin²α · cos θ of the
-//!   light of a full sky. Where the horizon cuts it, `(cos θ + sin α)² / 4 sin α` replaces cos θ, which is off
-//!   by less than sin α / 20.
-//! - A rectangle gives Lambert's sum over its edges, after it was cut at the horizon (Baum, Rushmeier and
-//!   Winget, "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors", SIGGRAPH
-//!   1989). A disc is a polygon of 16 edges and the same area.
+//!   light of a full sky. Where the horizon cuts the ball, `(cos θ + sin α)² / 4 sin α` replaces cos θ, with an
+//!   error below sin α / 20.
+//! - A rectangle gives Lambert's sum over its edges, after the horizon cut it (Baum, Rushmeier and Winget,
+//!   "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989).
+//!   A disc is a polygon of 16 edges and the same area.
 //! - A ball in the way leaves the share of the lamp's cap that its own cap does not cover (Oat and Sander,
 //!   "Ambient Aperture Lighting", I3D 2007). The overlap is that of two discs in the plane whose radii and
 //!   distance are the angles; Oat and Sander take a smooth step, which is off by up to 0.11. Several balls
 //!   leave the product of their shares: the error is the light that two of them cover twice.
 
-use super::area::{AreaLight, FREE_SHARE, LampSurface};
+use super::area::{AreaLight, FREE_SHARE, LampSurface, ball_seen};
 use crate::math::{Real, Vec3};
 
 /// A lamp as a surface sees it.
@@ -56,8 +56,8 @@ const SIXTEENTH: [f32; 2] = [0.923_879_5, 0.382_683_43];
 const CORNERS_OF_DISC: usize = 16;
 
 impl<R: Real> AreaLight<R> {
-    /// The lamp as a surface at `point` with this normal sees it; `None` if all of it is below the horizon, or
-    /// if the point is inside.
+    /// The lamp as a surface at `point` with this normal sees it; `None` if the whole lamp is below the
+    /// horizon, or if the point is inside.
     pub(crate) fn seen_from(&self, point: Vec3<R>, normal: Vec3<R>) -> Option<SeenLamp<R>> {
         match self.surface {
             LampSurface::Ball { center, radius } => {
@@ -112,8 +112,8 @@ impl<R: Real> AreaLight<R> {
     }
 }
 
-/// The mean cosine of a ball whose middle has the cosine `up` and whose angular radius has this sine, over the
-/// mean cosine of a ball at the zenith; `None` if all of it is below the horizon.
+/// The mean cosine of a ball whose middle has the cosine `up` and whose angular radius has this sine, over
+/// the mean cosine of a ball at the zenith; `None` if the whole ball is below the horizon.
 fn over_horizon<R: Real>(up: R, sine: R) -> Option<R> {
     if !(up + sine > R::ZERO) {
         return None;
@@ -123,11 +123,7 @@ fn over_horizon<R: Real>(up: R, sine: R) -> Option<R> {
 
 /// The light of a ball of radiance 1 on a white surface at the origin, at most 1.
 pub(crate) fn light_of_ball<R: Real>(way: Vec3<R>, radius: R, normal: Vec3<R>) -> R {
-    let (toward, distance) = way.unit_and_length();
-    if !(distance > radius) {
-        return R::ONE;
-    }
-    let sine = radius / distance;
+    let Some((toward, _, sine)) = ball_seen(way, radius) else { return R::ONE };
     over_horizon(normal.dot(toward), sine).map_or(R::ZERO, |cosine| (cosine * sine * sine).smaller(R::ONE))
 }
 
@@ -141,11 +137,7 @@ fn aim<R: Real>(way: Vec3<R>, normal: Vec3<R>, (height, radius): (R, R)) -> (Vec
 impl<R: Real> Cap<R> {
     /// The part of the sky that a ball fills, whose center is this far; `None` from inside.
     pub(crate) fn of_ball(way: Vec3<R>, radius: R) -> Option<Self> {
-        let (toward, distance) = way.unit_and_length();
-        if !(distance > radius) {
-            return None;
-        }
-        let sine = radius / distance;
+        let (toward, distance, sine) = ball_seen(way, radius)?;
         let cosine = (R::ONE - sine * sine).larger(R::ZERO).sqrt();
         Some(Self { toward, distance, radius: R::turn(sine, cosine) })
     }

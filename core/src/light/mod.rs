@@ -18,7 +18,8 @@ use crate::color::{LinearRgb, check_emission};
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Real, Scale, Vec3};
 
-/// A light. All but [`Object`](Self::Object) and [`Sky`](Self::Sky) have no size, and shadows with sharp edges.
+/// A light. All but [`Object`](Self::Object) and [`Sky`](Self::Sky) have no size, and shadows with sharp
+/// edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -59,8 +60,8 @@ pub enum Light {
     /// sky. Needs the feature `distributed`.
     ///
     /// Each hit takes 4 rays into the sky; with one sample of the pixel, 16. In
-    /// [closed form](crate::AreaLights::ClosedForm) it takes none: then only opaque balls and planes without end hide the sky, and a
-    /// [`Panorama`](crate::Panorama) is sampled all the same.
+    /// [closed form](crate::AreaLights::ClosedForm) it takes none: then only opaque balls and planes without
+    /// end hide the sky, and a [`Panorama`](crate::Panorama) is sampled all the same.
     Sky,
 }
 

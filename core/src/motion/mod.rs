@@ -1,7 +1,7 @@
-//! Motion blur: what moves while the shutter is open.
+//! Motion blur: motions of the camera and of objects while the shutter is open.
 //!
-//! Each sample of a pixel has one time, which all its rays share (Cook, Porter and Carpenter, "Distributed Ray
-//! Tracing", 1984). A ray that is tested against a moving object is moved back to where the object was
+//! Each sample of a pixel has one time, which all its rays share (Cook, Porter and Carpenter, "Distributed
+//! Ray Tracing", 1984). A ray that is tested against a moving object is moved back to where the object was
 //! described, and its hit is moved to where the object is by then.
 
 #[cfg(feature = "distributed")]
@@ -18,19 +18,20 @@ use crate::math::{Extent, Real, Vec3};
 /// everything is when the shutter opens. It needs the feature `distributed`, and several samples for each
 /// pixel.
 ///
-/// What spins is first turned, then moved. Textures and bumps go along. Lights without a size do not move.
+/// A spinning object is first turned, then moved. Textures and bumps go along. Lights without a size do not
+/// move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Motion {
-    /// What moves: the camera or an object, each at most once in [`Scene::motions`](crate::Scene::motions).
+    /// The camera or an object, each at most once in [`Scene::motions`](crate::Scene::motions).
     pub of: Mover,
-    /// The way that it goes until the shutter closes.
+    /// The way of the motion until the shutter closes.
     pub by: Vec3,
-    /// The angle by which it turns until then; `None`: it does not turn.
+    /// The turn until the shutter closes; `None`: none.
     pub spin: Option<Spin>,
 }
 
-/// What moves.
+/// The camera or an object that moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -71,7 +72,7 @@ impl Motion {
         Self { of: Mover::Object(ObjectId(object)), by, spin: None }
     }
 
-    /// The same motion, with a turn.
+    /// Adds a turn to the motion.
     pub const fn spinning(self, center: Vec3, axis: Vec3, angle: f32) -> Self {
         Self { spin: Some(Spin { center, axis, angle }), ..self }
     }
@@ -81,19 +82,23 @@ impl Motion {
         Arena::bytes::<[R; 12]>(count)
     }
 
-    /// The extent of what is moved, where `still` is the extent before.
+    /// The extent of a moved object, which was `still` before.
     pub(crate) fn extent(&self, still: Extent) -> Extent {
-        let (mut reach, mut beside) = (self.by.magnitude(), 0.0);
-        if let Some(Spin { center, .. }) = self.spin {
-            // Within ±m, no point is farther from the center than √3 · m and the center's own distance.
-            beside = center.length() * 2.0;
-            reach += beside;
-        }
-        let grown = |magnitude: f32| {
-            let turned = if self.spin.is_some() { magnitude * 1.7321 } else { magnitude };
-            if magnitude > 0.0 { turned + reach } else { 0.0 }
-        };
-        let plane = still.plane.map(|distance| distance + self.by.length() + beside);
-        Extent { solid: grown(still.solid), flat: grown(still.flat), plane }
+        let moved = |magnitude| if magnitude > 0.0 { self.reach(magnitude) } else { 0.0 };
+        let plane = still.plane.map(|distance| distance + self.by.length() + self.beside());
+        Extent { solid: moved(still.solid), flat: moved(still.flat), plane }
+    }
+
+    /// The largest coordinate of a moved point whose coordinates were within ±`magnitude`.
+    pub(crate) fn reach(&self, magnitude: f32) -> f32 {
+        // No such point is farther from the center of a spin than √3 · `magnitude` and the center's own
+        // distance.
+        let turned = if self.spin.is_some() { magnitude * 1.7321 } else { magnitude };
+        turned + (self.by.magnitude() + self.beside())
+    }
+
+    /// The largest distance that a spin adds because its center is beside the origin.
+    fn beside(&self) -> f32 {
+        self.spin.map_or(0.0, |spin| spin.center.length() * 2.0)
     }
 }

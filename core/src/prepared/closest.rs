@@ -45,8 +45,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
         // A ray that leaves a surface misses most balls around it.
         let misses = |object: &PreparedObject<'m, R, S::Prepared<'m, R>>| {
+            let form = object.form();
             from.outward
-                && matches!(object.form(), Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
+                && matches!(form, Form::Ball { center, radius } if R::misses_ball(ray, center, radius))
         };
         let closest = self.closest_unless(ray, Interval::AHEAD, among, misses);
         if closest.is_none() && self.comes_out_again(from) {

@@ -1,4 +1,4 @@
-//! What distributed ray tracing keeps of a scene: lamps with a size, the sky as a light, and motions.
+//! The part of a prepared scene for distributed ray tracing: lamps with a size, the sky as a light, motions.
 
 use super::objects::PreparedObject;
 use super::wide_lights::balls_and_planes;
@@ -7,12 +7,12 @@ use crate::arena::Arena;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate};
 use crate::light::{AreaLight, Light};
-use crate::math::{Extent, Ray, Real, Scale, Vec3};
+use crate::math::{Ray, Real, Scale, Vec3};
 use crate::motion::{Moved, Mover, PreparedMotion};
 use crate::scene::Scene;
 use crate::shape::Geometry;
 
-/// Of a scene.
+/// Lamps with a size, the sky as a light, and motions of a scene.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Distributed<'m, R: Real> {
     /// The objects that give light.
@@ -148,9 +148,7 @@ fn set_motions<'m, R: Real, S: Geometry + 'm>(
         if let Some(extent) = scene.moved_extent(motion) {
             check_coordinate(extent.solid.larger(extent.flat).larger(extent.plane.unwrap_or(0.0)))?;
         }
-        // The farthest place that the camera may come to.
-        let reach =
-            motion.extent(Extent::solid(scene.camera.eye.magnitude().larger(f32::MIN_POSITIVE))).solid;
+        let reach = motion.reach(scene.camera.eye.magnitude());
         if motion.of == Mover::Camera && !scale.is_near::<R>(Vec3::new(reach, 0.0, 0.0)) {
             return Err(Fault::BeyondReach);
         }

@@ -1,5 +1,5 @@
-//! Obstacles to the light of lamps with a size and of the sky, in closed form: opaque balls, and opaque planes
-//! without end.
+//! Obstacles to the light of lamps with a size and of the sky, in closed form: opaque balls, and opaque
+//! planes without end.
 
 use super::objects::PreparedObject;
 use super::{Among, ObjectSet, PreparedScene, Through};
@@ -41,8 +41,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         })
     }
 
-    /// The share of an even sky that the opaque balls leave, and all opaque planes but the first, on a surface
-    /// with this normal. Each ball hides sin² of its angular radius times the cosine of its middle (Quílez,
+    /// The share of an even sky that the opaque balls leave, and all opaque planes but the first, on a
+    /// surface with this normal. Each ball hides sin² of its angular radius times the cosine of its middle (Quílez,
     /// "Sphere ambient occlusion"); a plane leaves (1 + cos γ) / 2, where γ is the angle between the normals.
     pub(crate) fn sky_left(&self, point: Vec3<R>, normal: Vec3<R>, own: usize) -> R {
         let mut left = R::ONE;

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::groups::Groups;
 use super::line::LinePainter;
-use super::painter::{Painter, Traced};
+use super::painter::{LineBand, Painter, Traced};
 use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -12,22 +12,11 @@ use crate::shape::Geometry;
 
 /// Traces every pixel of a band: of as many whole lines as the lent memory holds.
 #[derive(Debug)]
-pub struct ExactPainter<'b, C> {
-    colors: &'b mut [C],
-    /// Pixels of the band that are traced.
-    traced: usize,
-}
+pub struct ExactPainter<'b, C>(LineBand<'b, C>);
 
 impl<'b, C> ExactPainter<'b, C> {
     pub(super) fn new(colors: &'b mut [C]) -> Self {
-        Self { colors, traced: 0 }
-    }
-
-    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
-    /// picture.
-    fn band_pixels(&self, lines: &Range<u32>, width: u16) -> usize {
-        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
-        usize::try_from(left).map_or(self.colors.len(), |left| left.min(self.colors.len()))
+        Self(LineBand::new(colors))
     }
 }
 
@@ -35,7 +24,7 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     type Color = C;
 
     fn restart(&mut self, _lines_total: u32) {
-        self.traced = 0;
+        self.0.traced = 0;
     }
 
     fn trace(
@@ -45,20 +34,19 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let pixels = self.band_pixels(lines, renderer.width);
-        let band = self.colors.get_mut(..pixels).unwrap_or_default();
-        let rays = trace_lines(renderer, lines.start as u16, band, &mut self.traced, budget_rays, probe);
-        Traced { rays, is_complete: self.traced >= pixels }
+        let pixels = self.0.pixels(lines, renderer.width);
+        let LineBand { colors, traced } = &mut self.0;
+        let band = colors.get_mut(..pixels).unwrap_or_default();
+        let rays = trace_lines(renderer, lines.start as u16, band, traced, budget_rays, probe);
+        Traced { rays, is_complete: *traced >= pixels }
     }
 
     fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
-        let pixels = self.band_pixels(lines, renderer.width);
-        let height = pixels.checked_div(usize::from(renderer.width)).unwrap_or(0) as u32;
-        (lines.start.saturating_add(height), self.colors.get(..pixels).unwrap_or_default())
+        self.0.complete(lines, renderer.width)
     }
 
     fn next_band(&mut self) {
-        self.traced = 0;
+        self.0.traced = 0;
     }
 }
 

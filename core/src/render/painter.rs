@@ -35,6 +35,33 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     fn next_band(&mut self);
 }
 
+/// Memory for a band of whole lines, and how many of its pixels are traced.
+#[derive(Debug)]
+pub(super) struct LineBand<'b, C> {
+    pub(super) colors: &'b mut [C],
+    pub(super) traced: usize,
+}
+
+impl<'b, C> LineBand<'b, C> {
+    pub(super) fn new(colors: &'b mut [C]) -> Self {
+        Self { colors, traced: 0 }
+    }
+
+    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
+    /// picture.
+    pub(super) fn pixels(&self, lines: &Range<u32>, width: u16) -> usize {
+        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
+        usize::try_from(left).map_or(self.colors.len(), |left| left.min(self.colors.len()))
+    }
+
+    /// [`Painter::band`].
+    pub(super) fn complete(&self, lines: &Range<u32>, width: u16) -> (u32, &[C]) {
+        let pixels = self.pixels(lines, width);
+        let height = pixels.checked_div(usize::from(width)).unwrap_or(0) as u32;
+        (lines.start.saturating_add(height), self.colors.get(..pixels).unwrap_or_default())
+    }
+}
+
 /// The result of one call of [`Painter::trace`].
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {

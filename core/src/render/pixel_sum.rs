@@ -3,7 +3,7 @@
 use crate::color::LinearRgb;
 use crate::math::Real;
 
-/// What one pixel has received so far, for [`Progressive`](super::Progressive).
+/// The samples of one pixel that were taken so far, for [`Progressive`](super::Progressive).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelSum<R> {
     /// The light of its samples, summed up as in one pass; the mean, once the pixel is complete.

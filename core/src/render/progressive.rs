@@ -3,7 +3,7 @@
 
 use core::ops::Range;
 
-use super::painter::{Painter, Traced};
+use super::painter::{LineBand, Painter, Traced};
 use super::pixel_sum::PixelSum;
 use super::quality::Sealed;
 use super::{DisplayColor, Frame, LineError, Quality, Renderer};
@@ -68,44 +68,34 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for Progressive<'b, C, R> {
     }
 
     fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ProgressivePainter<'b, C, R> {
-        ProgressivePainter { memory: self, traced: 0 }
+        ProgressivePainter { band: LineBand::new(self.line), sums: self.sums }
     }
 }
 
 impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'_, 'm, R, S, Progressive<'_, C, R>> {
     /// Whether all pixels have all samples that they need, so that another pass would change nothing.
     pub fn is_refined(&self) -> bool {
-        self.pixels_refined() == self.painter().memory.sums.len()
+        self.pixels_refined() == self.painter().sums.len()
     }
 
     /// How many pixels of the picture have all samples that they need.
     pub fn pixels_refined(&self) -> usize {
-        self.painter().memory.sums.iter().filter(|sum| sum.is_complete).count()
+        self.painter().sums.iter().filter(|sum| sum.is_complete).count()
     }
 }
 
 /// Adds a sample to each pixel of a band: of as many whole lines as the lent memory holds.
 #[derive(Debug)]
 pub struct ProgressivePainter<'b, C, R> {
-    memory: Progressive<'b, C, R>,
-    /// Pixels of the band that are traced.
-    traced: usize,
-}
-
-impl<C, R> ProgressivePainter<'_, C, R> {
-    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
-    /// picture.
-    fn band_pixels(&self, lines: &Range<u32>, width: u16) -> usize {
-        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
-        usize::try_from(left).map_or(self.memory.line.len(), |left| left.min(self.memory.line.len()))
-    }
+    band: LineBand<'b, C>,
+    sums: &'b mut [PixelSum<R>],
 }
 
 impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for ProgressivePainter<'_, C, R> {
     type Color = C;
 
     fn restart(&mut self, _lines_total: u32) {
-        self.traced = 0;
+        self.band.traced = 0;
     }
 
     fn trace(
@@ -115,32 +105,30 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let (pixels, width) = (self.band_pixels(lines, renderer.width), usize::from(renderer.width).max(1));
+        let (pixels, width) = (self.band.pixels(lines, renderer.width), usize::from(renderer.width).max(1));
         let above = (lines.start as usize).saturating_mul(width);
         let mut spent: u32 = 0;
-        while self.traced < pixels && spent < budget_rays.max(1) {
-            let (down, x) = (self.traced / width, (self.traced % width) as u16);
+        while self.band.traced < pixels && spent < budget_rays.max(1) {
+            let (down, x) = (self.band.traced / width, (self.band.traced % width) as u16);
             let y = (lines.start as u16).wrapping_add(down as u16);
-            if let Some(sum) = self.memory.sums.get_mut(above.saturating_add(self.traced))
-                && let Some(color) = self.memory.line.get_mut(self.traced)
+            if let Some(sum) = self.sums.get_mut(above.saturating_add(self.band.traced))
+                && let Some(color) = self.band.colors.get_mut(self.band.traced)
             {
                 let before = sum.rays;
                 *color = renderer.refine(x, y, sum, probe);
                 // A complete pixel takes time, too.
                 spent = spent.saturating_add(sum.rays.saturating_sub(before).max(1));
             }
-            self.traced = self.traced.saturating_add(1);
+            self.band.traced = self.band.traced.saturating_add(1);
         }
-        Traced { rays: spent, is_complete: self.traced >= pixels }
+        Traced { rays: spent, is_complete: self.band.traced >= pixels }
     }
 
     fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
-        let pixels = self.band_pixels(lines, renderer.width);
-        let height = pixels.checked_div(usize::from(renderer.width)).unwrap_or(0) as u32;
-        (lines.start.saturating_add(height), self.memory.line.get(..pixels).unwrap_or_default())
+        self.band.complete(lines, renderer.width)
     }
 
     fn next_band(&mut self) {
-        self.traced = 0;
+        self.band.traced = 0;
     }
 }

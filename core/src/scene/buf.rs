@@ -68,7 +68,7 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
     pub camera: Camera,
     /// The color of rays that hit nothing.
     pub background: Background<'a>,
-    /// What moves while the shutter is open: most often nothing.
+    /// The motions of objects and of the camera while the shutter is open: most often none.
     pub motions: &'a [Motion],
     objects: Vec<Object<S>, OBJECTS>,
     materials: Vec<Material<'a>, MATERIALS>,

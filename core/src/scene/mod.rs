@@ -38,7 +38,7 @@ pub struct Scene<'a, S = Shape<'a>> {
     pub materials: &'a [Material<'a>],
     /// The lights.
     pub lights: &'a [Light],
-    /// What moves while the shutter is open: most often nothing.
+    /// The motions of objects and of the camera while the shutter is open: most often none.
     pub motions: &'a [Motion],
 }
 

@@ -92,7 +92,8 @@
 //! # let materials = [rayline::Material::matte(white); 2];
 //! # let background = white.into();
 //! # let objects = &OBJECTS;
-//! # let scene = rayline::Scene { camera, background, objects, materials: &materials, lights: &[], motions: &[] };
+//! # let materials = &materials;
+//! # let scene = rayline::Scene { camera, background, objects, materials, lights: &[], motions: &[] };
 //! # assert!(rayline::PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
 //! ```
 //!

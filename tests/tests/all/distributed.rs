@@ -1,5 +1,5 @@
-//! Tests of distributed ray tracing: lenses, motion, gloss and translucency, by closed forms, by `f64` with many
-//! samples, and by POV-Ray.
+//! Tests of distributed ray tracing: lenses, motion, gloss and translucency, by closed forms, by `f64` with
+//! many samples, and by POV-Ray.
 
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -455,8 +455,8 @@ fn bad_lamps_are_refused() {
     assert_eq!(refused(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 0, 0), error(Fault::NoLuminaire));
 }
 
-/// The light of a glowing rectangle, from x = -0.3 to 0.1 and 4 high, in a picture of one line: 2 wide, at the
-/// distance 1 of a camera that looks at x = 0.
+/// The light of a glowing rectangle, from x = -0.3 to 0.1 and 4 high, in a picture of one line: 2 wide, at
+/// the distance 1 of a camera that looks at x = 0.
 fn line_of<R: Real>(motions: &[Motion], settings: Settings, is_accelerated: bool) -> Vec<f64> {
     let eye = Vec3::new(0.0, 0.0, 1.0);
     let strip = Rectangle::new(Vec3::new(-0.3, -2.0, 0.0), Vec3::new(0.4, 0.0, 0.0), UP * 4.0);
@@ -479,7 +479,7 @@ fn assert_blur_has_its_length<R: Real>() {
     let pixel = 2.0 * half;
     for (way, by_camera) in [(0.5f32, false), (0.2, false), (0.5, true)] {
         let by = Vec3::new(way, 0.0, 0.0);
-        // What a camera passes moves the other way.
+        // A camera sees the strip move the other way.
         let motion = if by_camera { Motion::of_camera(-by) } else { Motion::of_object(0, by) };
         let line = line_of::<R>(&[motion], settings, true);
         assert!(line == line_of::<R>(&[motion], settings, false));
