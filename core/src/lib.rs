@@ -132,7 +132,7 @@ pub use fault::{Coefficient, Fault};
 pub use integrator::AreaLights;
 pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone, ObjectId};
-pub use material::{Fresnel, Highlight, Material, Medium, Optics, presets as materials};
+pub use material::{Fresnel, Highlight, Material, Medium, Optics, Sides, presets as materials};
 pub use math::{Real, Vec3};
 pub use motion::{Motion, Mover, Spin};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};

@@ -150,8 +150,8 @@ impl<'s, 'k, R: Real> View<'s, 'k, R> {
         Ok(Some(true))
     }
 
-    /// Draws a picture until the camera is moved, and calls `refine` whenever the picture is complete. Returns
-    /// false if the window is to be closed.
+    /// Draws a picture until the camera is moved, and calls `refine` whenever the picture is complete.
+    /// Returns false if the window is to be closed.
     fn show<'r, 'm, C: DisplayColor + Into<Rgb888> + From<Rgb888>, Q: Quality<R, Color = C>>(
         &mut self,
         frame: &mut Frame<'r, 'm, R, Shape<'m>, Q>,

@@ -50,9 +50,8 @@ pub(crate) struct RayLimits<R> {
     pub(crate) area_lights: AreaLights,
 }
 
-/// The way to find the light of lamps with a size and of the sky, see
-/// [`Light::Object`](crate::Light::Object) and [`Light::Sky`](crate::Light::Sky). Other scenes are the same in
-/// both ways.
+/// The way to find the light of lamps with a size and of the sky, see [`Light::Object`](crate::Light::Object)
+/// and [`Light::Sky`](crate::Light::Sky). Other scenes are the same in both ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -63,8 +62,8 @@ pub enum AreaLights {
     Sampled,
     /// By formulas, with one ray for each lamp: without noise, for realtime quality and small processors.
     /// Opaque balls throw soft shadows. Opaque balls and planes hide the sky. All other objects throw shadows
-    /// with sharp edges, and so do all objects of a scene of more than 32. Where two balls cover the same part
-    /// of a lamp, the part counts twice. Highlights are those of a lamp without a size.
+    /// with sharp edges, and so do all objects of a scene of more than 32. Where two balls cover the same
+    /// part of a lamp, the part counts twice. Highlights are those of a lamp without a size.
     ClosedForm,
 }
 

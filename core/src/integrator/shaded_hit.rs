@@ -202,7 +202,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             }
         }
         match self.material.optics() {
-            Some(optics) => ambient + optics.emission,
+            Some(optics) => ambient + optics.emission_toward(self.hit.surface.normal, self.incoming),
             None => ambient,
         }
     }

@@ -6,6 +6,7 @@
 
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_direction};
+use crate::material::Sides;
 use crate::math::{Real, Scale, Vec3};
 use crate::sampling::{around, centered, disc};
 use crate::shape::Luminaire;
@@ -33,6 +34,8 @@ pub(super) enum LampSurface<R: Real> {
         /// From the center to the middle of two sides, or to two points of the circle.
         halves: [Vec3<R>; 2],
         normal: Vec3<R>,
+        /// The sides that shine.
+        sides: Sides,
         is_round: bool,
         /// The radius of a disc with the same area.
         radius: R,
@@ -62,7 +65,7 @@ impl<R: Real> AreaLight<R> {
     pub(crate) fn new(
         luminaire: Luminaire,
         (object, light): (usize, usize),
-        radiance: LinearRgb<R>,
+        (radiance, sides): (LinearRgb<R>, Sides),
         scale: Scale,
     ) -> Result<Self, Fault> {
         let flat = |center: Vec3<R::Setup>, halves: [Vec3<R::Setup>; 2], is_round| {
@@ -75,6 +78,7 @@ impl<R: Real> AreaLight<R> {
                 center: scale.point(center),
                 halves: halves.map(|half| scale.point(half)),
                 normal: Vec3::from_setup(normal.normalized().ok_or(Fault::ZeroLength)?),
+                sides,
                 is_round,
                 radius: scale.length(area.sqrt()),
             })
@@ -102,24 +106,24 @@ impl<R: Real> AreaLight<R> {
     pub(crate) fn point_seen_from(&self, point: Vec3<R>, pair: [u16; 2]) -> Option<LampPoint<R>> {
         match self.surface {
             LampSurface::Ball { center, radius } => in_cone(center - point, radius, pair),
-            LampSurface::Flat { center, halves: [a, b], normal, is_round, radius } => {
+            LampSurface::Flat { center, halves: [a, b], normal, sides, is_round, radius } => {
                 let [x, y] = if is_round { disc(pair) } else { pair.map(centered) };
-                on_flat(center + a * x + b * y - point, normal, radius)
+                on_flat(center + a * x + b * y - point, (normal, sides), radius)
             }
         }
     }
 
-    /// The solid angle of a flat lamp over π, computed from its middle alone.
+    /// The solid angle of a flat lamp over π, computed from its middle alone; `None` from behind.
     pub(super) fn weight_of(&self, point: Vec3<R>) -> Option<R> {
-        let LampSurface::Flat { center, normal, radius, .. } = self.surface else { return None };
-        Some(on_flat(center - point, normal, radius)?.weight)
+        let LampSurface::Flat { center, normal, sides, radius, .. } = self.surface else { return None };
+        Some(on_flat(center - point, (normal, sides), radius)?.weight)
     }
 }
 
-/// A point of a flat lamp that is this far away.
-fn on_flat<R: Real>(way: Vec3<R>, normal: Vec3<R>, radius: R) -> Option<LampPoint<R>> {
+/// A point of a flat lamp that is this far away; `None` from a side that does not shine.
+fn on_flat<R: Real>(way: Vec3<R>, (normal, sides): (Vec3<R>, Sides), radius: R) -> Option<LampPoint<R>> {
     let (toward, distance) = way.unit_and_length();
-    if !(distance > R::ZERO) {
+    if !(distance > R::ZERO) || (sides == Sides::Front && normal.dot(toward) > R::ZERO) {
         return None;
     }
     let mut ratio = radius / distance;
@@ -161,7 +165,8 @@ mod tests {
 
     /// The light of a lamp on a level surface at the origin, with radiance 1.
     fn irradiance<R: Real>(luminaire: Luminaire) -> f64 {
-        let lamp = AreaLight::<R>::new(luminaire, (0, 0), LinearRgb::BLACK, Scale::ONE).unwrap();
+        let lamp =
+            AreaLight::<R>::new(luminaire, (0, 0), (LinearRgb::BLACK, Sides::Both), Scale::ONE).unwrap();
         let steps = 128u16;
         let (mut sum, mut count) = (0.0, 0.0);
         for pair in (0..steps).flat_map(|a| (0..steps).map(move |b| [a * 512 + 256, b * 512 + 256])) {

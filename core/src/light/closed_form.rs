@@ -1,8 +1,8 @@
 //! The light of lamps with a size in closed form: no noise, and one ray at most.
 //!
 //! - A ball of angular radius α whose middle stands at the angle θ from the normal gives sin²α · cos θ of the
-//!   light of a full sky. Where the horizon cuts the ball, `(cos θ + sin α)² / 4 sin α` replaces cos θ, with an
-//!   error below sin α / 20.
+//!   light of a full sky. Where the horizon cuts the ball, `(cos θ + sin α)² / 4 sin α` replaces cos θ, with
+//!   an error below sin α / 20.
 //! - A rectangle gives Lambert's sum over its edges, after the horizon cut it (Baum, Rushmeier and Winget,
 //!   "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989).
 //!   A disc is a polygon of 16 edges and the same area.
@@ -72,8 +72,9 @@ impl<R: Real> AreaLight<R> {
                 let distance = (distance - radius).larger(R::ZERO) * R::from_f32(FREE_SHARE);
                 Some(SeenLamp { cap, toward, distance, weight, cosine })
             }
-            LampSurface::Flat { center, halves: [a, b], normal: face, is_round, radius } => {
+            LampSurface::Flat { center, halves: [a, b], normal: face, is_round, radius, .. } => {
                 let way = center - point;
+                let weight = self.weight_of(point)?;
                 let light = if is_round {
                     let size = R::from_f32(RADIUS_OF_POLYGON);
                     let (a, b) = (a * size, b * size);
@@ -88,7 +89,6 @@ impl<R: Real> AreaLight<R> {
                 } else {
                     light_of_polygon(normal, &[way - a - b, way + a - b, way + a + b, way - a + b])
                 };
-                let weight = self.weight_of(point)?;
                 if !(light > R::ZERO) {
                     return None;
                 }
@@ -236,13 +236,15 @@ fn light_of_polygon<R: Real>(normal: Vec3<R>, corners: &[Vec3<R>]) -> R {
 mod tests {
     use super::*;
     use crate::color::LinearRgb;
+    use crate::material::Sides;
     use crate::math::{Fixed, Scale};
     use crate::shape::Luminaire;
 
     /// The light of a lamp with radiance 1 on a surface at the origin: by formula, and as the mean over its
     /// points.
     fn both<R: Real>(luminaire: Luminaire, normal: Vec3) -> (f64, f64) {
-        let lamp = AreaLight::<R>::new(luminaire, (0, 0), LinearRgb::BLACK, Scale::ONE).unwrap();
+        let lamp =
+            AreaLight::<R>::new(luminaire, (0, 0), (LinearRgb::BLACK, Sides::Both), Scale::ONE).unwrap();
         let normal: Vec3<R> = normal.to().normalized().unwrap();
         let number = |number: R| f64::from(number.to_f32());
         let seen = lamp.seen_from(Vec3::ZERO, normal);

@@ -48,7 +48,8 @@ pub enum Light {
     },
     /// The light of an object with a size, whose shadows have soft edges: a [`Sphere`](crate::shape::Sphere),
     /// a [`Disc`](crate::shape::Disc) without a hole, or a [`Rectangle`](crate::shape::Rectangle), with a
-    /// material that [emits](crate::Optics::emission) light. Flat lamps shine to both sides.
+    /// material that [emits](crate::Optics::emission) light, on [one side](crate::Optics::emission_sides) or
+    /// on both.
     ///
     /// The emission is the light that the lamp shows to the eye. A white surface that sees nothing but lamps
     /// in all directions is as bright as they are. Each hit takes 4 rays toward the lamp; with one sample of

@@ -8,7 +8,7 @@ mod shininess;
 
 pub use fresnel::Fresnel;
 pub use medium::Medium;
-pub use optics::{Highlight, Optics};
+pub use optics::{Highlight, Optics, Sides};
 pub(crate) use optics::{PreparedOptics, Shares};
 pub(crate) use shininess::Shininess;
 

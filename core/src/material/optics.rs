@@ -45,8 +45,11 @@ pub struct Optics {
     /// share exp(-coefficient · s) of the light is left (Beer's law). A ray that leaves the surface inward is
     /// dimmed up to its next hit.
     pub absorption: LinearRgb,
-    /// The light that the surface emits, 0 or more. It does not light other objects.
+    /// The light that the surface emits, 0 or more. It lights other objects if a light of the scene is this
+    /// [object](crate::Light::Object).
     pub emission: LinearRgb,
+    /// The sides of the surface that emit light.
+    pub emission_sides: Sides,
     /// The falloff of mirrored light with the length of the mirrored ray. The background does not fade.
     pub reflection_falloff: Falloff,
     /// The medium in front of the surface, where it is not air: for bubbles, for objects in water, and where
@@ -70,6 +73,7 @@ impl Optics {
         transmission_color: LinearRgb::WHITE,
         absorption: LinearRgb::gray(0.0),
         emission: LinearRgb::gray(0.0),
+        emission_sides: Sides::Both,
         reflection_falloff: Falloff::NONE,
         outside: Medium::AIR,
         gloss: None,
@@ -102,6 +106,19 @@ pub enum Highlight {
     BlinnPhong,
 }
 
+/// Sides of a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Sides {
+    /// Both sides.
+    #[default]
+    Both,
+    /// The side that the normal points to: the outside of a closed shape, and the side of a
+    /// [`Rectangle`](crate::shape::Rectangle) from which `right`, `up` and the viewer are right-handed. Needs
+    /// the feature `distributed`.
+    Front,
+}
+
 /// The optics of a material, checked and converted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedOptics<R: Real> {
@@ -115,7 +132,8 @@ pub(crate) struct PreparedOptics<R: Real> {
     absorption: Option<Absorption<R>>,
     /// The absorption in front of the surface; `None` where it is 0.
     outside: Option<Absorption<R>>,
-    pub(crate) emission: LinearRgb<R>,
+    emission: LinearRgb<R>,
+    pub(crate) emission_sides: Sides,
     falloff: Option<PreparedFalloff<R>>,
     /// `1 / (n + 1)` for the exponents n of the lobes around mirrored and refracted rays.
     pub(crate) gloss: Option<R::Factor>,
@@ -141,6 +159,9 @@ impl Optics {
             color.channels().into_iter().try_for_each(|share| check_share(coefficient, share))?;
         }
         check_emission::<R>(emission)?;
+        if !cfg!(feature = "distributed") && self.emission_sides != Sides::Both {
+            return Err(Fault::WithoutFeature { feature: "distributed" });
+        }
         let straight = (ior - R::Setup::ONE) / (ior + R::Setup::ONE);
         Ok(PreparedOptics {
             highlight: self.highlight,
@@ -151,6 +172,7 @@ impl Optics {
             absorption: Absorption::prepare(self.absorption, scale)?,
             outside: Absorption::prepare(self.outside.absorption, scale)?,
             emission: emission.to(),
+            emission_sides: self.emission_sides,
             falloff: self.reflection_falloff.prepare(scale.to_f32())?,
             gloss: prepare_lobe::<R>(self.gloss)?,
             translucency: prepare_lobe::<R>(self.translucency)?,
@@ -174,11 +196,27 @@ fn prepare_lobe<R: Real>(exponent: Option<f32>) -> Result<Option<R::Factor>, Fau
 impl Optics {
     /// Whether these optics need the feature `distributed`.
     pub(crate) const fn needs_distributed(&self) -> bool {
-        self.gloss.is_some() || self.translucency.is_some()
+        self.gloss.is_some() || self.translucency.is_some() || matches!(self.emission_sides, Sides::Front)
     }
 }
 
 impl<R: Real> PreparedOptics<R> {
+    /// The light that the surface emits on its front.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn emission(&self) -> LinearRgb<R> {
+        self.emission
+    }
+
+    /// The light that the surface emits toward a ray of direction `incoming`. Without the feature
+    /// `distributed`, it is the same on both sides.
+    #[inline]
+    pub(crate) fn emission_toward(&self, normal: Vec3<R>, incoming: Vec3<R>) -> LinearRgb<R> {
+        let is_dark = cfg!(feature = "distributed")
+            && self.emission_sides == Sides::Front
+            && normal.dot(incoming) > R::ZERO;
+        if is_dark { LinearRgb::BLACK } else { self.emission }
+    }
+
     /// The cosine whose power is the highlight. `normal` is on the side of the surface that a ray of
     /// direction `incoming` hit, `mirrored` is the mirrored direction, and `toward` the direction to the
     /// light; all are unit vectors.

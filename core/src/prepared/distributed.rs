@@ -127,9 +127,11 @@ fn areas<'m, R: Real, S: Geometry + 'm>(
         let unknown = Fault::UnknownObject { named, objects: objects.len() };
         let (object, prepared) = scene.objects.get(named).zip(objects.get(named)).ok_or(unknown)?;
         let luminaire = object.shape.luminaire().ok_or(Fault::NoLuminaire)?;
-        let emission = prepared.material.optics().map(|optics| optics.emission);
-        let emission = emission.filter(|emission| *emission != LinearRgb::BLACK).ok_or(Fault::NoEmission)?;
-        AreaLight::new(luminaire, (named, index), emission, scale)
+        let optics = prepared.material.optics();
+        let optics =
+            optics.filter(|optics| optics.emission() != LinearRgb::BLACK).ok_or(Fault::NoEmission)?;
+        let emitted = (optics.emission(), optics.emission_sides);
+        AreaLight::new(luminaire, (named, index), emitted, scale)
     });
     match prepared {
         Ok(areas) => Ok(areas),

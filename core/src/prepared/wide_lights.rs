@@ -42,8 +42,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     }
 
     /// The share of an even sky that the opaque balls leave, and all opaque planes but the first, on a
-    /// surface with this normal. Each ball hides sin² of its angular radius times the cosine of its middle (Quílez,
-    /// "Sphere ambient occlusion"); a plane leaves (1 + cos γ) / 2, where γ is the angle between the normals.
+    /// surface with this normal. Each ball hides sin² of its angular radius times the cosine of its middle
+    /// (Quílez, "Sphere ambient occlusion"); a plane leaves (1 + cos γ) / 2, where γ is the angle between the
+    /// normals.
     pub(crate) fn sky_left(&self, point: Vec3<R>, normal: Vec3<R>, own: usize) -> R {
         let mut left = R::ONE;
         for plane in self.planes_around(point, own).skip(1) {

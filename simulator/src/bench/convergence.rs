@@ -12,7 +12,8 @@ use crate::{RenderError, SAMPLERS};
 /// The errors of all samplers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convergence {
-    /// For each of [`SAMPLERS`], its root mean square error in linear light with 1, 4, 16, 64 and 256 samples.
+    /// For each of [`SAMPLERS`], its root mean square error in linear light with 1, 4, 16, 64 and 256
+    /// samples.
     pub errors: Vec<(Sampler, [f64; 5])>,
 }
 

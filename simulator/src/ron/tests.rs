@@ -7,8 +7,8 @@ use rayline::shape::{
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
     Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Motion, Noise,
-    Object, ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sky, Space,
-    Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Object, ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sides, Sky,
+    Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use super::*;
@@ -116,6 +116,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
         transmission_color: GRAY,
         absorption: GRAY,
         emission: GRAY,
+        emission_sides: Sides::Front,
         reflection_falloff: Falloff { constant: 1.0, linear: 0.5, quadratic: 0.25 },
         outside: Medium { ior: 1.25, absorption: GRAY },
         gloss: Some(30.0),

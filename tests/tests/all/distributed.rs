@@ -9,8 +9,8 @@ use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
     AreaLights, Background, Camera, Fault, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId,
-    Optics, Part, PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Transfer,
-    Vec3,
+    Optics, Part, PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Sides,
+    Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, core_picture};
@@ -433,6 +433,56 @@ fn lamps_light_as_closed_forms_say() {
             }
         }
     }
+}
+
+/// A lamp that shines on one side lights what is before it as one that shines on both, and nothing behind
+/// it; and it is black from behind.
+fn assert_one_side_shines<R: Real>() {
+    // The camera above looks down. Lamps hang above the floor, and the camera sees them beside the middle.
+    let look = |shape: Shape<'_>, emission_sides, area_lights, eye: Vec3| {
+        let optics = Optics { emission: LinearRgb::gray(3.0), emission_sides, ..Optics::PLAIN };
+        let materials = [Material { optics: Some(&optics), ..GLOWING }, Material::matte(LinearRgb::WHITE)];
+        let floor = Object::new(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 1);
+        let objects = [Object::new(shape, 0), floor];
+        let mut scene = below_lamp(&objects, &materials, 0.001);
+        (scene.camera.eye, scene.camera.up) = (eye, Vec3::new(0.1, 0.2, 1.0));
+        lights::<R>(&scene, Settings { area_lights, ..samples(1, 1, 64) }, true)[0].g
+    };
+    let center = Vec3::new(0.5, 2.0, 0.25);
+    let corner = center - Vec3::new(0.5, 0.0, 0.25);
+    let (along, across) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 0.5));
+    let above = Vec3::new(0.0, 1.0, 0.0);
+    for area_lights in [AreaLights::Sampled, AreaLights::ClosedForm] {
+        for (downward, upward) in [
+            (Shape::Disc(Disc::new(center, -UP, 0.5)), Shape::Disc(Disc::new(center, UP, 0.5))),
+            (
+                // The normal is that of the cross product of both sides.
+                Shape::Rectangle(Rectangle::new(corner, along, across)),
+                Shape::Rectangle(Rectangle::new(corner, across, along)),
+            ),
+        ] {
+            let floor = |shape, sides| look(shape, sides, area_lights, above);
+            let both = floor(downward, Sides::Both);
+            assert!(both > 0.05, "{both}");
+            assert_eq!(floor(downward, Sides::Front), both);
+            assert_eq!(floor(upward, Sides::Front), 0.0);
+            // From above, along the line through the lamp's center to the middle of the floor.
+            let lamp = |shape, sides| look(shape, sides, area_lights, center * 2.0);
+            assert_eq!(lamp(upward, Sides::Both), 3.0);
+            assert_eq!(lamp(upward, Sides::Front), 3.0);
+            assert_eq!(lamp(downward, Sides::Both), 3.0);
+            assert_eq!(lamp(downward, Sides::Front), 0.0);
+        }
+        let ball = Shape::Sphere(Sphere::new(center, 0.5));
+        assert_eq!(look(ball, Sides::Front, area_lights, above), look(ball, Sides::Both, area_lights, above));
+    }
+}
+
+#[test]
+fn lamps_may_shine_on_one_side() {
+    assert_one_side_shines::<f32>();
+    assert_one_side_shines::<f64>();
+    assert_one_side_shines::<Fixed>();
 }
 
 #[test]

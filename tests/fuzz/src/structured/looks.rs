@@ -2,7 +2,7 @@
 
 use rayline::{
     Background, Brick, Encoding, Ends, Figure, Filter, Fresnel, Gradient, Highlight, Image, LinearRgb, Map,
-    Marble, Material, Medium, Noise, Onto, Optics, Panorama, Pixels, Placed, Placement, Sky, Squares,
+    Marble, Material, Medium, Noise, Onto, Optics, Panorama, Pixels, Placed, Placement, Sides, Sky, Squares,
     Stripes, Texture, Vec3, Wood,
 };
 
@@ -72,6 +72,7 @@ impl<'a> Maker<'_, '_, 'a> {
         }
         if self.choices.chance(20) {
             optics.emission = self.color();
+            optics.emission_sides = self.choices.one_of([Sides::Both, Sides::Front]);
         }
         if self.choices.chance(15) {
             optics.outside = Medium { ior: self.choices.within(0.8, 1.6), absorption: self.color() };

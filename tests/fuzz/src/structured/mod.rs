@@ -8,7 +8,7 @@ use bumpalo::Bump;
 use rayline::shape::{Disc, Rectangle, Shape, Sphere};
 use rayline::{
     Camera, Falloff, Lamp, Lens, Light, LightCone, LinearRgb, Material, Motion, Object, ObjectId, Optics,
-    Scene, Vec3,
+    Scene, Sides, Vec3,
 };
 
 use crate::choices::Choices;
@@ -219,7 +219,8 @@ impl<'a> Maker<'_, '_, 'a> {
     fn emitting(&mut self) -> Material<'a> {
         let LinearRgb { r, g, b } = self.bright();
         let emission = LinearRgb::new(r + 0.1, g + 0.1, b + 0.1);
-        let optics = self.arena.alloc(Optics { emission, ..Optics::PLAIN });
+        let emission_sides = self.choices.one_of([Sides::Both, Sides::Front]);
+        let optics = self.arena.alloc(Optics { emission, emission_sides, ..Optics::PLAIN });
         Material { optics: Some(optics), ..Material::matte(LinearRgb::WHITE) }
     }
 
