@@ -8,7 +8,7 @@ use std::str::FromStr;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
-use rayline::{Adaptive, AreaLights, Dither, Reconstruction, Sampler, Sampling, Settings, Transfer};
+use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
 use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, SAMPLERS, Show};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -79,6 +79,10 @@ pub(crate) struct Render {
     /// Trace every pixel, or interpolate pixels whose neighbors hit the same
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     pub(crate) mode: Mode,
+    /// Draw edges in realtime mode in steps of a pixel, or smooth without samples; with --samples, those
+    /// edges that are not known take them
+    #[arg(long, value_name = "HOW", default_value = "stepped", value_parser = named(&EDGES))]
+    pub(crate) edges: Edges,
     /// The number of threads; the picture does not depend on it [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
@@ -260,6 +264,8 @@ struct SamplingArgs {
 
 const AREA_LIGHTS: [(&str, AreaLights); 2] =
     [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
+
+const EDGES: [(&str, Edges); 2] = [("stepped", Edges::Stepped), ("smooth", Edges::Smooth)];
 
 const FILTERS: [(&str, Reconstruction); 3] =
     [("box", Reconstruction::Box), ("tent", Reconstruction::Tent), ("gaussian", Reconstruction::Gaussian)];

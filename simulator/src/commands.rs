@@ -69,6 +69,7 @@ fn render(arguments: &Render) -> Outcome {
     }
     let options = RenderOptions {
         mode: arguments.mode,
+        edges: arguments.edges,
         show: arguments.show,
         lines: arguments.lines.clone(),
         threads: arguments.threads.map_or(0, usize::from),

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use rayline::{Sampler, Settings};
+use rayline::{Edges, Sampler, Settings};
 
 use crate::Display;
 
@@ -23,6 +23,8 @@ pub struct RenderOptions {
     pub display: Display,
     /// The quality of the picture.
     pub mode: Mode,
+    /// The edges of pictures in [`Mode::Realtime`].
+    pub edges: Edges,
     /// The contents of the picture.
     pub show: Show,
     /// The lines to render; `None` for all.
@@ -81,6 +83,7 @@ impl RenderOptions {
             number: Number::F32,
             display: Display::Rgb888,
             mode: Mode::Exact,
+            edges: Edges::Stepped,
             show: Show::Colors,
             lines: None,
             threads: 0,

@@ -122,7 +122,8 @@ fn render_in<R: Real>(
     let (renderer, rgb_lines) = (&renderer, &mut rgb[..]);
     let rays = pool.install(|| match options.mode {
         Mode::Realtime if options.show == Show::Colors => {
-            options.display.color(Bands { renderer, lines, rgb: rgb_lines, line_done })
+            let edges = options.edges;
+            options.display.color(Bands { renderer, lines, edges, rgb: rgb_lines, line_done })
         }
         _ => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
     });

@@ -12,7 +12,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
-use rayline::{DisplayColor, DrawError, LineError, RayCounts, Real, Realtime, Renderer, Sample};
+use rayline::{DisplayColor, DrawError, Edges, LineError, RayCounts, Real, Realtime, Renderer, Sample};
 use rayon::prelude::*;
 
 use crate::display::ForColor;
@@ -21,6 +21,7 @@ use crate::display::ForColor;
 pub(crate) struct Bands<'j, 'm, R: Real> {
     pub(crate) renderer: &'j Renderer<'j, 'm, R>,
     pub(crate) lines: Range<u32>,
+    pub(crate) edges: Edges,
     pub(crate) rgb: &'j mut [u8],
     pub(crate) line_done: &'j (dyn Fn() + Sync),
 }
@@ -32,9 +33,10 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
     where
         C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
     {
-        let Self { renderer, lines, rgb, line_done } = self;
+        let Self { renderer, lines, edges, rgb, line_done } = self;
         // Small pictures show smaller details, so they need a finer grid.
         let quality = if renderer.width() < 240 { Realtime::fine() } else { Realtime::new() };
+        let quality = Realtime { edges, ..quality };
         let band = quality.grid.pixels();
         let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
         let line_bytes = renderer.width() as usize * 3;

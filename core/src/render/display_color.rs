@@ -35,6 +35,14 @@ pub trait DisplayColor: PixelColor {
         Tone::from_light(light)
     }
 
+    /// The light that has this [`tone`](Self::tone), as exactly as the tone tells. Smooth edges
+    /// ([`Edges::Smooth`](super::Edges::Smooth)) mix light. Override it if you override `tone`.
+    #[inline]
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        let _ = quantizer;
+        tone.to_light()
+    }
+
     /// The color of a pixel that shows `tone`. The color of [`tone`](Self::tone) must be
     /// [`from_light`](Self::from_light) of the same light.
     #[inline]
@@ -66,6 +74,14 @@ impl DisplayColor for Rgb888 {
         Tone::new(quantizer.tone::<8>(light.r), quantizer.tone::<8>(light.g), quantizer.tone::<8>(light.b))
     }
 
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        Light16 {
+            r: quantizer.light::<8>(tone.first()),
+            g: quantizer.light::<8>(tone.second()),
+            b: quantizer.light::<8>(tone.third()),
+        }
+    }
+
     #[inline]
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
         Self::new(
@@ -85,6 +101,14 @@ impl DisplayColor for Rgb565 {
     #[inline]
     fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
         Tone::new(quantizer.tone::<5>(light.r), quantizer.tone::<6>(light.g), quantizer.tone::<5>(light.b))
+    }
+
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        Light16 {
+            r: quantizer.light::<5>(tone.first()),
+            g: quantizer.light::<6>(tone.second()),
+            b: quantizer.light::<5>(tone.third()),
+        }
     }
 
     #[inline]
@@ -107,6 +131,10 @@ impl DisplayColor for Gray8 {
         Tone::new(0, quantizer.tone::<8>(light.luminance()), 0)
     }
 
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        Light16::gray(quantizer.light::<8>(tone.second()))
+    }
+
     #[inline]
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.cut::<8>(tone.second()))
@@ -123,6 +151,10 @@ impl DisplayColor for Gray4 {
         Tone::new(0, quantizer.tone::<4>(light.luminance()), 0)
     }
 
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        Light16::gray(quantizer.light::<4>(tone.second()))
+    }
+
     #[inline]
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
         Self::new(quantizer.cut::<4>(tone.second()))
@@ -137,6 +169,10 @@ impl DisplayColor for BinaryColor {
     #[inline]
     fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
         Tone::new(0, quantizer.tone::<1>(light.luminance()), 0)
+    }
+
+    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+        Light16::gray(quantizer.light::<1>(tone.second()))
     }
 
     #[inline]

@@ -107,6 +107,9 @@ pub enum LineError {
         /// Pixels of the picture.
         needed: usize,
     },
+    /// Smooth edges need the feature `distributed`, which this build of the crate does not have. Switch the
+    /// feature on, or draw with [`Edges::Stepped`](crate::Edges::Stepped).
+    WithoutDistributed,
     /// The picture has no such line. Name one below its height.
     NoSuchLine {
         /// The line that was named.
@@ -134,6 +137,10 @@ impl fmt::Display for LineError {
             Self::SumCount { given, needed } => {
                 write!(f, "{given} sums do not fit a picture of {needed} pixels; lend one for each pixel")
             }
+            Self::WithoutDistributed => f.write_str(
+                "smooth edges need the feature `distributed` of the crate rayline; switch it on, or draw \
+                 with `Edges::Stepped`",
+            ),
             Self::NoSuchLine { line, height } => {
                 write!(
                     f,

@@ -3,6 +3,7 @@
 //! The rays of a square lie closer together than the rays of a row, so several lines at once take less time
 //! than the same lines one by one.
 
+use super::pixel::Aim;
 use super::{DisplayColor, Light16, Quantizer, Renderer};
 use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
@@ -67,7 +68,11 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
             let (x, y) = (x as u16, y.wrapping_add(down as u16));
-            let ray = viewport.ray(viewport.across((x, CENTER)), self.renderer.centers(y), &RayNumbers::NONE);
+            let ray = viewport.ray(
+                viewport.across((x, CENTER)),
+                self.renderer.row(y, Aim::Area),
+                &RayNumbers::NONE,
+            );
             lane.begin(ray, RayBudget(rays_per_pixel));
         }
         self.group.trace(lanes, limits, probe);

@@ -1,7 +1,7 @@
 //! One line of the picture in exact quality, pixel after pixel.
 
 use super::line_candidates::LineCandidates;
-use super::pixel::Pixel;
+use super::pixel::{Aim, Pixel};
 use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
@@ -39,7 +39,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
             }
             _ => None,
         };
-        Self { renderer, y, row: renderer.centers(y), candidates, background }
+        Self { renderer, y, row: renderer.row(y, Aim::Area), candidates, background }
     }
 
     /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
@@ -101,7 +101,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
             Some(candidates) => candidates.sight(x),
             None => Sight::among(self.renderer.scene.all()),
         };
-        let pixel = Pixel { x, y: self.y, row: self.row };
+        let pixel = Pixel { x, y: self.y, row: self.row, aim: Aim::Area };
         let (light, rays) = self.renderer.light_at(pixel, sight, probe);
         (self.renderer.color(light, x, self.y), rays)
     }

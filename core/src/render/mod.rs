@@ -47,7 +47,7 @@ pub use pixel_sum::PixelSum;
 pub use progressive::Progressive;
 pub use quality::Quality;
 pub use quantize::{Light16, Quantizer};
-pub use realtime::{Grid, Realtime, RealtimeBuffer, Sample};
+pub use realtime::{Edges, Grid, Realtime, RealtimeBuffer, Sample};
 pub use settings::{Dither, Settings, Transfer};
 pub use tone::Tone;
 

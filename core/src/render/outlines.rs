@@ -7,6 +7,7 @@
 //! than what they enclose, so that pictures have the same bytes with and without them.
 
 use super::outline::{Outline, Projector, Vantage};
+use super::pixel::Aim;
 use super::span::Span;
 use crate::camera::Viewport;
 use crate::integrator::OUTLINED_LIGHTS;
@@ -111,11 +112,18 @@ impl Outlines {
         if cfg!(feature = "candidates") { self.count } else { None }
     }
 
-    /// The pixels in which each object can be seen on the lines from `top` to `bottom`, both included; `None`
-    /// if no outlines are known.
-    pub(super) fn strip(&self, top: u16, bottom: u16) -> Option<impl Iterator<Item = Span>> {
+    /// The pixels in which each object can be seen on the lines from `top` to `bottom`, both included, by
+    /// rays with this aim; `None` if no outlines are known.
+    pub(super) fn strip(&self, (top, bottom): (u16, u16), aim: Aim) -> Option<impl Iterator<Item = Span>> {
         let objects = self.objects.iter().take(self.count()?);
-        Some(objects.map(move |outline| outline.lines(top, bottom)))
+        Some(objects.map(move |outline| {
+            #[cfg(feature = "distributed")]
+            if aim == Aim::Corner {
+                return outline.of_corners().lines(top, bottom);
+            }
+            let _ = aim;
+            outline.lines(top, bottom)
+        }))
     }
 
     /// The position of the receiver, which is no object's if there is none.

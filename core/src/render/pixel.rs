@@ -15,12 +15,35 @@ use crate::sampling::Dimension;
 use crate::sampling::{Adaptive, CENTER, PixelSample, RayNumbers, Sampling};
 use crate::shape::Geometry;
 
-/// A pixel, with the rays through the centers of its line.
+/// A pixel, with the row of rays that its aim needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixel<R> {
     pub(super) x: u16,
     pub(super) y: u16,
     pub(super) row: RayRow<R>,
+    pub(super) aim: Aim,
+}
+
+/// The place in a pixel to which its rays go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Aim {
+    /// A single ray to the center, or several all over the pixel.
+    Area,
+    /// All rays to the upper left corner: one, or several if they draw other numbers. Needs the feature
+    /// `distributed`.
+    Corner,
+}
+
+impl Aim {
+    /// Whether it is the corner. Without the feature, the compiler sees that it is not.
+    const fn is_corner(self) -> bool {
+        cfg!(feature = "distributed") && matches!(self, Self::Corner)
+    }
+
+    /// The place of a single ray, in 65536ths of a pixel from the left and the upper side.
+    pub(super) const fn place(self) -> i32 {
+        if self.is_corner() { 0 } else { CENTER }
+    }
 }
 
 /// The light of the samples that a pixel took so far.
@@ -99,12 +122,12 @@ fn at_time<'m, R: Real, S: Geometry + 'm>(
 impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     /// The pixel in this column and line.
     pub(super) fn pixel_at(&self, x: u16, y: u16) -> Pixel<R> {
-        Pixel { x, y, row: self.centers(y) }
+        Pixel { x, y, row: self.row(y, Aim::Area), aim: Aim::Area }
     }
 
-    /// The rays through the centers of a line's pixels.
-    pub(super) fn centers(&self, y: u16) -> RayRow<R> {
-        self.viewport.row((y, CENTER))
+    /// The rays of a line's pixels.
+    pub(super) fn row(&self, y: u16, aim: Aim) -> RayRow<R> {
+        self.viewport.row((y, aim.place()))
     }
 
     /// The light that a pixel receives, and the rays that it took. `sight` is what is known of its camera
@@ -125,18 +148,18 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         &self,
         scene: &PreparedScene<'m, R, S>,
         limits: &RayLimits<R>,
-        Pixel { x, y, row }: Pixel<R>,
+        Pixel { x, y, row, aim }: Pixel<R>,
         sight: Sight<'_>,
         probe: &mut impl Probe<R>,
     ) -> (LinearRgb<R>, u32) {
-        let has_one = self.settings.sampling.samples <= 1;
+        let has_one = self.settings.sampling.samples <= 1 || (aim.is_corner() && !self.is_distributed);
         let rays_per_pixel = self.settings.rays_per_pixel;
         let mut numbers = RayNumbers::of(self.sample((x, y), 0));
         let (left, seen) = (RayBudget(rays_per_pixel), Seen::NOTHING);
         let mut rays = SampleRays { left, seen };
         let mut samples = Samples { light: LinearRgb::BLACK, taken: 0, spread: None };
-        let (mut across, mut row) = (self.viewport.across((x, CENTER)), row);
-        if !has_one {
+        let (mut across, mut row) = (self.viewport.across((x, aim.place())), row);
+        if !(has_one || aim.is_corner()) {
             (across, row) = self.sample_place((x, y), 0);
         }
         loop {
@@ -148,7 +171,9 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
                 return (samples.light, rays_per_pixel.saturating_sub(rays.left.0));
             }
             numbers = RayNumbers::of(self.sample((x, y), samples.taken));
-            (across, row) = self.sample_place((x, y), samples.taken);
+            if !aim.is_corner() {
+                (across, row) = self.sample_place((x, y), samples.taken);
+            }
         }
     }
 

@@ -23,6 +23,18 @@ impl Light16 {
     /// No light.
     pub const BLACK: Self = Self { r: 0, g: 0, b: 0 };
 
+    /// The same light in all channels.
+    pub(super) const fn gray(light: u32) -> Self {
+        Self { r: light, g: light, b: light }
+    }
+
+    /// A mixture: this share of other light, in 32768ths, and the rest of this one.
+    pub(super) fn mixed(self, other: Self, share: u32) -> Self {
+        // At most 65536 · 32768, which fits in 32 bits.
+        let mix = |a: u32, b: u32| (a * 32768u32.saturating_sub(share) + b * share) >> 15;
+        Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b) }
+    }
+
     /// Clamps light to the range of a display.
     pub(super) fn new<R: Real>(light: LinearRgb<R>) -> Self {
         Self { r: light.r.to_q16(), g: light.g.to_q16(), b: light.b.to_q16() }
@@ -82,6 +94,15 @@ impl Quantizer {
         (((code * ((1 << BITS) - 1)) >> BITS) + (1 << (15 - BITS))) as u16
     }
 
+    /// The light from 0 to 65536 that has a [`tone`](Self::tone).
+    pub(super) fn light<const BITS: u32>(&self, tone: u16) -> u32 {
+        let code = (u32::from(tone).saturating_sub(1 << (15 - BITS)) << BITS) / ((1 << BITS) - 1);
+        match self.transfer {
+            Transfer::Linear => code.min(65536),
+            Transfer::Srgb => decode_srgb(code),
+        }
+    }
+
     /// The level of a tone. For a tone of [`tone`](Self::tone), it is the [`level`](Self::level) of the
     /// same light.
     #[inline]
@@ -101,6 +122,8 @@ fn bayer(x: u16, y: u16) -> u32 {
 
 /// Segments of the tone curve.
 const SEGMENTS: usize = 512;
+/// The light of a segment.
+const SEGMENT: u32 = 65536 / SEGMENTS as u32;
 
 /// The sRGB curve at every 512th part of the range, in units of 1/65535: 1 KB of flash. Between these
 /// points it is interpolated, with an error below 0.2 of 255 levels.
@@ -138,13 +161,30 @@ const fn srgb_curve() -> [u16; SEGMENTS + 1] {
 
 /// The sRGB code, 0 to 65536, of light from 0 to 65536.
 fn encode_srgb(light: u32) -> u32 {
-    let position = light as usize / (65536 / SEGMENTS);
-    let along = light % (65536 / SEGMENTS) as u32;
+    let (position, along) = ((light / SEGMENT) as usize, light % SEGMENT);
     match SRGB.get(position..) {
         Some([below, above, ..]) => {
             let (below, above) = (u32::from(*below), u32::from(*above));
-            let code = below + (above - below) * along / (65536 / SEGMENTS) as u32;
+            let code = below + (above - below) * along / SEGMENT;
             code + (code >> 15)
+        }
+        _ => 65536,
+    }
+}
+
+/// The light, 0 to 65536, of an sRGB code from 0 to 65536.
+fn decode_srgb(code: u32) -> u32 {
+    let curve = u32::from(u16::try_from(code).unwrap_or(u16::MAX));
+    if code >= 65536 {
+        return 65536;
+    }
+    // The segment that holds the code.
+    let position = SRGB.partition_point(|above| u32::from(*above) <= curve).saturating_sub(1);
+    match SRGB.get(position..) {
+        Some([below, above, ..]) => {
+            let (below, above) = (u32::from(*below), u32::from(*above));
+            let along = (curve.saturating_sub(below) * SEGMENT).checked_div(above.saturating_sub(below));
+            position as u32 * SEGMENT + along.unwrap_or(0)
         }
         _ => 65536,
     }
@@ -199,6 +239,31 @@ mod tests {
                 check::<8>(quantizer);
             }
         }
+    }
+
+    #[test]
+    fn tones_keep_their_light() {
+        fn check<const BITS: u32>(quantizer: Quantizer) {
+            for light in (0..=65536u32).step_by(7) {
+                let tone = quantizer.tone::<BITS>(light);
+                let again = quantizer.light::<BITS>(tone);
+                // A step of the tone is up to 2.3 steps of light, and the scale of few bits is shorter.
+                assert!(
+                    again.abs_diff(light) < if BITS == 1 { 7 } else { 5 },
+                    "{light}: {again}, {BITS} bits"
+                );
+            }
+        }
+        for transfer in [Transfer::Srgb, Transfer::Linear] {
+            let quantizer = Quantizer::nearest(transfer);
+            check::<1>(quantizer);
+            check::<4>(quantizer);
+            check::<8>(quantizer);
+        }
+        let (dark, bright) = (Light16::gray(1000), Light16 { r: 65536, g: 0, b: 3000 });
+        assert_eq!(dark.mixed(bright, 0), dark);
+        assert_eq!(dark.mixed(bright, 32768), bright);
+        assert_eq!(dark.mixed(bright, 8192), Light16 { r: 17134, g: 750, b: 1500 });
     }
 
     #[test]

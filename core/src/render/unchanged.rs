@@ -1,13 +1,14 @@
 //! Lines that look as they did in the picture before, and need not be drawn again.
 
 use super::Renderer;
+use super::pixel::Aim;
 use crate::math::Real;
 use crate::shape::Geometry;
 
 impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
     /// Whether line `y` certainly looks as it did when `before` drew it, and need not be drawn again. In
-    /// realtime quality, a band of lines is unchanged if all its lines and the line below it are, and if no
-    /// budget of rays ended too early.
+    /// realtime quality, a band of lines is unchanged if all its lines and the line below it are (with smooth
+    /// edges, the line above it too), and if no budget of rays ended too early.
     ///
     /// The answer is `true` in two cases. First, nothing has changed: both renderers have the same prepared
     /// scene, at the same address, and the same settings. Second, no object can be seen on that line in
@@ -54,7 +55,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
 
     /// Whether certainly no object is seen on a line.
     fn sees_nothing(&self, y: u16) -> bool {
-        let spans = self.outlines.strip(y, y);
+        let spans = self.outlines.strip((y, y), Aim::Area);
         spans.is_some_and(|mut spans| spans.all(|span| span.start >= span.end || span.start >= self.width))
     }
 }

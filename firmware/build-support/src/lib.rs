@@ -9,7 +9,7 @@
 //! | `RAYLINE_BOUNCES` | how often a ray may be mirrored or refracted | the scene's own; 6 for a file |
 //! | `RAYLINE_AREA_LIGHTS` | `sampled` or `closed-form` | `sampled` |
 //! | `RAYLINE_NUMBER` | `f32` or `fixed`, see [`write_number`] | `f32` |
-//! | `RAYLINE_MODE` | `exact` or `realtime`, see [`write_mode`] | `exact` |
+//! | `RAYLINE_MODE` | `exact`, `realtime` or `smooth`, see [`write_mode`] | `exact` |
 
 use core::mem::MaybeUninit;
 use std::env;
@@ -143,7 +143,10 @@ pub fn write_mode() -> Result<(), Box<dyn Error>> {
     let quality = match variable("RAYLINE_MODE").as_deref() {
         None | Some("exact") => "None",
         Some("realtime") => "Some(rayline::Realtime::new())",
-        Some(other) => return Err(format!("RAYLINE_MODE={other}: set it to exact or realtime").into()),
+        Some("smooth") => "Some(rayline::Realtime::new().smooth())",
+        Some(other) => {
+            return Err(format!("RAYLINE_MODE={other}: set it to exact, realtime or smooth").into());
+        }
     };
     let text = format!(
         "/// The realtime quality that the picture is drawn in; `None` for an exact picture.\n\

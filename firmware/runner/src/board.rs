@@ -100,7 +100,7 @@ const fn bare_metal(binary: &'static str, layout: &'static str) -> ProgramSource
         binary,
         features: &[],
         has_hal: false,
-        modes: &[Mode::Exact, Mode::Realtime],
+        modes: &[Mode::Exact, Mode::Realtime, Mode::Smooth],
         layout,
     }
 }
@@ -112,7 +112,7 @@ const fn pico(features: &'static [&'static str]) -> ProgramSource {
         binary: "pico",
         features,
         has_hal: true,
-        modes: &[Mode::Exact, Mode::Realtime],
+        modes: &[Mode::Exact, Mode::Realtime, Mode::Smooth],
         layout: "",
     }
 }

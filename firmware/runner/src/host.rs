@@ -8,11 +8,11 @@ use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
 use rayline::math::Fixed;
-use rayline::{Digest, DisplayColor, PreparedScene, RayCounts, Real, Realtime, Renderer, Sample};
+use rayline::{Digest, DisplayColor, PreparedScene, RayCounts, Real, Renderer, Sample};
 use rayline_orbit::Orbit;
 
 use crate::board::{Board, EmulatorKind, Output};
-use crate::picture::{Mode, Number, Picture, Size};
+use crate::picture::{Number, Picture, Size};
 
 /// The bytes of a picture's pixels, line by line, as the board's emulator writes them.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
@@ -68,16 +68,15 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
     let renderer = Renderer::new(&scene, picture.settings())?;
     let mut canvas = Canvas { size: picture.size, colors: Vec::new(), rays: 0 };
     let mut counts = RayCounts::default();
-    match picture.mode {
-        Mode::Exact => {
+    match picture.quality() {
+        None => {
             let mut line = vec![black; usize::from(picture.size.width)];
             for y in 0..renderer.height() {
                 renderer.lines(y, &mut line, &mut counts)?;
                 canvas.colors.extend_from_slice(&line);
             }
         }
-        Mode::Realtime => {
-            let quality = Realtime::new();
+        Some(quality) => {
             let mut colors = vec![black; quality.colors(picture.size.width)];
             let mut samples = vec![Sample::BLANK; quality.samples(picture.size.width)];
             let mut frame = renderer.frame(0..renderer.height(), quality.lend(&mut colors, &mut samples))?;

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use anyhow::{Context, Error, Result, ensure};
 use rayline::builtin::{self, Builtin};
-use rayline::{AreaLights, Scene, Settings};
+use rayline::{AreaLights, Realtime, Scene, Settings};
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +66,8 @@ pub(crate) enum Mode {
     Exact,
     /// Traces pixels whose neighbors differ, and interpolates the others
     Realtime,
+    /// As `realtime`, with smooth edges
+    Smooth,
 }
 
 impl Mode {
@@ -73,6 +75,7 @@ impl Mode {
         match self {
             Self::Exact => "exact",
             Self::Realtime => "realtime",
+            Self::Smooth => "smooth",
         }
     }
 }
@@ -148,6 +151,15 @@ impl fmt::Display for Picture {
 }
 
 impl Picture {
+    /// The realtime quality that it is drawn in; `None` for an exact picture.
+    pub(crate) fn quality(&self) -> Option<Realtime> {
+        match self.mode {
+            Mode::Exact => None,
+            Mode::Realtime => Some(Realtime::new()),
+            Mode::Smooth => Some(Realtime::new().smooth()),
+        }
+    }
+
     /// The settings of the renderer, which are the program's.
     pub(crate) fn settings(&self) -> Settings {
         let Size { width, height } = self.size;

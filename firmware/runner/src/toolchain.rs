@@ -11,7 +11,7 @@ use rayline::FASTER;
 use serde_json::Value;
 
 use crate::board::Board;
-use crate::picture::Picture;
+use crate::picture::{Mode, Picture};
 
 /// The workspace of the firmware.
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
@@ -129,6 +129,9 @@ impl Toolchain {
             if !(picture.small && FASTER.contains(&feature)) {
                 features.push(feature);
             }
+        }
+        if picture.mode == Mode::Smooth {
+            features.push("distributed");
         }
         if !features.is_empty() {
             command.args(["--features", &features.join(",")]);

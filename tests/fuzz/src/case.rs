@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rayline::{AreaLights, Grid, Realtime, Sampling, Settings};
+use rayline::{AreaLights, Edges, Grid, Realtime, Sampling, Settings};
 
 use crate::choices::Choices;
 
@@ -106,6 +106,7 @@ impl Case {
             grid: choices.one_of([Grid::Two, Grid::Four, Grid::Eight]),
             threshold: choices.one_of([2500, 5000, 0, 200, 65_535]),
             budget_rays: if choices.chance(70) { u32::MAX } else { choices.between(0, 2000) as u32 },
+            edges: choices.one_of([Edges::Stepped, Edges::Smooth]),
         });
         Self { number, settings, portions, realtime }
     }
@@ -113,8 +114,8 @@ impl Case {
 
 /// As in `f32-16x10-b2-r4096-c256-lines`: number system, size, bounces, rays per pixel, the cutoff's
 /// reciprocal, `s` and samples per pixel where they are several, `closed` where wide lights are found in
-/// closed form, portions, and `g` with grid, threshold
-/// and budget of realtime quality.
+/// closed form, portions, `g` with grid, threshold
+/// and budget of realtime quality, and `smooth` if its edges are.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = self.settings;
@@ -133,8 +134,11 @@ impl fmt::Display for Case {
             Portions::Passes => write!(f, "-passes")?,
             Portions::Steps { rays, lines } => write!(f, "-steps{rays}x{lines}")?,
         }
-        if let Some(Realtime { grid, threshold, budget_rays }) = self.realtime {
+        if let Some(Realtime { grid, threshold, budget_rays, edges }) = self.realtime {
             write!(f, "-g{}x{threshold}x{budget_rays}", grid.pixels())?;
+            if edges == Edges::Smooth {
+                write!(f, "-smooth")?;
+            }
         }
         Ok(())
     }
@@ -164,6 +168,8 @@ impl FromStr for Case {
             let Some((kind, digits)) = part.split_at_checked(1) else { continue };
             if part == "closed" {
                 case.settings.area_lights = AreaLights::ClosedForm;
+            } else if part == "smooth" {
+                case.realtime = case.realtime.map(Realtime::smooth);
             } else if part == "lines" {
                 case.portions = Portions::Lines;
             } else if part == "passes" {
@@ -181,7 +187,8 @@ impl FromStr for Case {
                     4 => Grid::Four,
                     _ => Grid::Eight,
                 };
-                case.realtime = Some(Realtime { grid, threshold: threshold as u16, budget_rays });
+                let (threshold, edges) = (threshold as u16, Edges::Stepped);
+                case.realtime = Some(Realtime { grid, threshold, budget_rays, edges });
             } else {
                 let number = read(digits)?;
                 match kind {

@@ -235,8 +235,8 @@ pub(crate) fn realtime<R: Real>(
     if quality.budget_rays == u32::MAX {
         let mut canvas = Canvas { width, pixels: in_steps, is_twice: false };
         let side = quality.grid.pixels() as u32;
-        // Pixels of a cell and its sides, twice.
-        let beyond = (side + 1).pow(2).saturating_mul(2).saturating_mul(settings.rays_per_pixel);
+        // Pixels of a cell and its sides, twice, and once more with smooth edges.
+        let beyond = (side + 1).pow(2).saturating_mul(3).saturating_mul(settings.rays_per_pixel);
         draw_bands(&mut frame, height, beyond, &mut canvas)?;
         is_twice |= canvas.is_twice;
         if let Some(at) = differing(at_once, in_steps) {

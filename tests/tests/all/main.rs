@@ -28,4 +28,5 @@ mod realtime;
 mod reference;
 mod robustness;
 mod sampling;
+mod smooth_edges;
 mod solids;

@@ -25,7 +25,11 @@ use rayline_simulator::{LoadedScene, Orbit};
 use rayline_tests::{Picture, Screen, Unplugged, with_scene};
 
 /// Calls `use_it` with a renderer of the scene.
-fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<R>) -> T) -> T {
+pub(super) fn with_renderer<R: Real, T>(
+    scene: &Scene,
+    settings: Settings,
+    use_it: impl FnOnce(&Renderer<R>) -> T,
+) -> T {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
     use_it(&Renderer::new(&prepared, settings).expect("legal settings"))
@@ -58,7 +62,11 @@ impl Memory {
 }
 
 /// The picture in realtime quality, and its ray counts.
-fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl Probe<R>) -> Picture {
+pub(super) fn realtime<R: Real>(
+    renderer: &Renderer<R>,
+    quality: Realtime,
+    probe: &mut impl Probe<R>,
+) -> Picture {
     let mut screen = Screen::new(renderer);
     let mut memory = Memory::new(renderer, quality);
     let mut frame = renderer.frame(0..renderer.height(), memory.lend(quality)).expect("a frame");
@@ -66,7 +74,7 @@ fn realtime<R: Real>(renderer: &Renderer<R>, quality: Realtime, probe: &mut impl
     picture_on(&screen)
 }
 
-fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture {
+pub(super) fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture {
     let mut line = vec![Rgb888::BLACK; renderer.width() as usize];
     let mut pixels = Vec::new();
     for y in 0..renderer.height() {
@@ -77,14 +85,14 @@ fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture 
 }
 
 /// The peak signal-to-noise ratio in decibels.
-fn psnr(a: &Picture, b: &Picture) -> f64 {
+pub(super) fn psnr(a: &Picture, b: &Picture) -> f64 {
     assert_eq!((a.width, a.pixels.len()), (b.width, b.pixels.len()));
     let square = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b)).powi(2);
     let sum: f64 = a.pixels.iter().flatten().zip(b.pixels.iter().flatten()).map(square).sum();
     10.0 * (255.0 * 255.0 * 3.0 * a.pixels.len() as f64 / sum).log10()
 }
 
-fn all_rays(counts: &RayCounts) -> u64 {
+pub(super) fn all_rays(counts: &RayCounts) -> u64 {
     counts.camera + counts.shadow + counts.reflected + counts.refracted
 }
 
@@ -124,7 +132,7 @@ fn close_to_exact_for_few_rays() {
 }
 
 /// A scene of the gallery.
-fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
+pub(super) fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/gallery/{name}.ron"));
     LoadedScene::open(&file, arena).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -503,6 +511,7 @@ const GRIDS: [Grid; 3] = [Grid::Two, Grid::Four, Grid::Eight];
 #[test]
 fn lines_in_any_order_are_the_same_bytes() {
     check_order(&PRISM, SMALL);
+    check_order(&CLASSIC, Settings { sampling: Sampling::new(4), ..SMALL });
     // The thin parts of a mesh are searched separately.
     let arena = Bump::new();
     check_order(&gallery("show-teapot", &arena).scene, Settings::new(57, 43));
@@ -519,8 +528,9 @@ fn lines_in_any_order_are_the_same_bytes() {
 
 /// Checks that pictures of 43 lines have the same bytes in any order.
 fn check_order(scene: &Scene, settings: Settings) {
-    for grid in GRIDS {
-        let quality = Realtime { grid, ..Realtime::new() };
+    let stepped = GRIDS.map(|grid| Realtime { grid, ..Realtime::new() });
+    for quality in stepped.into_iter().chain(stepped.map(Realtime::smooth)) {
+        let grid = quality.grid;
         with_renderer::<f32, _>(scene, settings, |renderer| {
             let expected = realtime(renderer, quality, &mut ());
             let mut screen = Screen::new(renderer);
@@ -558,7 +568,7 @@ fn check_order(scene: &Scene, settings: Settings) {
 #[test]
 fn lines_are_the_same_bytes_where_a_corner_is_at_the_eye() {
     fn check<R: Real>(scene: &Scene) {
-        let quality = Realtime { grid: Grid::Two, threshold: 65_535, budget_rays: u32::MAX };
+        let quality = Realtime { grid: Grid::Two, threshold: 65_535, ..Realtime::new() };
         with_renderer::<R, _>(scene, Settings::new(20, 15), |renderer| {
             let expected = realtime(renderer, quality, &mut ());
             let mut screen = Screen::new(renderer);

@@ -80,6 +80,19 @@ impl Outline {
         (top..=bottom).map(|y| self.span(y)).fold(Span::NOWHERE, Span::hull)
     }
 
+    /// The pixels whose upper left corners lie inside, and some more: rectangles have a pixel of room.
+    #[cfg(feature = "distributed")]
+    pub(super) fn of_corners(self) -> Self {
+        match self {
+            Self::Ellipse { x, y, slope, half_width, inverse_half_height } => {
+                // Half a pixel to the right and down.
+                let (x, y) = (x.saturating_add(128), y.saturating_add(128));
+                Self::Ellipse { x, y, slope, half_width, inverse_half_height }
+            }
+            other => other,
+        }
+    }
+
     /// Its pixels on line `y`.
     pub(super) fn span(&self, y: u16) -> Span {
         match *self {

@@ -126,7 +126,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         self.budget.share(size as u32, lines.end.saturating_sub(lines.start));
         let rows = (top as u16, bottom as u16);
         let mut thin = self.small.thin_cells(renderer.width, self.quality.grid);
-        let strip = Strip::new(renderer, rows, &mut thin);
+        let strip = Strip::new(renderer, rows, self.quality.aim(), &mut thin);
         if strip.is_none() {
             thin.add_all(renderer, rows);
         }
@@ -135,7 +135,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         Band {
             top,
             left: 0,
-            rows: from_fn(|y| renderer.centers(beyond(top, y))),
+            rows: from_fn(|y| renderer.row(beyond(top, y), self.quality.aim())),
             has_top: self.row == Some(top),
             is_left_refined: false,
             strip,
@@ -168,7 +168,8 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
     ) -> Spent {
         let (size, left) = (self.quality.grid.pixels(), band.left as usize);
         let (settings, width) = (&renderer.settings, usize::from(renderer.width));
-        let paint = Paint { settings, width, left, top: band.top, size };
+        let is_smooth = self.quality.is_smooth();
+        let paint = Paint { settings, width, left, top: band.top, size, is_smooth };
         let among = objects_shown(renderer, band, size);
         if let Some(nothing) = self.nothing
             && among.is_empty()
@@ -186,6 +187,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             among,
             left: band.left,
             top: band.top,
+            aim: self.quality.aim(),
             rows: &band.rows,
             watch: self.small.watch.as_mut(),
         };
@@ -209,12 +211,15 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
         let plan = Plan::new(&corners, band.is_left_refined, small, size, &tracer);
         plan.draw(&mut self.cell, &corners, above, &mut tracer);
-        let all = tracer.rays;
         if plan.needs_corners_alone() {
             paint.smooth(buffer.colors, &corners);
+        } else if is_smooth {
+            #[cfg(feature = "distributed")]
+            paint.tones(buffer.colors, |x, y| tracer.smooth_tone(&self.cell, (x, y), plan.traces_all()));
         } else {
             paint.refined(buffer.colors, &self.cell);
         }
+        let all = tracer.rays;
         self.hand_on(band, &plan, &corners, buffer.samples);
         Spent { all, row, refined: all - grid }
     }

@@ -74,6 +74,7 @@ impl Cell {
         self.set(0, size, corners.bottom_left);
         self.set(size, size, corners.bottom_right);
         self.interpolate_side(Side::right((0, 0), size));
+        self.interpolate_side(Side::right((0, size), size));
         self.interpolate_side(Side::down((0, 0), size));
         self.interpolate_side(Side::down((size, 0), size));
         self.interpolate((0, 0), size);

@@ -17,6 +17,10 @@
 //! - **Where no object can be seen** before a background of one color, nothing is traced. Most cells know
 //!   that before the first ray.
 //!
+//! A fourth one makes edges smooth without samples, if wanted ([`Edges`]): rays go through the **corners of
+//! pixels**, and a pixel whose corners differ shows a mixture of what is on both sides of the edge
+//! (`smooth`).
+//!
 //! # The way of a band
 //!
 //! A *cell* is the square between four neighboring pixels of the grid; a *band* is the row of cells, and so
@@ -37,8 +41,9 @@
 //!    [`pixel_source`].
 //! 7. If the rim of a mesh may be seen, [`verify`] traces a few pixels of the drawn cell and follows what was
 //!    missed.
-//! 8. [`paint`] turns the tones of the cell into colors of the band's lines. The bottom row of the cell is
-//!    handed to the band below, the right column to the next cell.
+//! 8. [`paint`] turns the tones of the cell into colors of the band's lines; with smooth edges, `smooth`
+//!    finds the tone of each pixel from the points at its corners. The bottom row of the cell is handed to
+//!    the band below, the right column to the next cell.
 //! 9. Once all cells of the band are drawn, its lines go to the display.
 //!
 //! # What is kept
@@ -70,6 +75,8 @@ mod refine;
 mod sample;
 mod side;
 mod small;
+#[cfg(feature = "distributed")]
+mod smooth;
 mod strip;
 mod tolerance;
 mod tracer;
@@ -77,5 +84,5 @@ mod verify;
 
 pub use buffer::RealtimeBuffer;
 pub use grid::Grid;
-pub use quality::Realtime;
+pub use quality::{Edges, Realtime};
 pub use sample::Sample;

@@ -14,6 +14,8 @@ pub(super) struct Paint<'s> {
     pub(super) left: usize,
     pub(super) top: u32,
     pub(super) size: usize,
+    /// Whether samples belong to the corners of pixels, not to their centers.
+    pub(super) is_smooth: bool,
 }
 
 impl Paint<'_> {
@@ -33,8 +35,15 @@ impl Paint<'_> {
         let (mut left, mut right) = (corners.top_left.tone(), corners.top_right.tone());
         let down_left = left.step_toward(corners.bottom_left.tone(), shift);
         let down_right = right.step_toward(corners.bottom_right.tone(), shift);
+        if self.is_smooth {
+            left = left.middle(left.after(down_left));
+            right = right.middle(right.after(down_right));
+        }
         self.rows(colors, |y, row| {
             let (mut tone, step) = (left, left.step_toward(right, shift));
+            if self.is_smooth {
+                tone = tone.middle(tone.after(step));
+            }
             let tones = core::iter::repeat_with(|| {
                 let next = tone.after(step);
                 core::mem::replace(&mut tone, next)
@@ -47,6 +56,16 @@ impl Paint<'_> {
     /// A cell whose samples are all known.
     pub(super) fn refined<C: DisplayColor>(&self, colors: &mut [C], cell: &Cell) {
         self.rows(colors, |y, row| self.paint(row, y, cell.row(y).iter().map(|sample| sample.tone())));
+    }
+
+    /// A cell whose pixels have these tones.
+    #[cfg(feature = "distributed")]
+    pub(super) fn tones<C: DisplayColor>(
+        &self,
+        colors: &mut [C],
+        mut tone: impl FnMut(usize, usize) -> Tone,
+    ) {
+        self.rows(colors, |y, row| self.paint(row, y, (0..self.size).map(|x| tone(x, y))));
     }
 
     /// A row of pixels.

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::band::{Band, BandPainter};
 use super::buffer::RealtimeBuffer;
+use super::quality::Edges;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::render::painter::{Painter, Traced};
@@ -25,6 +26,9 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for RealtimeBuffer<'b, C> {
         let needed = self.quality.samples(renderer.width);
         if self.samples.len() != needed {
             return Err(LineError::SampleCount { given: self.samples.len(), needed });
+        }
+        if !cfg!(feature = "distributed") && self.quality.edges == Edges::Smooth {
+            return Err(LineError::WithoutDistributed);
         }
         Ok(())
     }

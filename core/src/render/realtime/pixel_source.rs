@@ -20,6 +20,9 @@ pub(super) trait PixelSource {
     /// Whether there are rays left for other pixels than the corners.
     fn may_trace(&self) -> bool;
 
+    /// Whether points are the corners of pixels, so that those on the far sides of a cell belong to it too.
+    fn are_corners(&self) -> bool;
+
     /// The distance from a straight edge up to which pixels are traced, in 1/16 of a pixel.
     fn traced_beside_edge(&self) -> u32;
 }

@@ -125,6 +125,10 @@ impl Plan {
             cell.interpolate_side(Side::down((0, 0), size));
         }
         cell.trace_all((0, 0), size, pixels);
+        if pixels.are_corners() {
+            cell.interpolate_side(Side::right((0, size), size));
+            cell.trace_far_sides(size, pixels);
+        }
     }
 
     /// Draws the sides, and then what is inside.

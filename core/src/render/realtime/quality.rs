@@ -1,6 +1,7 @@
 //! The settings of realtime quality.
 
 use super::grid::Grid;
+use crate::render::pixel::Aim;
 
 /// How much realtime quality may differ from the exact picture.
 ///
@@ -58,6 +59,39 @@ pub struct Realtime {
     /// and the row above is shown in their place. With a budget, a line depends on the lines that were drawn
     /// before it in the same frame.
     pub budget_rays: u32,
+    /// The edges of objects, shadows and textures.
+    pub edges: Edges,
+}
+
+/// How edges are drawn in realtime quality.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Edges {
+    /// In steps of a pixel: a pixel shows what its center shows.
+    #[default]
+    Stepped,
+    /// Without steps, and without samples: a pixel shows the mean of what is on both sides of an edge. Needs
+    /// the feature `distributed`.
+    ///
+    /// Rays go through the corners of pixels, so that each serves four pixels. Where the corners of a pixel
+    /// saw two different things, a straight edge parts the pixel. It crosses the pixel's sides where the
+    /// outline of a ball does, the horizon of a plane, or the shadow of a ball on something flat; other edges
+    /// are taken to cross in the middle between two corners.
+    ///
+    /// In a scene of two balls and their shadows, pixels at edges are off by 54 of 255 levels with one
+    /// sample, and by 3 with smooth edges. Errors against 64 samples, and rays a pixel, of pictures of
+    /// 320×240:
+    ///
+    /// | scene | stepped | smooth | rays, stepped | smooth | smooth, 4 to 16 samples | rays |
+    /// |---|---|---|---|---|---|---|
+    /// | `classic` | 34.7 dB | 37.0 dB | 0.45 | 0.46 | 42.0 dB | 3.5 |
+    /// | `whitted` | 31.3 dB | 33.9 dB | 0.77 | 0.78 | 40.0 dB | 9.7 |
+    /// | `flake` | 32.5 dB | 35.4 dB | 1.21 | 1.21 | 40.6 dB | 15.1 |
+    /// | `prism` | 32.7 dB | 34.9 dB | 1.47 | 1.47 | 39.6 dB | 13.4 |
+    ///
+    /// With several samples ([`Sampling`](crate::Sampling)), pixels with edges that are not known take them,
+    /// and all other pixels are drawn as with one: from a few rays for a cell to all samples in a pixel. If
+    /// samples draw more than their place (from lenses, lamps, lobes and motions), all rays take them.
+    Smooth,
 }
 
 impl Default for Realtime {
@@ -69,13 +103,28 @@ impl Default for Realtime {
 impl Realtime {
     /// For pictures of 320×240 and more: a grid of eight pixels and a threshold of 1/13.
     pub const fn new() -> Self {
-        Self { grid: Grid::Eight, threshold: 5000, budget_rays: u32::MAX }
+        Self { grid: Grid::Eight, threshold: 5000, budget_rays: u32::MAX, edges: Edges::Stepped }
     }
 
     /// For small pictures, and where quality counts more than time: a grid of four pixels and a threshold of
     /// 1/26.
     pub const fn fine() -> Self {
         Self { grid: Grid::Four, threshold: 2500, ..Self::new() }
+    }
+
+    /// This quality with smooth edges. Needs the feature `distributed`.
+    pub const fn smooth(self) -> Self {
+        Self { edges: Edges::Smooth, ..self }
+    }
+
+    /// Whether edges are smooth. Without the feature, the compiler sees that they are not.
+    pub(super) const fn is_smooth(&self) -> bool {
+        cfg!(feature = "distributed") && matches!(self.edges, Edges::Smooth)
+    }
+
+    /// Where the rays of pixels go.
+    pub(super) const fn aim(&self) -> Aim {
+        if self.is_smooth() { Aim::Corner } else { Aim::Area }
     }
 
     /// The number of colors to lend for a picture of this width: one band of lines.

@@ -179,11 +179,23 @@ impl Cell {
         self.interpolate((left, top), length);
         for y in top..top + length {
             for x in left..left + length {
-                if !self.get(x, y).is_traced() && pixels.may_trace() {
-                    let sample = pixels.trace_tone(x, y);
-                    self.set(x, y, sample);
-                }
+                self.trace_tone(x, y, pixels);
             }
+        }
+    }
+
+    /// Traces the points of the right and the bottom side that are not yet traced.
+    pub(super) fn trace_far_sides(&mut self, size: usize, pixels: &mut impl PixelSource) {
+        for along in 0..size {
+            self.trace_tone(size, along, pixels);
+            self.trace_tone(along, size, pixels);
+        }
+    }
+
+    fn trace_tone(&mut self, x: usize, y: usize, pixels: &mut impl PixelSource) {
+        if !self.get(x, y).is_traced() && pixels.may_trace() {
+            let sample = pixels.trace_tone(x, y);
+            self.set(x, y, sample);
         }
     }
 }

@@ -4,6 +4,7 @@ use super::super::Renderer;
 use super::small::{ThinCells, heights};
 use crate::math::Real;
 use crate::prepared::ObjectSet;
+use crate::render::pixel::Aim;
 use crate::render::span::Span;
 use crate::shape::Geometry;
 
@@ -15,16 +16,17 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// The objects that pixel centers on the lines from `top` to `bottom`, both included, can show; `None` if
-    /// they are not known. Objects that may be thin are placed by their hulls, which are closer than
-    /// outlines; their places are added to `thin`.
+    /// The objects that pixels on the lines from `top` to `bottom`, both included, can show to rays with this
+    /// aim; `None` if they are not known. Objects that may be thin are placed by their hulls, which are
+    /// closer than outlines; their places are added to `thin`.
     pub(super) fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
-        (top, bottom): (u16, u16),
+        lines: (u16, u16),
+        aim: Aim,
         thin: &mut ThinCells,
     ) -> Option<Self> {
-        let known = renderer.outlines.strip(top, bottom)?;
-        let heights = heights::<R>((top, bottom));
+        let known = renderer.outlines.strip(lines, aim)?;
+        let heights = heights::<R>(lines);
         let mut strip = Self { spans: [Span::NOWHERE; ObjectSet::CAPACITY], objects: 0 };
         for (index, (span, known)) in strip.spans.iter_mut().zip(known).enumerate() {
             *span = known;

@@ -16,7 +16,7 @@ use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe};
-use crate::render::pixel::Pixel;
+use crate::render::pixel::{Aim, Pixel};
 use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
 use crate::shape::Geometry;
 
@@ -53,6 +53,8 @@ pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     /// Column and line of the cell's upper left pixel.
     pub(super) left: u32,
     pub(super) top: u32,
+    /// Where the rays of its pixels go.
+    pub(super) aim: Aim,
     /// The camera rays of the cell's lines.
     pub(super) rows: &'c [RayRow<R>; POINTS],
     pub(super) watch: Option<&'c mut Watch<R>>,
@@ -123,7 +125,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         };
         let mut marks = MarkProbe::new(scene, faint, watch, self.probe);
         let row = view.rows.get(y).copied().unwrap_or(RayRow::TOP);
-        let pixel = Pixel { x: beyond(view.left, x), y: beyond(view.top, y), row };
+        let pixel = Pixel { x: beyond(view.left, x), y: beyond(view.top, y), row, aim: view.aim };
         let sight = Sight::among(view.among);
         let (light, rays) = view.renderer.light_in(scene, limits, pixel, sight, &mut marks);
         let tone = if purpose == Purpose::Objects {
@@ -132,9 +134,14 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             C::tone(Light16::new(light), &Quantizer::nearest(view.renderer.settings.transfer))
         };
         let sample = marks.sample(tone);
+        self.spend(rays);
+        sample
+    }
+
+    /// Counts rays that were traced.
+    pub(super) fn spend(&mut self, rays: u32) {
         self.rays = self.rays.saturating_add(rays);
         self.stop_if_spent();
-        sample
     }
 }
 
@@ -181,6 +188,11 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource
 
     fn may_trace(&self) -> bool {
         self.tolerance.may_trace()
+    }
+
+    #[inline]
+    fn are_corners(&self) -> bool {
+        self.view.aim == Aim::Corner
     }
 
     #[inline]

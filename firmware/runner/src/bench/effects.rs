@@ -25,27 +25,36 @@ const SIZE: Size = Size { width: 160, height: 120 };
 const ON: [(&str, &str, Number); 3] =
     [("M4F, `f32`", M4F, Number::F32), ("M3", M3, Number::Fixed), ("M0", LARGE_M0, Number::Fixed)];
 
-/// An effect, and the scene of the gallery that shows it.
+/// An effect, and the scene that shows it: one of the gallery, or [`CLASSIC`].
 struct Effect {
     name: &'static str,
     scene: &'static str,
-    /// Whether lamps with a size light by formulas.
-    closed_form: bool,
+    /// The ways with and without the effect.
+    ways: [Way; 2],
 }
 
 const fn effect(name: &'static str, scene: &'static str) -> Effect {
-    Effect { name, scene, closed_form: false }
+    Effect { name, scene, ways: [Way::Sampled, Way::Plain] }
 }
 
-const EFFECTS: [Effect; 8] = [
+/// An effect in closed form.
+const fn closed_form(name: &'static str, scene: &'static str) -> Effect {
+    Effect { name, scene, ways: [Way::ClosedForm, Way::Plain] }
+}
+
+/// The built-in scene.
+const CLASSIC: &str = "classic";
+
+const EFFECTS: [Effect; 9] = [
     effect("lens", "camera-lens"),
     effect("motion", "camera-motion"),
     effect("gloss", "material-gloss"),
     effect("translucency", "material-translucent"),
     effect("two lamps, by rays", "light-area"),
-    Effect { closed_form: true, ..effect("two lamps, closed form", "light-area") },
+    closed_form("two lamps, closed form", "light-area"),
     effect("two lamps among balls, by rays", "light-closed-form"),
-    Effect { closed_form: true, ..effect("two lamps among balls, closed form", "light-closed-form") },
+    closed_form("two lamps among balls, closed form", "light-closed-form"),
+    Effect { name: "smooth edges, realtime", scene: CLASSIC, ways: [Way::Smooth, Way::Stepped] },
 ];
 
 const HEAD: &str = "\
@@ -55,21 +64,27 @@ A command writes this page; do not edit it: `cargo boards --effects docs/effects
 
 Rays and instructions of one sample a pixel, 160x120, exact, beside those of the same scene without the
 effect: with a pinhole, at rest, with sharp mirrors and glass, and with points in place of lamps. Several
-samples cost as many times as much. The Pico's processor executes the M0's instructions.
+samples cost as many times as much. The last row is `classic` in realtime quality, with smooth edges and with
+stepped ones. The Pico's processor executes the M0's instructions.
 ";
 
-/// A way in which a scene of the gallery is drawn.
+/// A way in which a scene is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
     Plain,
     Sampled,
     ClosedForm,
+    Stepped,
+    Smooth,
 }
 
-impl Effect {
-    /// The way that shows the effect.
-    fn way(&self) -> Way {
-        if self.closed_form { Way::ClosedForm } else { Way::Sampled }
+impl Way {
+    fn mode(self) -> Mode {
+        match self {
+            Self::Plain | Self::Sampled | Self::ClosedForm => Mode::Exact,
+            Self::Stepped => Mode::Realtime,
+            Self::Smooth => Mode::Smooth,
+        }
     }
 }
 
@@ -77,7 +92,7 @@ impl Effect {
 fn programs() -> Vec<(&'static str, Way, usize)> {
     let mut programs = Vec::new();
     for effect in &EFFECTS {
-        for way in [Way::Plain, effect.way()] {
+        for way in effect.ways {
             for board in 0..ON.len() {
                 let program = (effect.scene, way, board);
                 if !programs.contains(&program) {
@@ -93,8 +108,9 @@ fn programs() -> Vec<(&'static str, Way, usize)> {
 pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
     let folder = tempfile::tempdir()?;
     let programs = programs();
-    let scenes: Vec<PathBuf> =
-        EFFECTS.iter().map(|effect| gallery().join(effect.scene).with_extension("ron")).collect();
+    let scenes: Vec<PathBuf> = (EFFECTS.iter().filter(|effect| effect.scene != CLASSIC))
+        .map(|effect| gallery().join(effect.scene).with_extension("ron"))
+        .collect();
     for bytes in convert::to_bytes(&scenes, folder.path())? {
         plain(&bytes)?;
     }
@@ -104,8 +120,9 @@ pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
         let board = BOARDS.iter().find(|known| known.name == board).context("there is no such board")?;
         let plain = if way == Way::Plain { PLAIN } else { "" };
         let bytes = folder.path().join(format!("{scene}{plain}.rayline"));
-        let source = bytes.to_str().context("a path that is not UTF-8")?;
-        let (size, mode, closed_form) = (Some(SIZE), Mode::Exact, way == Way::ClosedForm);
+        let file = bytes.to_str().context("a path that is not UTF-8")?;
+        let source = if scene == CLASSIC { CLASSIC } else { file };
+        let (size, mode, closed_form) = (Some(SIZE), way.mode(), way == Way::ClosedForm);
         let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
         sessions.push(Session { board, picture: request.on(board), picture_file: None, timeout });
     }
@@ -133,7 +150,7 @@ fn table(programs: &[(&str, Way, usize)], measured: &[Measured]) -> Table {
         };
         let rays = |figures: &Measured| format!("{:.2}", figures.rays_per_pixel());
         let instructions = |figures: &Measured| with_commas(figures.instructions_per_pixel().round() as u64);
-        let ways = [effect.way(), Way::Plain];
+        let ways = effect.ways;
         let cell =
             |text: &dyn Fn(&Measured) -> String, way, board| figures(way, board).map_or("-".into(), text);
         let mut row = vec![effect.name.to_owned()];

@@ -112,7 +112,7 @@ impl Tour<'_> {
         let Self { board, picture, timeout, .. } = *self;
         let session = Session { board, picture, picture_file: None, timeout };
         let outcome = match session.toolchain() {
-            _ if picture.small && picture.mode == Mode::Realtime => TourOutcome::Skipped(
+            _ if picture.small && picture.mode != Mode::Exact => TourOutcome::Skipped(
                 "its flash is too small for all shapes and realtime quality: use --mode exact".into(),
             ),
             Err(reason) => TourOutcome::Skipped(reason),

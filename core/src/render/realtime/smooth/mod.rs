@@ -1,0 +1,204 @@
+//! Smooth edges: the color of a pixel from what the rays through its four corners saw.
+//!
+//! A pixel whose corners saw the same things has the mean of their tones. If they saw two different things, a
+//! straight edge parts the pixel, as in marching squares (Lorensen and Cline, "Marching Cubes", SIGGRAPH
+//! 1987). The share of the pixel on each side of the edge is its *coverage* (Carpenter, "The A-buffer, an
+//! Antialiased Hidden Surface Method", SIGGRAPH 1984), and the pixel shows that mixture of the two sides'
+//! light.
+//!
+//! An edge crosses a side of a pixel at f / (f - g), where f and g are the distances at which the rays through
+//! both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. Where no
+//! outline is known, the edge crosses in the middle.
+
+mod crossing;
+
+use super::cell::Cell;
+use super::grid::beyond;
+use super::pixel_source::PixelSource;
+use super::sample::Sample;
+use super::tracer::{CellView, Tracer};
+use crate::camera::RayRow;
+use crate::integrator::Sight;
+use crate::math::{Ray, Real};
+use crate::probe::Probe;
+use crate::render::pixel::Aim;
+use crate::render::{DisplayColor, Light16, Quantizer, Tone};
+use crate::sampling::RayNumbers;
+use crate::shape::Geometry;
+
+/// A side of a pixel in [`Coverage`], whole.
+const WHOLE: u32 = 256;
+/// The place where an edge crosses a side if no outline is known.
+const MIDDLE: u32 = WHOLE / 2;
+
+/// A corner of a pixel: its place in the cell, and its sample.
+type Corner = ((usize, usize), Sample);
+
+/// The corners of a pixel.
+#[derive(Clone, Copy, Debug)]
+struct Corners {
+    top_left: Corner,
+    top_right: Corner,
+    bottom_left: Corner,
+    bottom_right: Corner,
+}
+
+/// A straight edge that parts a pixel.
+#[derive(Clone, Copy, Debug)]
+struct Parted {
+    /// The two sides that it crosses, each from this side of the edge to the other one.
+    sides: [[Corner; 2]; 2],
+    shape: PartShape,
+}
+
+/// The part of a pixel on this side of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PartShape {
+    /// One corner.
+    Triangle,
+    /// Two corners.
+    Trapezoid,
+}
+
+impl Corners {
+    fn of(cell: &Cell, (x, y): (usize, usize)) -> Self {
+        let corner = |x: usize, y: usize| ((x, y), cell.get(x, y));
+        Self {
+            top_left: corner(x, y),
+            top_right: corner(x + 1, y),
+            bottom_left: corner(x, y + 1),
+            bottom_right: corner(x + 1, y + 1),
+        }
+    }
+
+    /// The edge that parts the corners in two groups; `Err` if there is none, or more than one.
+    fn parted(&self) -> Result<Parted, HowMany> {
+        let Self { top_left: a, top_right: b, bottom_left: c, bottom_right: d } = *self;
+        let differ = |p: Corner, q: Corner| p.1.marks_differ(q.1, Sample::DIGESTS);
+        let parted = |first, second, shape| Ok(Parted { sides: [first, second], shape });
+        match (differ(a, b), differ(c, d), differ(a, c), differ(b, d)) {
+            (false, false, false, false) => Err(HowMany::None),
+            (true, false, true, false) => parted([a, b], [a, c], PartShape::Triangle),
+            (true, false, false, true) => parted([b, a], [b, d], PartShape::Triangle),
+            (false, true, true, false) => parted([c, d], [c, a], PartShape::Triangle),
+            (false, true, false, true) => parted([d, c], [d, b], PartShape::Triangle),
+            (true, true, false, false) => parted([a, b], [c, d], PartShape::Trapezoid),
+            (false, false, true, true) => parted([a, c], [b, d], PartShape::Trapezoid),
+            _ => Err(HowMany::Several),
+        }
+    }
+
+    fn mean(&self) -> Tone {
+        let Self { top_left: a, top_right: b, bottom_left: c, bottom_right: d } = *self;
+        middle(a, b).middle(middle(c, d))
+    }
+}
+
+/// The number of edges in a pixel that no single edge parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum HowMany {
+    None,
+    Several,
+}
+
+fn middle(a: Corner, b: Corner) -> Tone {
+    a.1.tone().middle(b.1.tone())
+}
+
+impl Parted {
+    /// The tones on this side of the edge and on the other one.
+    fn tones(&self) -> [Tone; 2] {
+        let [[here, there], [also_here, also_there]] = self.sides;
+        [middle(here, also_here), middle(there, also_there)]
+    }
+
+    /// The share of the pixel on this side, in 32768ths, from the places where the edge crosses the sides.
+    fn coverage(&self, [first, second]: [u32; 2]) -> u32 {
+        match self.shape {
+            PartShape::Triangle => (first * second) >> 2,
+            PartShape::Trapezoid => (first + second) << 6,
+        }
+    }
+}
+
+impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
+    /// The tone of the pixel whose upper left corner is this point of a cell. If the cell is one whose points
+    /// are all traced, for their tones alone, it is the mean light of the corners.
+    pub(super) fn smooth_tone(&mut self, cell: &Cell, (x, y): (usize, usize), is_all_traced: bool) -> Tone {
+        let corners = Corners::of(cell, (x, y));
+        if is_all_traced {
+            return self.mixed(corners);
+        }
+        let parted = match corners.parted() {
+            Ok(parted) => parted,
+            Err(HowMany::None) => return corners.mean(),
+            Err(HowMany::Several) => {
+                return self.sampled_tone((x, y)).unwrap_or_else(|| self.mixed(corners));
+            }
+        };
+        let crossings = parted.sides.map(|side| self.crossing(side));
+        if crossings.contains(&None)
+            && let Some(tone) = self.sampled_tone((x, y))
+        {
+            return tone;
+        }
+        let [here, there] = parted.tones();
+        let coverage = parted.coverage(crossings.map(|place| place.unwrap_or(MIDDLE)));
+        self.mix([there, here], coverage)
+    }
+
+    /// The mean light of all corners.
+    fn mixed(&self, corners: Corners) -> Tone {
+        let Corners { top_left, top_right, bottom_left, bottom_right } = corners;
+        let half = |a, b| self.mix([a, b], 1 << 14);
+        let [top, bottom] = [[top_left, top_right], [bottom_left, bottom_right]]
+            .map(|[left, right]| half(left.1.tone(), right.1.tone()));
+        half(top, bottom)
+    }
+
+    /// The tone of a mixture of light: this share of the second tone, in 32768ths, and the rest of the first.
+    fn mix(&self, tones: [Tone; 2], share: u32) -> Tone {
+        let quantizer = Quantizer::nearest(self.view.renderer.settings.transfer);
+        let [first, second] = tones.map(|tone| C::light(tone, &quantizer));
+        C::tone(first.mixed(second, share), &quantizer)
+    }
+
+    /// The place where an outline that is known crosses the way from one corner to the next, in 256ths of it.
+    fn crossing(&self, [from, to]: [Corner; 2]) -> Option<u32> {
+        let view = &self.view;
+        let scene = view.renderer.scene;
+        if !scene.has_sharp_outlines() {
+            return None;
+        }
+        let rays = [from, to].map(|(place, _)| self.ray(place));
+        let among = view.among.common(scene.all());
+        let place = if from.1.path() == to.1.path() {
+            crossing::of_shadow(scene, among, rays)
+        } else {
+            crossing::of_outline(scene, among, rays)
+        };
+        Some((place?.to_q16() >> 8).min(WHOLE))
+    }
+
+    /// The ray through a point of the cell.
+    fn ray(&self, (x, y): (usize, usize)) -> Ray<R> {
+        let (view, viewport) = (&self.view, &self.view.renderer.viewport);
+        let row = view.rows.get(y).copied().unwrap_or(RayRow::TOP);
+        let across = viewport.across((beyond(view.left, x), Aim::Corner.place()));
+        viewport.ray(across, row, &RayNumbers::NONE)
+    }
+
+    /// The tone of all samples of a pixel; `None` if a pixel has one sample, or no rays are left.
+    fn sampled_tone(&mut self, (x, y): (usize, usize)) -> Option<Tone> {
+        let view = &self.view;
+        let renderer = view.renderer;
+        if renderer.settings.sampling.samples <= 1 || !self.may_trace() {
+            return None;
+        }
+        let pixel = renderer.pixel_at(beyond(view.left, x), beyond(view.top, y));
+        let sight = Sight::among(view.among);
+        let (light, rays) = renderer.light_in(renderer.scene, view.limits, pixel, sight, self.probe);
+        self.spend(rays);
+        Some(C::tone(Light16::new(light), &Quantizer::nearest(renderer.settings.transfer)))
+    }
+}
