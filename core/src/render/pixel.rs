@@ -5,8 +5,6 @@ use super::{Renderer, Settings};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
-#[cfg(feature = "distributed")]
-use crate::math::Ray;
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
@@ -103,22 +101,6 @@ impl<R: Real> Spread<R> {
     }
 }
 
-/// The scene at the time of a sample, and the camera ray at that time; no scene if nothing moves.
-#[cfg(feature = "distributed")]
-#[inline]
-fn at_time<'m, R: Real, S: Geometry + 'm>(
-    scene: &PreparedScene<'m, R, S>,
-    numbers: &RayNumbers,
-    ray: Ray<R>,
-) -> (Option<PreparedScene<'m, R, S>>, Ray<R>) {
-    if !scene.moves() {
-        return (None, ray);
-    }
-    let [time, _] = numbers.pair(Dimension::TIME);
-    let scene = scene.at(R::from_fraction(time));
-    (Some(scene), scene.moved_by_camera(ray))
-}
-
 impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     /// The pixel in this column and line.
     pub(super) fn pixel_at(&self, x: u16, y: u16) -> Pixel<R> {
@@ -189,9 +171,15 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     ) -> LinearRgb<R> {
         let ray = self.viewport.ray(across, row, &numbers);
         #[cfg(feature = "distributed")]
-        let (moment, ray) = at_time(scene, &numbers, ray);
+        let moment;
         #[cfg(feature = "distributed")]
-        let scene = moment.as_ref().unwrap_or(scene);
+        let (scene, ray) = if scene.moves() {
+            let [time, _] = numbers.pair(Dimension::TIME);
+            moment = scene.at(R::from_fraction(time));
+            (&moment, moment.moved_by_camera(ray))
+        } else {
+            (scene, ray)
+        };
         radiance(scene, (ray, numbers), sight, limits, rays, probe)
     }
 

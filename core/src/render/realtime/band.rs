@@ -16,6 +16,8 @@ use super::quality::Realtime;
 use super::sample::Sample;
 use super::side::{POINTS, Side};
 use super::small::{SmallThings, ThinCells, TipPoints};
+#[cfg(feature = "distributed")]
+use super::smooth::OutlinesNear;
 use super::strip::Strip;
 use super::tolerance::Tolerance;
 use super::tracer::{CellView, Tracer, UnlitScene, nothing_met};
@@ -213,11 +215,8 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         plan.draw(&mut self.cell, &corners, above, &mut tracer);
         if plan.needs_corners_alone() {
             paint.smooth(buffer.colors, &corners);
-        } else if is_smooth {
-            #[cfg(feature = "distributed")]
-            paint.tones(buffer.colors, |x, y| tracer.smooth_tone(&self.cell, (x, y), plan.traces_all()));
         } else {
-            paint.refined(buffer.colors, &self.cell);
+            paint_points(&self.cell, plan.traces_all(), paint, buffer.colors, &mut tracer);
         }
         let all = tracer.rays;
         self.hand_on(band, &plan, &corners, buffer.samples);
@@ -284,6 +283,23 @@ fn objects_shown<R: Real, S: Geometry>(
     // Beyond the right end of the picture it is not known.
     let is_inside = band.left + (size as u32) < renderer.width();
     shown.filter(|_| is_inside).unwrap_or_else(|| renderer.scene.all())
+}
+
+/// Paints a cell from its points. With smooth edges, this may take rays.
+fn paint_points<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+    cell: &Cell,
+    is_all_traced: bool,
+    paint: Paint<'_>,
+    colors: &mut [C],
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+) {
+    #[cfg(feature = "distributed")]
+    if paint.is_smooth {
+        let mut near = OutlinesNear::in_cell(paint.size);
+        return paint.tones(colors, |x, y| tracer.smooth_tone(cell, (x, y), &mut near, is_all_traced));
+    }
+    let _ = (is_all_traced, tracer);
+    paint.refined(colors, cell);
 }
 
 /// The corners of a cell, and the rays that the lower right one took. The left corners are known from the

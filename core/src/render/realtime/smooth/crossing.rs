@@ -4,22 +4,75 @@
 //! and r is the radius. The distance is negative for rays that meet the ball, and nearly linear over a pixel:
 //! its zero is where the outline lies. The edge of a ball's shadow is the same for the rays from the surface
 //! toward the light.
+//!
+//! One ray through the middle of a cell tells which outlines may cross the cell at all: few, as a rule.
 
 use crate::light::Source;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{ObjectSet, PreparedScene};
 use crate::shape::{Form, Geometry};
 
+/// The shadows whose edges may cross a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShadowsNear<R> {
+    /// The unit normal of the nearest flat object, and its distance from the origin along the normal.
+    plane: (Vec3<R>, R),
+    /// The balls that throw the shadows.
+    balls: ObjectSet,
+}
+
+/// The objects among these whose outlines may cross a cell: flat ones, and balls that the ray through the
+/// middle of the cell passes within an angle.
+pub(super) fn outlines_near<R: Real, S: Geometry>(
+    scene: &PreparedScene<'_, R, S>,
+    among: ObjectSet,
+    ray: &Ray<R>,
+    angle: R,
+) -> ObjectSet {
+    among
+        .filter(|object| match scene.form(*object) {
+            Some(Form::Ball { center, radius }) => {
+                passed(ray, center, radius).is_some_and(|(beside, along)| beside.abs() < along * angle)
+            }
+            Some(Form::Flat { .. }) => true,
+            _ => false,
+        })
+        .fold(ObjectSet::NONE, ObjectSet::with)
+}
+
+/// The shadows on the nearest flat object among these whose edges may cross a cell: of balls that a ray from
+/// there toward a light passes within the size of the cell. `None` if no flat object is seen.
+pub(super) fn shadows_near<R: Real, S: Geometry>(
+    scene: &PreparedScene<'_, R, S>,
+    among: ObjectSet,
+    ray: &Ray<R>,
+    angle: R,
+) -> Option<ShadowsNear<R>> {
+    let (plane, distance) = floor(scene, among, ray)?;
+    let (point, size) = (ray.at(distance), distance * angle / plane.0.dot(ray.direction).abs());
+    let mut balls = ObjectSet::NONE;
+    for (toward, _) in scene.lights.iter().filter_map(|light| toward(&light.source, point)) {
+        for object in scene.all() {
+            if let Some(Form::Ball { center, radius }) = scene.form(object)
+                && passed(&toward, center, radius).is_some_and(|(beside, _)| beside.abs() < size)
+            {
+                balls = balls.with(object);
+            }
+        }
+    }
+    Some(ShadowsNear { plane, balls })
+}
+
 /// The share of the way from one ray to the next at which the outline of an object crosses; `None` if no
 /// outline is known there. Of several balls the nearest counts, and planes after balls.
 pub(super) fn of_outline<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
-    among: ObjectSet,
+    near: ObjectSet,
     rays: [Ray<R>; 2],
 ) -> Option<R> {
     let mut nearest = R::FARTHEST;
     let mut found = None;
-    for object in among {
+    for object in near {
         match scene.form(object) {
             Some(Form::Ball { center, radius }) => {
                 let passed = rays.map(|ray| passed(&ray, center, radius));
@@ -41,20 +94,24 @@ pub(super) fn of_outline<R: Real, S: Geometry>(
     found
 }
 
-/// The share of the way from one camera ray to the next at which the edge of a ball's shadow crosses, on the
-/// nearest flat object; `None` if none is known there.
+/// The share of the way from one camera ray to the next at which the edge of a shadow crosses; `None` if none
+/// is known there.
 pub(super) fn of_shadow<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
-    among: ObjectSet,
+    near: &ShadowsNear<R>,
     rays: [Ray<R>; 2],
 ) -> Option<R> {
-    let points = floor(scene, among, rays)?;
+    if near.balls.is_empty() {
+        return None;
+    }
+    let [from, to] = rays.map(|ray| Some(ray.at(distance(&ray, near.plane)?)));
+    let points = [from?, to?];
     for light in scene.lights {
         let [Some((first, most)), Some((second, _))] = points.map(|point| toward(&light.source, point))
         else {
             continue;
         };
-        for object in scene.all() {
+        for object in near.balls {
             let Some(Form::Ball { center, radius }) = scene.form(object) else { continue };
             let passed = [first, second].map(|ray| passed(&ray, center, radius));
             if let [Some((distance, along)), Some((other, _))] = passed
@@ -68,24 +125,30 @@ pub(super) fn of_shadow<R: Real, S: Geometry>(
     None
 }
 
-/// The points at which two rays meet the nearest flat object.
+/// The plane of the nearest flat object that a ray meets, or would meet if the object had no end, and its
+/// distance.
 fn floor<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
     among: ObjectSet,
-    rays: [Ray<R>; 2],
-) -> Option<[Vec3<R>; 2]> {
+    ray: &Ray<R>,
+) -> Option<((Vec3<R>, R), R)> {
     let mut nearest = R::FARTHEST;
-    let mut points = None;
+    let mut found = None;
     for object in among {
-        let Some(Form::Flat { normal, distance }) = scene.form(object) else { continue };
-        let [first, second] = rays.map(|ray| (distance - normal.dot(ray.origin)) / normal.dot(ray.direction));
-        if first > R::ZERO && first < nearest && second > R::ZERO && second < R::FARTHEST {
-            nearest = first;
-            let [from, to] = rays;
-            points = Some([from.at(first), to.at(second)]);
+        if let Some(Form::Flat { normal, distance: height }) = scene.form(object)
+            && let Some(distance) = distance(ray, (normal, height))
+            && distance < nearest
+        {
+            (nearest, found) = (distance, Some(((normal, height), distance)));
         }
     }
-    points
+    found
+}
+
+/// The distance at which a ray meets a plane.
+fn distance<R: Real>(ray: &Ray<R>, (normal, height): (Vec3<R>, R)) -> Option<R> {
+    let distance = (height - normal.dot(ray.origin)) / normal.dot(ray.direction);
+    (distance > R::ZERO && distance < R::FARTHEST).then_some(distance)
 }
 
 /// The ray from a point toward a light, and the light's distance; `None` at the light and for lights beyond

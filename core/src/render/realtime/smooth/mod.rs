@@ -12,6 +12,8 @@
 
 mod crossing;
 
+use crossing::ShadowsNear;
+
 use super::cell::Cell;
 use super::grid::beyond;
 use super::pixel_source::PixelSource;
@@ -20,11 +22,32 @@ use super::tracer::{CellView, Tracer};
 use crate::camera::RayRow;
 use crate::integrator::Sight;
 use crate::math::{Ray, Real};
+use crate::prepared::ObjectSet;
 use crate::probe::Probe;
 use crate::render::pixel::Aim;
 use crate::render::{DisplayColor, Light16, Quantizer, Tone};
 use crate::sampling::RayNumbers;
 use crate::shape::Geometry;
+
+/// The outlines that may cross a cell, found when the first edge of the cell needs them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OutlinesNear<R> {
+    /// The size of the cell in pixels.
+    size: usize,
+    objects: Option<ObjectSet>,
+    shadows: Option<Option<ShadowsNear<R>>>,
+}
+
+impl<R> OutlinesNear<R> {
+    /// None are found yet, in a cell of this size in pixels.
+    pub(super) const fn in_cell(size: usize) -> Self {
+        Self { size, objects: None, shadows: None }
+    }
+}
+
+/// Edges between tones that differ by less in all channels, in 65536ths of what a display can show, are not
+/// visible.
+const VISIBLE: u16 = 512;
 
 /// A side of a pixel in [`Coverage`], whole.
 const WHOLE: u32 = 256;
@@ -124,7 +147,13 @@ impl Parted {
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
     /// The tone of the pixel whose upper left corner is this point of a cell. If the cell is one whose points
     /// are all traced, for their tones alone, it is the mean light of the corners.
-    pub(super) fn smooth_tone(&mut self, cell: &Cell, (x, y): (usize, usize), is_all_traced: bool) -> Tone {
+    pub(super) fn smooth_tone(
+        &mut self,
+        cell: &Cell,
+        (x, y): (usize, usize),
+        near: &mut OutlinesNear<R>,
+        is_all_traced: bool,
+    ) -> Tone {
         let corners = Corners::of(cell, (x, y));
         if is_all_traced {
             return self.mixed(corners);
@@ -136,13 +165,16 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
                 return self.sampled_tone((x, y)).unwrap_or_else(|| self.mixed(corners));
             }
         };
-        let crossings = parted.sides.map(|side| self.crossing(side));
+        let [here, there] = parted.tones();
+        if !here.differs(there, VISIBLE) {
+            return corners.mean();
+        }
+        let crossings = parted.sides.map(|side| self.crossing(side, near));
         if crossings.contains(&None)
             && let Some(tone) = self.sampled_tone((x, y))
         {
             return tone;
         }
-        let [here, there] = parted.tones();
         let coverage = parted.coverage(crossings.map(|place| place.unwrap_or(MIDDLE)));
         self.mix([there, here], coverage)
     }
@@ -164,18 +196,28 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     }
 
     /// The place where an outline that is known crosses the way from one corner to the next, in 256ths of it.
-    fn crossing(&self, [from, to]: [Corner; 2]) -> Option<u32> {
+    fn crossing(&self, [from, to]: [Corner; 2], near: &mut OutlinesNear<R>) -> Option<u32> {
         let view = &self.view;
         let scene = view.renderer.scene;
         if !scene.has_sharp_outlines() {
             return None;
         }
-        let rays = [from, to].map(|(place, _)| self.ray(place));
         let among = view.among.common(scene.all());
+        // The angle of a cell, which is more than that from the middle to a corner.
+        let size = view.renderer.viewport.pixel() * R::Setup::from_u16(near.size as u16);
+        let (angle, middle) = (R::from_setup(size), near.size / 2);
+        let rays = || [from, to].map(|(place, _)| self.ray(place));
         let place = if from.1.path() == to.1.path() {
-            crossing::of_shadow(scene, among, rays)
+            let find = || crossing::shadows_near(scene, among, &self.ray((middle, middle)), angle);
+            let near = near.shadows.get_or_insert_with(find).as_ref()?;
+            crossing::of_shadow(scene, near, rays())
         } else {
-            crossing::of_outline(scene, among, rays)
+            let find = || crossing::outlines_near(scene, among, &self.ray((middle, middle)), angle);
+            let near = *near.objects.get_or_insert_with(find);
+            if near.is_empty() {
+                return None;
+            }
+            crossing::of_outline(scene, near, rays())
         };
         Some((place?.to_q16() >> 8).min(WHOLE))
     }
