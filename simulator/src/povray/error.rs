@@ -36,7 +36,7 @@ pub enum PovrayError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Lack {
-    /// A light with a size: POV-Ray's are as bright from all sides, and at any distance.
+    /// A flat light with a size: POV-Ray's are as bright from all sides.
     Area,
     /// A lens with blades: POV-Ray's aperture is round.
     Blades,
@@ -68,7 +68,7 @@ pub enum Lack {
 impl fmt::Display for Lack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Area => "its lights with a size are as bright at any distance",
+            Self::Area => "its flat lights are as bright from all sides",
             Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
             Self::Falloff => "its lights fall off only as 1 / (1 + (d / distance)²)",

@@ -1,12 +1,14 @@
 //! Lights in POV-Ray's language.
 
-use rayline::{Falloff, Lamp, Light, LinearRgb, Scene};
+use rayline::shape::{Shape, Sphere};
+use rayline::{Falloff, Lamp, Light, LinearRgb, Object, ObjectId, Scene};
 
 use super::Lack;
 use super::literal::{list, rgb, xyz};
 
-/// A light. A directional light is placed far outside of the scene, at 100 times its `extent`.
-pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
+/// A light. A directional light is placed far outside of the scene, at 100 times its `extent`. A lamp with a
+/// size is written with its object, by [`ball_lamp`].
+pub(super) fn light(scene: &Scene<'_>, light: &Light, extent: f64) -> Result<String, Lack> {
     Ok(match *light {
         Light::Point { position, color } => {
             format!("light_source {{ {} rgb {} }}\n", xyz(position.to::<f64>()), rgb(color))
@@ -18,11 +20,28 @@ pub(super) fn light(light: &Light, extent: f64) -> Result<String, Lack> {
         }
         // Ambient light is a global setting, see `ambient`.
         Light::Ambient { .. } => String::new(),
-        Light::Object(_) => return Err(Lack::Area),
+        Light::Object(ObjectId(index)) => match scene.objects.get(usize::from(index)) {
+            Some(Object { shape: Shape::Sphere(_), .. }) => String::new(),
+            _ => return Err(Lack::Area),
+        },
         Light::Sky => return Err(Lack::Sky),
         Light::Lamp(lamp) => lamp_source(&lamp)?,
         _ => return Err(Lack::New),
     })
+}
+
+/// A ball that emits light, with its `look`: the ball around the origin, with its texture. POV-Ray draws
+/// points of a disc that faces the surface. Far beyond its `fade_distance` the light falls off as the square.
+pub(super) fn ball_lamp(ball: &Sphere, emission: LinearRgb, look: &str) -> String {
+    let (width, fade) = (2.0 * f64::from(ball.radius), 0.01 * f64::from(ball.radius));
+    // The light at distance d is that of the surface times (radius / d)², and POV-Ray's is 2 (fade / d)².
+    let color = emission.channels().map(|channel| f64::from(channel) * 5000.0);
+    format!(
+        "light_source {{ {} rgb {} area_light x*{width}, y*{width}, 17, 17 adaptive 3 jitter circular orient \
+         fade_distance {fade} fade_power 2 looks_like {{ {look} }} }}\n",
+        xyz(ball.center.to::<f64>()),
+        list(&color)
+    )
 }
 
 /// The sum of the ambient lights; white if there are none.

@@ -27,9 +27,9 @@
 //! [`Transfer::Linear`](rayline::Transfer::Linear) but for rounding.
 
 use rayline::shape::{Cone, CsgStep, Cylinder, Shape, Sphere};
-use rayline::{Background, Camera, Lens, Object, Scene, Settings, Sky, Vec3};
+use rayline::{Background, Camera, Lens, Light, LinearRgb, Material, Object, Scene, Settings, Sky, Vec3};
 
-use super::light::{ambient, light};
+use super::light::{ambient, ball_lamp, light};
 use super::literal::{rgb, unit, xyz};
 use super::material::{interior, is_on_surface, texture};
 use super::pattern::{Coordinates, Pattern};
@@ -57,7 +57,7 @@ pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, Povra
     text += &camera(&scene.camera, settings).map_err(PovrayError::Camera)?;
     let extent = extent(scene);
     for (index, source) in scene.lights.iter().enumerate() {
-        text += &light(source, extent).map_err(|lack| PovrayError::Light { index, lack })?;
+        text += &light(scene, source, extent).map_err(|lack| PovrayError::Light { index, lack })?;
     }
     for (index, material) in scene.materials.iter().enumerate().filter(|(_, one)| !is_on_surface(one)) {
         let texture = texture(material, &Coordinates::SPACE);
@@ -191,7 +191,13 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         } else {
             let texture = own.unwrap_or_else(|| format!("texture {{ Material{number} }}"));
             let interior = interior(material, absolute_ior(scene, object));
-            text += &format!("{kind} {{ {geometry} {texture}{interior} }}\n");
+            text += &match lamp(scene, index, material) {
+                Some((ball, emission)) => {
+                    let look = format!("sphere {{ 0, {} {texture}{interior} }}", ball.radius);
+                    ball_lamp(&ball, emission, &look)
+                }
+                None => format!("{kind} {{ {geometry} {texture}{interior} }}\n"),
+            };
         }
     }
     for (number, (faces, material)) in faces.iter().zip(scene.materials).enumerate() {
@@ -206,6 +212,15 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         }
     }
     Ok(text)
+}
+
+/// The ball and its emission, if a light of the scene is this object.
+fn lamp(scene: &Scene<'_>, index: usize, material: &Material<'_>) -> Option<(Sphere, LinearRgb)> {
+    let is_it = |light: &Light| matches!(light, Light::Object(object) if usize::from(object.0) == index);
+    match scene.objects.get(index)?.shape {
+        Shape::Sphere(ball) if scene.lights.iter().any(is_it) => Some((ball, material.optics?.emission)),
+        _ => None,
+    }
 }
 
 /// Whether the shape is flat and bounded, so that several of them can enclose a space.

@@ -8,9 +8,9 @@ use bumpalo::Bump;
 use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
-    AreaLights, Background, Camera, Fault, Lens, Light, LinearRgb, Material, Motion, Object, ObjectId,
-    Optics, Part, PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings, Sides,
-    Transfer, Vec3,
+    AreaLights, Background, Camera, Fault, Fresnel, Lens, Light, LinearRgb, Material, Motion, Object,
+    ObjectId, Optics, Part, PreparedScene, RayCounts, Real, Renderer, Sampler, Sampling, Scene, Settings,
+    Sides, Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, core_picture};
@@ -45,7 +45,7 @@ fn samples(width: u32, height: u32, samples: u16) -> Settings {
 }
 
 /// The light of each pixel, line by line.
-fn lights<R: Real>(scene: &Scene, settings: Settings, is_accelerated: bool) -> Vec<LinearRgb> {
+pub(super) fn lights<R: Real>(scene: &Scene, settings: Settings, is_accelerated: bool) -> Vec<LinearRgb> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
     let prepared = if is_accelerated { prepared } else { prepared.without_acceleration() };
@@ -172,43 +172,71 @@ fn lobes_show_lamps_as_large_as_they_should() {
     assert_lobe_meets_lamp::<Fixed>();
 }
 
-/// In a furnace, where everything has the light 1, surfaces that lose nothing are invisible.
+/// In a furnace, where everything has the light 1, surfaces that lose nothing are invisible. What is lost is
+/// caught inside of glass for more bounces than are followed.
 #[test]
 fn a_furnace_stays_a_furnace() {
-    let glossy = |gloss, translucency| Optics { gloss, translucency, ..Optics::PLAIN };
-    let kinds =
-        [(1.0, glossy(Some(3.0), None)), (0.0, glossy(None, Some(3.0))), (0.5, glossy(Some(0.0), Some(0.0)))];
-    // Without a change of the index, no light is caught inside.
-    let materials: Vec<Material> = kinds
-        .iter()
-        .map(|(reflectance, optics)| Material {
-            diffuse: 0.0,
-            reflectance: *reflectance,
-            transmittance: 1.0 - reflectance,
-            optics: Some(optics),
-            ..Material::matte(LinearRgb::WHITE)
-        })
-        .collect();
-    let objects: Vec<Object<Shape>> = (0..3)
-        .map(|index| {
-            let center = Vec3::new(index as f32 * 0.5 - 0.5, 0.0, -5.0);
-            Object::new(Shape::Sphere(Sphere::new(center, 0.3)), index)
-        })
-        .collect();
-    let scene = Scene {
-        camera: camera(Some(Lens::round(0.1, 5.0))),
-        background: Background::gray(1.0),
-        objects: &objects,
-        materials: &materials,
-        lights: &[],
-        motions: &[],
-    };
-    let settings = Settings { bounces: 16, cutoff: 0.0, ..samples(24, 16, 16) };
-    for picture in [lights::<f32>(&scene, settings, true), lights::<Fixed>(&scene, settings, true)] {
-        let sum: f64 = picture.iter().map(|light| f64::from(light.g)).sum();
-        let mean = sum / picture.len() as f64;
-        assert!((mean - 1.0).abs() < 1e-3, "{mean}");
-        assert!(picture.iter().all(|light| light.g < 1.001));
+    let plain = Material { diffuse: 0.0, ambient: 0.0, ..Material::matte(LinearRgb::WHITE) };
+    let mirror = Material { reflectance: 1.0, ..plain };
+    let glass = Material { transmittance: 1.0, ior: 1.5, ..plain };
+    let white = Material { diffuse: 1.0, ..plain };
+    let lobes = |gloss, translucency| Optics { gloss, translucency, ..Optics::PLAIN };
+    let fresnel = |fresnel| Optics { fresnel, ..Optics::PLAIN };
+    let (exact, schlick) = (fresnel(Fresnel::Exact), fresnel(Fresnel::Schlick));
+    let gloss = [0.0, 3.0, 50.0, 1e4].map(|exponent| lobes(Some(exponent), None));
+    let (satin, both) = (lobes(None, Some(3.0)), lobes(Some(0.0), Some(0.0)));
+    let frosted = Optics { translucency: Some(50.0), ..exact };
+    for (name, material, optics, lost) in [
+        ("mirror", mirror, Optics::PLAIN, 0.0),
+        ("white metal", mirror, schlick, 0.0),
+        ("gloss 0", mirror, gloss[0], 0.0),
+        ("gloss 3", mirror, gloss[1], 0.0),
+        ("gloss 50", mirror, gloss[2], 0.0),
+        ("gloss 10,000", mirror, gloss[3], 0.0),
+        // Without a change of the index, no light is caught inside.
+        ("satin", Material { transmittance: 1.0, ..plain }, satin, 0.0),
+        ("both lobes", Material { reflectance: 0.5, transmittance: 0.5, ..plain }, both, 0.0),
+        (
+            "constant glass",
+            Material { reflectance: 0.2, transmittance: 0.8, ior: 1.5, ..plain },
+            Optics::PLAIN,
+            0.0,
+        ),
+        ("glass", glass, exact, 1e-3),
+        ("Schlick's glass", glass, schlick, 1e-3),
+        // Light that is spread inside may be totally reflected for ever.
+        ("frosted glass", glass, frosted, 0.08),
+        ("white", white, Optics::PLAIN, 0.0),
+        (
+            "white under half a mirror",
+            Material { diffuse: 0.5, reflectance: 0.5, ..plain },
+            Optics::PLAIN,
+            0.0,
+        ),
+    ] {
+        for area_lights in [AreaLights::Sampled, AreaLights::ClosedForm] {
+            let materials = [Material { optics: Some(&optics), ..material }];
+            let ball = Sphere::new(Vec3::new(0.0, 0.0, -5.0), 0.45);
+            let scene = Scene {
+                camera: camera(Some(Lens::round(0.1, 5.0))),
+                background: Background::gray(1.0),
+                objects: &[Object::new(Shape::Sphere(ball), 0)],
+                materials: &materials,
+                lights: &[Light::Sky],
+                motions: &[],
+            };
+            let settings = Settings { bounces: 16, cutoff: 0.0, area_lights, ..samples(16, 16, 16) };
+            for (number, picture) in [
+                ("f32", lights::<f32>(&scene, settings, true)),
+                ("f64", lights::<f64>(&scene, settings, true)),
+                ("fixed", lights::<Fixed>(&scene, settings, true)),
+            ] {
+                let sum: f64 = picture.iter().map(|light| f64::from(light.g)).sum();
+                let mean = sum / picture.len() as f64;
+                assert!(mean > 1.0 - lost - 1e-3 && mean < 1.001, "{name}, {number}: {mean}");
+                assert!(picture.iter().all(|light| light.g < 1.002), "{name}, {number}");
+            }
+        }
     }
 }
 
@@ -397,6 +425,50 @@ fn assert_penumbra_has_its_width<R: Real>() {
     assert_eq!([0, 4, 59, 63].map(shadow_rays), [4; 4]);
     assert!((28..36).map(shadow_rays).all(|rays| rays == 4 || rays == 16));
     assert!((28..36).map(shadow_rays).any(|rays| rays == 16));
+}
+
+/// Sobol's samples give neighboring pixels different errors, so that noise is fine: blurred over 8×8 pixels,
+/// white noise keeps 1/64 of its variance, and this noise 0.002 times as much.
+#[test]
+fn errors_of_neighbors_differ() {
+    // The middle of a penumbra, so small that all pixels should have the same light.
+    let lamp = Disc::new(Vec3::new(0.0, 8.0, 0.0), UP, 0.2);
+    let edge = Rectangle::new(Vec3::new(0.0, 4.0, -3.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 6.0));
+    let objects = [
+        Object::new(Shape::Disc(lamp), 0),
+        Object::new(Shape::Rectangle(edge), 1),
+        Object::new(Shape::Plane(Plane::new(Vec3::ZERO, UP)), 1),
+    ];
+    let bright = Optics { emission: LinearRgb::gray(50.0), ..Optics::PLAIN };
+    let bright = Material { optics: Some(&bright), ..GLOWING };
+    let materials = [bright, Material::matte(LinearRgb::WHITE)];
+    let scene = below_lamp(&objects, &materials, 1e-5);
+    let side = 64usize;
+    let kept = |sampler, count| {
+        let sampling = Sampling { sampler, ..Sampling::new(count) };
+        let settings = Settings { sampling, ..Settings::new(side as u32, side as u32) };
+        let light: Vec<f64> = lights::<f32>(&scene, settings, true).iter().map(|l| f64::from(l.g)).collect();
+        let mean = light.iter().sum::<f64>() / light.len() as f64;
+        let variance = |values: &[f64]| {
+            values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64
+        };
+        let blurred: Vec<f64> = (0..side / 8 * (side / 8))
+            .map(|block| {
+                let (left, top) = (block % (side / 8) * 8, block / (side / 8) * 8);
+                let pixels = (0..64).map(|i| light[(top + i / 8) * side + left + i % 8]);
+                pixels.sum::<f64>() / 64.0
+            })
+            .collect();
+        variance(&blurred) / variance(&light) * 64.0
+    };
+    for count in [1, 4] {
+        let (sobol, random) = (kept(Sampler::Sobol, count), kept(Sampler::Random, count));
+        println!(
+            "{count} samples: of white noise's low frequencies, sobol keeps {sobol:.3}, random {random:.2}"
+        );
+        assert!((0.6..1.5).contains(&random), "{random}");
+        assert!(sobol < 0.02, "{sobol}");
+    }
 }
 
 #[test]

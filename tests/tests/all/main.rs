@@ -18,6 +18,7 @@ mod drawing;
 mod fixed;
 mod gallery;
 mod goldens;
+mod judges;
 mod media;
 mod operations;
 mod optics;

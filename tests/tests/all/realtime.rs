@@ -282,6 +282,39 @@ fn low_shadows_do_not_flicker() {
     }
 }
 
+/// How unevenly pixels change over three frames, in levels of green: the mean second difference in time.
+fn unevenness(frames: &[Picture]) -> f64 {
+    let of_three = |three: &[Picture]| -> f64 {
+        let green = |frame: usize, pixel: usize| f64::from(three[frame].pixels[pixel][1]);
+        let second = |pixel| (green(0, pixel) + green(2, pixel) - 2.0 * green(1, pixel)).abs();
+        (0..three[0].pixels.len()).map(second).sum::<f64>() / three[0].pixels.len() as f64
+    };
+    frames.windows(3).map(of_three).sum::<f64>() / (frames.len() - 2) as f64
+}
+
+/// From one frame to the next, a slow rotation changes realtime pictures hardly more unevenly than exact
+/// ones, and less with smooth edges: 1.53, 1.57 and 1.10 levels in `classic`, 5.54, 5.60 and 3.43 in `prism`.
+#[test]
+fn a_slow_rotation_does_not_flicker() {
+    for (name, scene, distance) in [("classic", &CLASSIC, 16.0), ("prism", &PRISM, 9.8)] {
+        let settings = Settings { bounces: 3, ..Settings::new(160, 120) };
+        let mut orbit = Orbit::new(scene.camera, distance).expect("an orbit");
+        let mut frames: [Vec<Picture>; 3] = Default::default();
+        for _ in 0..16 {
+            orbit.turn(0.5f64.to_radians(), 0.0);
+            let scene = Scene { camera: orbit.camera(), ..*scene };
+            with_renderer::<f32, _>(&scene, settings, |renderer| {
+                frames[0].push(exact(renderer, &mut ()));
+                frames[1].push(realtime(renderer, Realtime::fine(), &mut ()));
+                frames[2].push(realtime(renderer, Realtime::fine().smooth(), &mut ()));
+            });
+        }
+        let [exact, stepped, smooth] = frames.map(|frames| unevenness(&frames));
+        println!("{name}: exact {exact:.2}, stepped {stepped:.2}, smooth {smooth:.2}");
+        assert!(stepped < exact * 1.05 && smooth < exact * 0.8, "{name}");
+    }
+}
+
 #[test]
 fn a_rotation_does_not_flicker() {
     for (name, scene, distance, least) in

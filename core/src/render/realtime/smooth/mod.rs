@@ -167,7 +167,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         };
         let [here, there] = parted.tones();
         if !here.differs(there, VISIBLE) {
-            return corners.mean();
+            return self.sampled_tone((x, y)).unwrap_or_else(|| corners.mean());
         }
         let crossings = parted.sides.map(|side| self.crossing(side, near));
         if crossings.contains(&None)

@@ -1,0 +1,111 @@
+//! Outside judges of distributed ray tracing: pictures by Mitsuba 3, which stand in `tests/judges` with the
+//! script that makes them, and lamps by POV-Ray.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use bumpalo::Bump;
+use rayline::{AreaLights, LinearRgb, Sampling, Settings, Transfer};
+use rayline_simulator::LoadedScene;
+use rayline_tests::{PovrayPicture, core_picture};
+
+use super::distributed::lights;
+
+/// The size of the pictures.
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 48;
+/// The light of the largest code, as in the script.
+const WHITE: f32 = 4.0;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("judges")
+}
+
+/// Mitsuba's picture of a scene, in linear light.
+fn reference(name: &str) -> Vec<LinearRgb> {
+    let picture = image::open(folder().join(name).with_extension("png")).expect("a picture").to_rgb16();
+    assert_eq!(picture.dimensions(), (WIDTH, HEIGHT));
+    let light = |code: u16| f32::from(code) / 65535.0 * WHITE;
+    picture.pixels().map(|pixel| LinearRgb::new(light(pixel[0]), light(pixel[1]), light(pixel[2]))).collect()
+}
+
+/// The mean difference of a picture from a reference, as a share of the reference's mean light.
+fn mean_error(picture: &[LinearRgb], reference: &[LinearRgb]) -> f64 {
+    let channels = |light: &[LinearRgb]| -> Vec<f64> {
+        light.iter().flat_map(|light| light.channels()).map(|light| f64::from(light.min(WHITE))).collect()
+    };
+    let (found, expected) = (channels(picture), channels(reference));
+    let apart: f64 = found.iter().zip(&expected).map(|(found, expected)| (found - expected).abs()).sum();
+    apart / expected.iter().sum::<f64>()
+}
+
+#[test]
+fn lenses_lamps_and_gloss_are_as_in_mitsuba() {
+    for (name, closed_form) in [
+        ("lens", None),
+        ("rectangle", Some(0.02)),
+        ("disc", Some(0.02)),
+        ("ball", Some(0.02)),
+        ("rough", None),
+    ] {
+        let arena = Bump::new();
+        let loaded = LoadedScene::open(&folder().join(name).with_extension("ron"), &arena);
+        let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+        let reference = reference(name);
+        let settings = Settings { width: WIDTH, height: HEIGHT, cutoff: 0.0, ..settings };
+        let error = |area_lights| {
+            mean_error(&lights::<f32>(&scene, Settings { area_lights, ..settings }, true), &reference)
+        };
+        let sampled = error(AreaLights::Sampled);
+        print!("{name}: {:.2} % from Mitsuba", 100.0 * sampled);
+        assert!(sampled < 0.02, "{name}: {sampled}");
+        if let Some(most) = closed_form {
+            let closed = error(AreaLights::ClosedForm);
+            print!(", {:.2} % in closed form", 100.0 * closed);
+            assert!(closed < most, "{name}, closed form: {closed}");
+        }
+        println!();
+    }
+}
+
+/// POV-Ray's `area_light`, with `adaptive` and `jitter`.
+#[test]
+fn ball_lamps_are_as_in_povray() {
+    let arena = Bump::new();
+    let loaded = LoadedScene::open(&folder().join("ball.ron"), &arena);
+    let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+    let size = Settings { width: WIDTH, height: HEIGHT, ..settings };
+    // POV-Ray takes one sample of each pixel.
+    let sampling = Sampling { samples: 1, ..settings.sampling };
+    let settings = Settings { transfer: Transfer::Linear, cutoff: 0.0, sampling, ..size };
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("povray-lamp");
+    let Some(povray) = PovrayPicture::render(&scene, settings, &directory, "ball") else { return };
+    let to_light = |picture: &[[u8; 3]]| -> Vec<LinearRgb> {
+        picture
+            .iter()
+            .map(|rgb| {
+                let [r, g, b] = rgb.map(|code| f32::from(code) / 255.0);
+                LinearRgb::new(r, g, b)
+            })
+            .collect()
+    };
+    let ours = core_picture::<f32>(&scene, settings);
+    let error = mean_error(&to_light(&ours.pixels), &to_light(&povray.picture.pixels));
+    println!("ball: {:.2} % from POV-Ray", 100.0 * error);
+    assert!(error < 0.02, "{error}");
+}
+
+/// The pictures are what the script makes, if Mitsuba is installed. `RAYLINE_PYTHON` names another Python.
+#[test]
+fn references_are_what_mitsuba_draws() {
+    let python = std::env::var("RAYLINE_PYTHON").unwrap_or_else(|_| "python3".into());
+    let has_mitsuba = Command::new(&python).args(["-c", "import mitsuba"]).output();
+    if !has_mitsuba.is_ok_and(|output| output.status.success()) {
+        println!("Mitsuba is not installed: its pictures are not made again");
+        return;
+    }
+    let script = folder().join("make_references.py");
+    let output = Command::new(&python).arg(script).arg("--check").output().expect("the script runs");
+    println!("{}", String::from_utf8_lossy(&output.stdout));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
