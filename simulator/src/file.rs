@@ -5,12 +5,8 @@ use std::io::{self, Write};
 use std::iter;
 use std::path::{Component, Path, PathBuf};
 
-use image::ImageEncoder;
-use image::codecs::png::PngEncoder;
-use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
-use image::{ExtendedColorType, ImageError};
-
 use crate::Picture;
+use crate::raster::{to_png, to_ppm};
 
 /// A file that a picture will be written to. Its name is checked before the picture is rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,24 +77,12 @@ impl PictureFile {
     /// The system refused. An existing file of this name is then unchanged.
     pub fn write(&self, picture: &Picture) -> Result<(), FileError> {
         let Picture { width, height, rgb, .. } = picture;
-        let mut bytes = Vec::new();
-        match self.format {
-            Format::Png => {
-                PngEncoder::new(&mut bytes).write_image(rgb, *width, *height, ExtendedColorType::Rgb8)
-            }
-            Format::Ppm => PnmEncoder::new(&mut bytes)
-                .with_subtype(PnmSubtype::Pixmap(SampleEncoding::Binary))
-                .write_image(rgb, *width, *height, ExtendedColorType::Rgb8),
-        }
-        .map_err(|error| FileError::Io { path: self.path.clone(), error: into_io(error) })?;
+        let bytes = match self.format {
+            Format::Png => to_png((*width, *height), 3, rgb),
+            Format::Ppm => Ok(to_ppm((*width, *height), rgb)),
+        };
+        let bytes = bytes.map_err(|error| FileError::Io { path: self.path.clone(), error })?;
         write_file(&self.path, &bytes)
-    }
-}
-
-fn into_io(error: ImageError) -> io::Error {
-    match error {
-        ImageError::IoError(error) => error,
-        error => io::Error::other(error),
     }
 }
 

@@ -6,8 +6,8 @@
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
 //! - [`Demands`] estimates whether a scene fits boards;
-//! - [`PictureFile`] writes PNG and PPM files, and [`Stats`] holds the ray counts, time and memory of a
-//!   picture;
+//! - [`PictureFile`] writes PNG and PPM files, and [`raster`] reads image files;
+//! - [`Stats`] holds the ray counts, time and memory of a picture;
 //! - [`Gallery`] renders a directory of scenes and compares them with other number systems and POV-Ray;
 //! - [`report_pixel`] describes every ray of one pixel;
 //! - [`Bench`] measures the speed of rendering, and [`povray`] renders the same scenes with POV-Ray;
@@ -33,6 +33,7 @@ mod orbit;
 mod passes;
 mod picture;
 pub mod povray;
+pub mod raster;
 mod realtime;
 mod report;
 pub mod ron;

@@ -3,18 +3,13 @@
 
 use core::fmt::Write;
 
-use image::RgbImage;
-use image::imageops::{FilterType, resize};
-
 use crate::Picture;
+use crate::raster::shrunk;
 
 /// The text that shows a picture in a terminal in 24-bit colors, as large as fits into this number of columns
 /// and rows.
 pub fn half_blocks(picture: &Picture, columns: u32, rows: u32) -> String {
     let mut text = String::new();
-    let Some(image) = RgbImage::from_raw(picture.width, picture.height, picture.rgb.clone()) else {
-        return text;
-    };
     // A character cell is about twice as high as wide, so half of it is a square.
     let (room_across, room_down) = (u64::from(columns), u64::from(rows) * 2);
     let (width, height) = (u64::from(picture.width.max(1)), u64::from(picture.height.max(1)));
@@ -27,11 +22,10 @@ pub fn half_blocks(picture: &Picture, columns: u32, rows: u32) -> String {
     if across == 0 || down == 0 {
         return text;
     }
-    let small = resize(&image, across, down, FilterType::Triangle);
-    let mut lines = small.rows();
+    let small = shrunk(&picture.rgb, (picture.width, picture.height), (across, down));
+    let mut lines = small.chunks(across as usize);
     while let (Some(upper), Some(lower)) = (lines.next(), lines.next()) {
-        for (upper, lower) in upper.zip(lower) {
-            let ([r, g, b], [below_r, below_g, below_b]) = (upper.0, lower.0);
+        for ([r, g, b], [below_r, below_g, below_b]) in upper.iter().zip(lower) {
             // Writing into a string cannot fail.
             let _ = write!(text, "\x1b[38;2;{r};{g};{b};48;2;{below_r};{below_g};{below_b}m▀");
         }

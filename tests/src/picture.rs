@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use rayline_simulator::raster::{Raster, to_png};
+
 /// A picture in 8-bit linear light, line by line from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
@@ -14,16 +16,16 @@ pub struct Picture {
 impl Picture {
     /// Reads a picture in any format that the tests enable.
     pub fn read(path: &Path) -> Self {
-        let image = image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let image = image.into_rgb8();
-        Self { width: image.width(), pixels: image.pixels().map(|pixel| pixel.0).collect() }
+        let fail = |error: &dyn core::fmt::Display| -> ! { panic!("{}: {error}", path.display()) };
+        let bytes = std::fs::read(path).unwrap_or_else(|error| fail(&error));
+        let image = Raster::decode(&bytes).unwrap_or_else(|error| fail(&error));
+        Self { width: image.width, pixels: image.pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect() }
     }
 
     /// Writes a PNG file.
     pub fn write(&self, path: &Path) {
         let height = (self.pixels.len() / self.width as usize) as u32;
-        let bytes = self.pixels.iter().flatten().copied().collect();
-        let image = image::RgbImage::from_raw(self.width, height, bytes).expect("whole lines");
-        image.save(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let png = to_png((self.width, height), 3, self.pixels.as_flattened()).expect("whole lines");
+        std::fs::write(path, png).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     }
 }

@@ -1,12 +1,9 @@
 //! Accessors: lists of numbers in buffers (glTF 2.0 Specification, section 3.6.2).
 
-use gltf_json::Index;
-use gltf_json::accessor::{Accessor, ComponentType, Type};
-use gltf_json::validation::Checked;
-use gltf_json::{Root, buffer};
-
 use super::buffers::Buffers;
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Accessor, Root};
+use crate::nff::Excerpt;
 
 /// The most elements of a list, and the most triangles of a file: a thousand times what a microcontroller can
 /// hold.
@@ -21,18 +18,15 @@ pub(super) struct Lists<'f> {
 
 impl Lists<'_> {
     /// The number of elements by the file, which is not checked against the bytes.
-    pub(super) fn count(&self, index: Index<Accessor>) -> Result<usize, Wrong> {
-        let accessor = find(&self.root.accessors, "accessor", index.value())?;
-        Ok(usize::try_from(accessor.count.0).unwrap_or(usize::MAX))
+    pub(super) fn count(&self, index: usize) -> Result<usize, Wrong> {
+        let accessor = find(&self.root.accessors, "accessor", index)?;
+        Ok(usize::try_from(accessor.count).unwrap_or(usize::MAX))
     }
 
     /// A list of vectors. Integers that are `normalized` are shares of the largest integer.
-    pub(super) fn vectors<const N: usize>(&self, index: Index<Accessor>) -> Result<Vec<[f32; N]>, Wrong> {
-        let (expected, kind) = match N {
-            2 => ("VEC2", Type::Vec2),
-            _ => ("VEC3", Type::Vec3),
-        };
-        self.read(index, (expected, kind), [0.0; N], |bytes, component, normalized| {
+    pub(super) fn vectors<const N: usize>(&self, index: usize) -> Result<Vec<[f32; N]>, Wrong> {
+        let kind = if N == 2 { "VEC2" } else { "VEC3" };
+        self.read(index, (kind, N), [0.0; N], |bytes, component, normalized| {
             let mut vector = [0.0; N];
             for (number, bytes) in vector.iter_mut().zip(bytes.chunks(component.size())) {
                 *number = float(bytes, component, normalized)?;
@@ -45,56 +39,48 @@ impl Lists<'_> {
     }
 
     /// A list of indices of vertices.
-    pub(super) fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, Wrong> {
-        self.read(index, ("SCALAR", Type::Scalar), 0, |bytes, component, _| whole(bytes, component))
+    pub(super) fn indices(&self, index: usize) -> Result<Vec<u32>, Wrong> {
+        self.read(index, ("SCALAR", 1), 0, |bytes, component, _| whole(bytes, component))
     }
 
     fn read<T: Copy>(
         &self,
-        index: Index<Accessor>,
-        expected: (&'static str, Type),
+        index: usize,
+        expected: (&'static str, usize),
         zero: T,
         element: impl Fn(&[u8], ComponentType, bool) -> Result<T, GltfFault>,
     ) -> Result<Vec<T>, Wrong> {
-        let accessor = find(&self.root.accessors, "accessor", index.value())?;
-        self.of(accessor, expected, zero, element)
-            .at(|| name("accessor", index.value(), accessor.name.as_ref()))
+        let accessor = find(&self.root.accessors, "accessor", index)?;
+        self.of(accessor, expected, zero, element).at(|| name("accessor", index, accessor.name.as_ref()))
     }
 
     fn of<T: Copy>(
         &self,
         accessor: &Accessor,
-        (expected, kind): (&'static str, Type),
+        (expected, numbers): (&'static str, usize),
         zero: T,
         element: impl Fn(&[u8], ComponentType, bool) -> Result<T, GltfFault>,
     ) -> Result<Vec<T>, Wrong> {
-        let component = component(&accessor.component_type)?;
-        if accessor.type_ != Checked::Valid(kind) {
-            let found = match &accessor.type_ {
-                Checked::Valid(kind) => format!("{kind:?}").to_uppercase(),
-                Checked::Invalid => "an unknown type".to_owned(),
-            };
-            return Err(GltfFault::Kind { expected, found }.into());
+        let component = ComponentType::of(accessor.component_type)?;
+        if accessor.kind != expected {
+            return Err(GltfFault::Kind { expected, found: Excerpt(&accessor.kind).to_string() }.into());
         }
-        let size = component.size() * kind.multiplicity();
+        let size = component.size() * numbers;
         let element = |bytes: &[u8]| element(bytes, component, accessor.normalized);
-        let count = counted(accessor.count.0)?;
+        let count = counted(accessor.count)?;
         let mut list = match accessor.buffer_view {
             Some(view) => {
-                let offset = accessor.byte_offset.unwrap_or_default().0;
+                let offset = accessor.byte_offset;
                 self.strided(view, offset, size, count)?.map(element).collect::<Result<Vec<_>, _>>()?
             }
             None => vec![zero; count],
         };
         if let Some(sparse) = &accessor.sparse {
-            let count = counted(sparse.count.0)?;
+            let count = counted(sparse.count)?;
             let (at, values) = (&sparse.indices, &sparse.values);
-            let component = match &at.component_type {
-                Checked::Valid(component) => component.0,
-                Checked::Invalid => return Err(not_whole("another number").into()),
-            };
-            let places = self.strided(at.buffer_view, at.byte_offset.0, component.size(), count)?;
-            let values = self.strided(values.buffer_view, values.byte_offset.0, size, count)?;
+            let component = ComponentType::of(at.component_type)?;
+            let places = self.strided(at.buffer_view, at.byte_offset, component.size(), count)?;
+            let values = self.strided(values.buffer_view, values.byte_offset, size, count)?;
             for (place, value) in places.zip(values) {
                 let named = whole(place, component)? as usize;
                 let count = list.len();
@@ -108,7 +94,7 @@ impl Lists<'_> {
     /// The bytes of each element, or an error if the buffer is too short.
     fn strided(
         &self,
-        view: Index<buffer::View>,
+        view: usize,
         offset: u64,
         size: usize,
         count: usize,
@@ -140,11 +126,37 @@ fn counted(count: u64) -> Result<usize, GltfFault> {
     counted.ok_or(GltfFault::TooMany { what: "elements", most: MOST })
 }
 
-fn component(given: &Checked<gltf_json::accessor::GenericComponentType>) -> Result<ComponentType, GltfFault> {
-    match given {
-        Checked::Valid(component) => Ok(component.0),
-        Checked::Invalid => {
-            Err(GltfFault::Kind { expected: "a type of numbers", found: "an unknown type".to_owned() })
+/// A type of numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum ComponentType {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+impl ComponentType {
+    /// The type that stands in a file as this number of OpenGL.
+    fn of(number: u32) -> Result<Self, GltfFault> {
+        Ok(match number {
+            5120 => Self::I8,
+            5121 => Self::U8,
+            5122 => Self::I16,
+            5123 => Self::U16,
+            5125 => Self::U32,
+            5126 => Self::F32,
+            _ => return Err(GltfFault::Kind { expected: "a type of numbers", found: number.to_string() }),
+        })
+    }
+
+    /// The bytes of a number.
+    fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::U32 | Self::F32 => 4,
         }
     }
 }

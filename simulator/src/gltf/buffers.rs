@@ -6,9 +6,9 @@ use std::path::{Component, Path, PathBuf};
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use gltf_json::{Index, Root, buffer};
 
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::Root;
 
 /// The most bytes of all buffers together.
 const MOST: usize = 1 << 30;
@@ -34,7 +34,7 @@ impl<'f> Buffers<'f> {
                 _ => Err(GltfFault::NoBytes),
             };
             let cut = bytes.and_then(|bytes| {
-                let (needed, given) = (buffer.byte_length.0, bytes.len());
+                let (needed, given) = (buffer.byte_length, bytes.len());
                 sum = sum.saturating_add(given);
                 if sum > MOST {
                     return Err(GltfFault::TooMany { what: "bytes of buffers", most: MOST });
@@ -50,18 +50,18 @@ impl<'f> Buffers<'f> {
     }
 
     /// The bytes of a view, and its stride if it has one.
-    pub(super) fn view(&self, index: Index<buffer::View>) -> Result<(&[u8], Option<usize>), Wrong> {
-        let view = find(&self.root.buffer_views, "buffer view", index.value())?;
+    pub(super) fn view(&self, index: usize) -> Result<(&[u8], Option<usize>), Wrong> {
+        let view = find(&self.root.buffer_views, "buffer view", index)?;
         let of_view = || {
-            let bytes = find(&self.bytes, "buffer", view.buffer.value())?;
-            let (start, length) = (view.byte_offset.unwrap_or_default().0, view.byte_length.0);
+            let bytes = find(&self.bytes, "buffer", view.buffer)?;
+            let (start, length) = (view.byte_offset, view.byte_length);
             let end = start.saturating_add(length);
             let place = usize::try_from(start).ok().zip(usize::try_from(end).ok());
             let part = place.and_then(|(start, end)| bytes.get(start..end));
             part.ok_or(GltfFault::Short { needed: end, given: bytes.len() as u64 })
         };
-        let bytes = of_view().at(|| name("buffer view", index.value(), view.name.as_ref()))?;
-        Ok((bytes, view.byte_stride.map(|stride| stride.0)))
+        let bytes = of_view().at(|| name("buffer view", index, view.name.as_ref()))?;
+        Ok((bytes, view.byte_stride))
     }
 
     /// The bytes of a URI: those in a `data:` URI, or those of a file in the folder or below.

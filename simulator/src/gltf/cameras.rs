@@ -1,11 +1,10 @@
 //! Cameras (glTF 2.0 Specification, section 3.10).
 
-use gltf_json::Root;
-use gltf_json::camera::Perspective;
 use rayline::math::Aabb;
 use rayline::{Camera, Vec3};
 
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Perspective, Root};
 use super::nodes::Placed;
 use super::notes::Notes;
 use crate::model::view;
@@ -23,8 +22,8 @@ pub(super) fn first(
     let mut first = None;
     for placed in nodes {
         let Some(index) = placed.node.camera else { continue };
-        let camera = find(&root.cameras, "camera", index.value()).at(|| placed.name())?;
-        let called = format!("{}, {}", placed.name(), name("camera", index.value(), camera.name.as_ref()));
+        let camera = find(&root.cameras, "camera", index).at(|| placed.name())?;
+        let called = format!("{}, {}", placed.name(), name("camera", index, camera.name.as_ref()));
         let Some(perspective) = &camera.perspective else {
             notes.add(called, "left out: it is not perspective");
             continue;

@@ -1,12 +1,12 @@
 //! The JSON of a file, and the binary chunk of a `.glb` file (glTF 2.0 Specification, section 4.4).
 
-use gltf_json::Root;
 use serde::Deserialize;
 
 use super::error::{At, GltfFault, Wrong};
+use super::json::Root;
 use crate::text::without_mark;
 
-/// The extensions that the crate `gltf-json` or this importer supports.
+/// The extensions that are read.
 const EXTENSIONS: [&str; 8] = [
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",

@@ -1,17 +1,25 @@
 //! Triangles, normals and texture coordinates of meshes (glTF 2.0 Specification, section 3.7).
 
-use gltf_json::Index;
-use gltf_json::accessor::Accessor;
-use gltf_json::mesh::{Mode, Primitive, Semantic};
-use gltf_json::validation::Checked;
 use rayline::Vec3;
 use rayline::limits::MAX_COORDINATE;
 
 use super::accessor::{Lists, MOST};
 use super::error::{At, GltfFault, Wrong};
+use super::json::Primitive;
 use super::nodes::Place;
 use super::textures::Coordinates;
 use crate::model::{FARTHEST_UV, Whole};
+
+/// How triangles follow from corners.
+#[derive(Clone, Copy, Debug)]
+enum Mode {
+    /// Each three corners are a triangle.
+    Triangles,
+    /// Each corner makes a triangle with the two before it.
+    Strip,
+    /// Each corner makes a triangle with the one before it and the first.
+    Fan,
+}
 
 /// A primitive of a mesh, in the coordinates of the scene.
 #[derive(Clone, Debug, Default)]
@@ -35,19 +43,21 @@ impl Geometry {
         room: &mut usize,
     ) -> Result<Self, Wrong> {
         let mode = match primitive.mode {
-            Checked::Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => mode,
-            Checked::Valid(_) => {
+            4 => Mode::Triangles,
+            5 => Mode::Strip,
+            6 => Mode::Fan,
+            0..=3 => {
                 let notes = vec!["points and lines are left out"];
                 return Ok(Self { notes, ..Self::default() });
             }
-            Checked::Invalid => {
-                let found = "an unknown mode".to_owned();
+            other => {
+                let found = other.to_string();
                 return Err(GltfFault::Kind { expected: "a mode from 0 to 6", found }.into());
             }
         };
         let mut notes = left_out(primitive);
-        let attribute = |semantic| primitive.attributes.get(&Checked::Valid(semantic)).copied();
-        let Some(positions) = attribute(Semantic::Positions) else {
+        let attribute = |meaning: &str| primitive.attributes.get(meaning).copied();
+        let Some(positions) = attribute("POSITION") else {
             let found = "none".to_owned();
             return Err(GltfFault::Kind { expected: "an attribute POSITION", found }.into());
         };
@@ -59,11 +69,11 @@ impl Geometry {
         let positions = lists.vectors::<3>(positions).at(|| "POSITION".to_owned())?;
         let vertices =
             positions.iter().map(|position| placed(place, *position)).collect::<Result<Vec<_>, _>>()?;
-        let normals = match attribute(Semantic::Normals) {
+        let normals = match attribute("NORMAL") {
             Some(normals) => Some(self::normals(lists, normals, place, vertices.len())?),
             None => None,
         };
-        let uvs = match attribute(Semantic::TexCoords(coordinates.set)) {
+        let uvs = match attribute(&format!("TEXCOORD_{}", coordinates.set)) {
             Some(uvs) => Some(self::uvs(lists, uvs, coordinates, vertices.len())?),
             None => None,
         };
@@ -107,20 +117,15 @@ impl Geometry {
 
 /// Notes about parts of a primitive that are left out.
 fn left_out(primitive: &Primitive) -> Vec<&'static str> {
-    let has_targets = primitive.targets.as_ref().is_some_and(|targets| !targets.is_empty());
-    let has_colors = primitive.attributes.contains_key(&Checked::Valid(Semantic::Colors(0)));
+    let has_targets = !primitive.targets.is_empty();
+    let has_colors = primitive.attributes.contains_key("COLOR_0");
     let notes =
         [(has_targets, "morph targets are left out"), (has_colors, "colors of vertices are left out")];
     notes.into_iter().filter_map(|(is_there, note)| is_there.then_some(note)).collect()
 }
 
 /// The normals of a primitive with this number of vertices.
-fn normals(
-    lists: Lists<'_>,
-    accessor: Index<Accessor>,
-    place: &Place,
-    vertices: usize,
-) -> Result<Vec<Vec3>, Wrong> {
+fn normals(lists: Lists<'_>, accessor: usize, place: &Place, vertices: usize) -> Result<Vec<Vec3>, Wrong> {
     let at = || "NORMAL".to_owned();
     let normals = lists.vectors::<3>(accessor).at(at)?;
     check_count(normals.len(), vertices).at(at)?;
@@ -130,7 +135,7 @@ fn normals(
 /// The texture coordinates of a primitive with this number of vertices.
 fn uvs(
     lists: Lists<'_>,
-    accessor: Index<Accessor>,
+    accessor: usize,
     coordinates: &Coordinates,
     vertices: usize,
 ) -> Result<Vec<[f32; 2]>, Wrong> {
@@ -180,16 +185,16 @@ fn triangles(mode: Mode, corners: &[u32]) -> Vec<[u32; 3]> {
     let windows = || corners.windows(3).filter_map(|window| window.first_chunk::<3>().copied());
     match mode {
         // Every second triangle of a strip has the opposite orientation.
-        Mode::TriangleStrip => windows()
+        Mode::Strip => windows()
             .enumerate()
             .map(|(index, [a, b, c])| if index % 2 == 0 { [a, b, c] } else { [a, c, b] })
             .collect(),
-        Mode::TriangleFan => match corners.split_first() {
+        Mode::Fan => match corners.split_first() {
             Some((hub, rim)) => {
                 rim.windows(2).filter_map(|edge| edge.first_chunk()).map(|[a, b]| [*a, *b, *hub]).collect()
             }
             None => Vec::new(),
         },
-        _ => corners.as_chunks::<3>().0.to_vec(),
+        Mode::Triangles => corners.as_chunks::<3>().0.to_vec(),
     }
 }

@@ -1,20 +1,27 @@
 //! Lights (`KHR_lights_punctual`).
 
-use gltf_json::extensions::scene::khr_lights_punctual::{Light as Punctual, Type};
-use gltf_json::validation::Checked;
-use gltf_json::{Index, Root};
 use rayline::math::Aabb;
 use rayline::{Falloff, Lamp, Light, LightCone, LinearRgb};
 
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Light as Punctual, Root, Spot};
 use super::nodes::{Place, Placed};
 use super::notes::Notes;
+use crate::nff::Excerpt;
 
 /// The lights of a scene, and their names.
 pub(super) type Named = (Vec<Light>, Vec<String>);
 
+/// The kind of a light of the file.
+#[derive(Clone, Copy, Debug)]
+enum Type {
+    Directional,
+    Point,
+    Spot,
+}
+
 /// A light of the file at a node.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Lit<'f> {
     light: &'f Punctual,
     kind: Type,
@@ -40,8 +47,7 @@ pub(super) fn of(
 ) -> Result<Named, Wrong> {
     let mut all = Vec::new();
     for placed in nodes {
-        let extension = placed.node.extensions.as_ref().and_then(|all| all.khr_lights_punctual.as_ref());
-        let Some(extension) = extension else { continue };
+        let Some(extension) = &placed.node.extensions.light else { continue };
         let lit = lit(root, extension.light, placed, bounds).at(|| placed.name())?;
         if lit.light.range.is_some() {
             notes.add(&*lit.name, "its range is left out: it shines at any distance");
@@ -59,15 +65,9 @@ pub(super) fn of(
     Ok((lights, all.into_iter().map(|lit| lit.name).collect()))
 }
 
-fn lit<'f>(
-    root: &'f Root,
-    index: Index<Punctual>,
-    placed: &Placed<'_>,
-    bounds: Aabb<f32>,
-) -> Result<Lit<'f>, Wrong> {
-    let lights: &[Punctual] = root.as_ref();
-    let light = find(lights, "light", index.value())?;
-    let at = || name("light", index.value(), light.name.as_ref());
+fn lit<'f>(root: &'f Root, index: usize, placed: &Placed<'_>, bounds: Aabb<f32>) -> Result<Lit<'f>, Wrong> {
+    let light = find(&root.extensions.lights.lights, "light", index)?;
+    let at = || name("light", index, light.name.as_ref());
     let [red, green, blue] = light.color;
     for (meaning, number) in
         [("its intensity", light.intensity), ("its color", red), ("its color", green), ("its color", blue)]
@@ -76,10 +76,12 @@ fn lit<'f>(
             return Err(GltfFault::Number { meaning, found: number.into() }).at(at);
         }
     }
-    let kind = match &light.type_ {
-        Checked::Valid(kind) => *kind,
-        Checked::Invalid => {
-            let found = "another type".to_owned();
+    let kind = match &*light.kind {
+        "directional" => Type::Directional,
+        "point" => Type::Point,
+        "spot" => Type::Spot,
+        other => {
+            let found = format!("`{}`", Excerpt(other));
             return Err(GltfFault::Kind { expected: "a point, spot or directional light", found }).at(at);
         }
     };
@@ -107,14 +109,13 @@ impl Lit<'_> {
         };
         let nothing = GltfFault::Number { meaning: "the length of its direction", found: 0.0 };
         let direction = || self.place.direction([0.0, 0.0, -1.0]).ok_or(nothing);
-        let cone = match (self.kind, &self.light.spot) {
-            (Type::Directional, _) => {
+        let cone = match self.kind {
+            Type::Directional => {
                 return Ok(Light::Directional { direction: direction()?, color: colored(1.0) });
             }
-            (Type::Point, _) => None,
-            (Type::Spot, spot) => {
-                let angles = spot.as_ref().map(|spot| (spot.inner_cone_angle, spot.outer_cone_angle));
-                let (bright, dark) = angles.unwrap_or((0.0, core::f32::consts::FRAC_PI_4));
+            Type::Point => None,
+            Type::Spot => {
+                let Spot { inner_cone_angle: bright, outer_cone_angle: dark } = self.light.spot;
                 Some(LightCone { direction: direction()?, bright, dark })
             }
         };

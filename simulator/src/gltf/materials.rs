@@ -4,14 +4,11 @@
 use std::collections::HashMap;
 
 use bumpalo::Bump;
-use gltf_json::Root;
-use gltf_json::extensions::material::Volume;
-use gltf_json::material::{AlphaMode, Material as Described};
-use gltf_json::validation::Checked;
 use rayline::limits::MAX_COUNT;
 use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Texture};
 
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Material as Described, Root, Volume};
 use super::notes::Notes;
 use super::textures::{Coordinates, Picture, Textures};
 
@@ -96,22 +93,21 @@ impl<'a, 'f> Materials<'a, 'f> {
         has_uvs: bool,
         notes: &mut Notes,
     ) -> Result<Material<'a>, Wrong> {
-        let [.., alpha] = described.pbr_metallic_roughness.base_color_factor.0.map(share);
+        let [.., alpha] = described.pbr_metallic_roughness.base_color_factor.map(share);
         let Base { picture, color, mean } = self.base(described, name, has_uvs, notes)?;
-        let extensions = described.extensions.as_ref();
+        let extensions = &described.extensions;
         let plain = Material { color, ambient: AMBIENT, ..Material::matte(mean) };
-        if extensions.is_some_and(|extensions| extensions.unlit.is_some()) {
+        if extensions.unlit.is_some() {
             let seen = Material { ambient: 1.0, diffuse: 0.0, ..plain };
             return self.faded(seen, described, picture.as_ref(), alpha);
         }
         let (metallic, roughness) = self.metallic_roughness(described, notes)?;
         note_textures(described, name, notes);
-        let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
-        let transmittance =
-            transmission.map_or(0.0, |transmission| share(transmission.transmission_factor.0));
+        let transmission = extensions.transmission.as_ref();
+        let transmittance = transmission.map_or(0.0, |transmission| share(transmission.transmission_factor));
         let is_metal = metallic >= 0.5;
         let is_glass = transmittance > 0.0 && !is_metal;
-        let ior = extensions.and_then(|extensions| Some(extensions.ior.as_ref()?.ior.0)).unwrap_or(1.5);
+        let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
         // The range of fixed point. In glTF, 0 stands for a perfect mirror, which a large index approximates.
         let ior = ior.clamp(0.14, 7.0);
 
@@ -126,7 +122,7 @@ impl<'a, 'f> Materials<'a, 'f> {
         } else if is_glass {
             optics.fresnel = Fresnel::Exact;
             optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
-            optics.absorption = absorption(extensions.and_then(|extensions| extensions.volume.as_ref()));
+            optics.absorption = absorption(extensions.volume.as_ref());
             let diffuse = 1.0 - transmittance;
             Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
         } else {
@@ -157,7 +153,7 @@ impl<'a, 'f> Materials<'a, 'f> {
         notes: &mut Notes,
     ) -> Result<Base<'a>, Wrong> {
         let pbr = &described.pbr_metallic_roughness;
-        let [red, green, blue, _] = pbr.base_color_factor.0.map(share);
+        let [red, green, blue, _] = pbr.base_color_factor.map(share);
         let factor = [red, green, blue];
         let mut picture = None;
         if let Some(info) = &pbr.base_color_texture {
@@ -180,7 +176,7 @@ impl<'a, 'f> Materials<'a, 'f> {
     /// The metallic and roughness factors of a surface; of a texture, the mean.
     fn metallic_roughness(&mut self, described: &Described, notes: &mut Notes) -> Result<(f32, f32), Wrong> {
         let pbr = &described.pbr_metallic_roughness;
-        let (mut metallic, mut roughness) = (share(pbr.metallic_factor.0), share(pbr.roughness_factor.0));
+        let (mut metallic, mut roughness) = (share(pbr.metallic_factor), share(pbr.roughness_factor));
         if let Some(info) = &pbr.metallic_roughness_texture
             && let Some(picture) = self.textures.picture(info.index, notes)?
         {
@@ -195,10 +191,9 @@ impl<'a, 'f> Materials<'a, 'f> {
             notes.add(name, "the emissive texture is left out, and with it all emission");
             return Optics::PLAIN.emission;
         }
-        let strength =
-            described.extensions.as_ref().and_then(|extensions| extensions.emissive_strength.as_ref());
-        let strength = strength.map_or(1.0, |strength| strength.emissive_strength.0);
-        let [r, g, b] = described.emissive_factor.0.map(|factor| (factor * strength).clamp(0.0, BRIGHTEST));
+        let strength = described.extensions.emissive_strength.as_ref();
+        let strength = strength.map_or(1.0, |strength| strength.emissive_strength);
+        let [r, g, b] = described.emissive_factor.map(|factor| (factor * strength).clamp(0.0, BRIGHTEST));
         LinearRgb::new(r, g, b)
     }
 
@@ -210,10 +205,9 @@ impl<'a, 'f> Materials<'a, 'f> {
         picture: Option<&Picture>,
         alpha: f32,
     ) -> Result<Material<'a>, Wrong> {
-        let cutoff = described.alpha_cutoff.map_or(0.5, |cutoff| cutoff.0);
-        let opacity = move |alpha: f32| match described.alpha_mode {
-            Checked::Valid(AlphaMode::Blend) => alpha,
-            Checked::Valid(AlphaMode::Mask) if alpha < cutoff => 0.0,
+        let opacity = move |alpha: f32| match &*described.alpha_mode {
+            "BLEND" => alpha,
+            "MASK" if alpha < described.alpha_cutoff => 0.0,
             _ => 1.0,
         };
         // Glass is transparent already: ignore its alpha.
@@ -246,8 +240,7 @@ impl<'a, 'f> Materials<'a, 'f> {
 
 /// Adds notes about textures that are left out.
 fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
-    let extensions = described.extensions.as_ref();
-    let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
+    let transmission = described.extensions.transmission.as_ref();
     let has_transmission =
         transmission.is_some_and(|transmission| transmission.transmission_texture.is_some());
     for (left_out, what) in [
@@ -277,9 +270,9 @@ fn with_highlight(plain: Material<'_>, roughness: f32, ior: Option<f32>) -> Mate
 /// left.
 fn absorption(volume: Option<&Volume>) -> LinearRgb {
     let Some(volume) = volume else { return Optics::PLAIN.absorption };
-    let per_unit = 1.0 / volume.attenuation_distance.0;
+    let per_unit = 1.0 / volume.attenuation_distance;
     let lost = |left: f32| (-share(left).max(1e-6).ln() * per_unit).clamp(0.0, 1e6);
-    let [r, g, b] = volume.attenuation_color.0.map(lost);
+    let [r, g, b] = volume.attenuation_color.map(lost);
     if [r, g, b].iter().all(|lost| lost.is_finite()) {
         LinearRgb::new(r, g, b)
     } else {

@@ -1,5 +1,5 @@
 //! Reading of models and scenes in glTF 2.0, `.gltf` and `.glb` (The Khronos Group, "glTF 2.0 Specification",
-//! 2021; ISO/IEC 12113). The crate `gltf-json` reads the JSON; every number in it is checked here.
+//! 2021; ISO/IEC 12113).
 //!
 //! The parts of a file become:
 //!
@@ -59,6 +59,7 @@ mod cameras;
 mod container;
 mod error;
 mod geometry;
+mod json;
 mod lights;
 mod materials;
 mod nodes;
@@ -71,7 +72,6 @@ use std::fs;
 use std::path::Path;
 
 use bumpalo::Bump;
-use gltf_json::Root;
 use rayline::limits::MAX_COUNT;
 use rayline::shape::Shape;
 use rayline::{Object, Part, Scene};
@@ -82,6 +82,7 @@ use buffers::Buffers;
 use error::{At, Wrong, find, name};
 pub use error::{GltfError, GltfFault};
 use geometry::Geometry;
+use json::Root;
 use materials::Materials;
 use nodes::Placed;
 use notes::Notes;
@@ -212,11 +213,10 @@ impl<'a> Meshes<'_, 'a, '_> {
         names: &mut Vec<String>,
     ) -> Result<(), Wrong> {
         let Some(index) = placed.node.mesh else { return Ok(()) };
-        let mesh = find(&root.meshes, "mesh", index.value())?;
+        let mesh = find(&root.meshes, "mesh", index)?;
         for (number, primitive) in mesh.primitives.iter().enumerate() {
-            let called =
-                || format!("{}, primitive {number}", name("mesh", index.value(), mesh.name.as_ref()));
-            let material = primitive.material.map(|material| material.value());
+            let called = || format!("{}, primitive {number}", name("mesh", index, mesh.name.as_ref()));
+            let material = primitive.material;
             let coordinates = self.materials.coordinates(material).at(called)?;
             let geometry =
                 Geometry::read(self.lists, primitive, &placed.place, &coordinates, self.room).at(called)?;

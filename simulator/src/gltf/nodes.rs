@@ -1,11 +1,10 @@
 //! Nodes and their transforms (glTF 2.0 Specification, section 3.5).
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
-use gltf_json::Root;
-use gltf_json::scene::Node;
 use rayline::Vec3;
 
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Node, Root};
 use super::notes::Notes;
 
 /// A node of the scene with its transform.
@@ -48,7 +47,8 @@ impl Place {
                 let vector = |given: Option<[f32; 3]>, default| {
                     given.map_or(default, |vector| DVec3::from_array(vector.map(f64::from)))
                 };
-                let rotation = DQuat::from_array(node.rotation.unwrap_or_default().0.map(f64::from));
+                let rotation =
+                    DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]).map(f64::from));
                 if rotation.length_squared() <= 0.0 {
                     return Err(GltfFault::Number { meaning: "the length of its rotation", found: 0.0 });
                 }
@@ -120,9 +120,9 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
         }
         let own = Place::of(node).at(at)?;
         let place = Place(Place::checked(outer * own).at(at)?);
-        for child in node.children.iter().flatten().rev() {
-            find(&root.nodes, "node", child.value()).at(at)?;
-            open.push((child.value(), place));
+        for child in node.children.iter().rev() {
+            find(&root.nodes, "node", *child).at(at)?;
+            open.push((*child, place));
         }
         placed.push(Placed { index, node, place });
     }
@@ -131,11 +131,11 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
 
 /// The root nodes of the scene that the file selects, else of its first scene, else of all nodes.
 fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
-    let named = root.scene.map_or(0, |scene| scene.value());
+    let named = root.scene.unwrap_or(0);
     if root.scenes.is_empty() && root.scene.is_none() {
         let mut is_child = vec![false; root.nodes.len()];
-        for child in root.nodes.iter().flat_map(|node| node.children.iter().flatten()) {
-            if let Some(is_child) = is_child.get_mut(child.value()) {
+        for child in root.nodes.iter().flat_map(|node| &node.children) {
+            if let Some(is_child) = is_child.get_mut(*child) {
                 *is_child = true;
             }
         }
@@ -145,5 +145,5 @@ fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
     for (index, other) in root.scenes.iter().enumerate().filter(|(index, _)| *index != named) {
         notes.add(name("scene", index, other.name.as_ref()), "left out, as only one scene is shown");
     }
-    Ok(scene.nodes.iter().map(|node| node.value()).collect())
+    Ok(scene.nodes.clone())
 }

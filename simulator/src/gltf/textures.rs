@@ -1,19 +1,21 @@
 //! Textures and their images (glTF 2.0 Specification, section 3.8).
 
 use std::collections::HashMap;
-use std::io::Cursor;
 use std::rc::Rc;
 
 use bumpalo::Bump;
-use gltf_json::Index;
-use gltf_json::texture::{Info, MagFilter, Sampler, Texture, WrappingMode};
-use gltf_json::validation::Checked;
-use image::{ImageReader, Limits, RgbaImage};
 use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement};
 
 use super::accessor::Lists;
 use super::error::{At, GltfFault, Wrong, find, name};
+use super::json::{Sampler, TextureInfo};
 use super::notes::Notes;
+use crate::raster::Raster;
+
+/// Numbers of OpenGL.
+const NEAREST: u32 = 9728;
+const CLAMP_TO_EDGE: u32 = 33071;
+const MIRRORED_REPEAT: u32 = 33648;
 
 /// The most pixels of all images together.
 const MOST: usize = 1 << 26;
@@ -30,16 +32,16 @@ pub(super) struct Coordinates {
 
 impl Coordinates {
     /// The coordinates of a texture; set 0 without a transform for `None`.
-    pub(super) fn of(info: Option<&Info>) -> Self {
+    pub(super) fn of(info: Option<&TextureInfo>) -> Self {
         let set = info.map_or(0, |info| info.tex_coord);
         let as_is = Self { set, offset: [0.0; 2], turn: (0.0, 1.0), scale: [1.0; 2] };
-        match info.and_then(|info| info.extensions.as_ref()?.texture_transform.as_ref()) {
+        match info.and_then(|info| info.extensions.transform.as_ref()) {
             None => as_is,
             Some(transform) => Self {
                 set: transform.tex_coord.unwrap_or(set),
-                offset: transform.offset.0,
-                turn: transform.rotation.0.sin_cos(),
-                scale: transform.scale.0,
+                offset: transform.offset,
+                turn: transform.rotation.sin_cos(),
+                scale: transform.scale,
             },
         }
     }
@@ -56,7 +58,7 @@ impl Coordinates {
 /// An image of the file with its filter and wrapping.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
-    image: Rc<RgbaImage>,
+    image: Rc<Raster>,
     filter: Filter,
     ends: Ends,
 }
@@ -66,7 +68,7 @@ pub(super) struct Picture {
 pub(super) struct Textures<'a, 'f> {
     arena: &'a Bump,
     lists: Lists<'f>,
-    read: HashMap<usize, Option<Rc<RgbaImage>>>,
+    read: HashMap<usize, Option<Rc<Raster>>>,
     /// The number of pixels that may still be read.
     room: usize,
 }
@@ -77,30 +79,25 @@ impl<'a, 'f> Textures<'a, 'f> {
     }
 
     /// The image of a texture; `None` with a note if it cannot be read.
-    pub(super) fn picture(
-        &mut self,
-        texture: Index<Texture>,
-        notes: &mut Notes,
-    ) -> Result<Option<Picture>, Wrong> {
+    pub(super) fn picture(&mut self, index: usize, notes: &mut Notes) -> Result<Option<Picture>, Wrong> {
         let root = self.lists.root;
-        let index = texture.value();
         let texture = find(&root.textures, "texture", index)?;
         let at = || name("texture", index, texture.name.as_ref());
         // A texture in a format of an extension has no plain source.
-        if texture.source.value() == u32::MAX as usize {
+        let Some(source) = texture.source else {
             notes.add(at(), "left out: its format is not PNG or JPEG");
             return Ok(None);
-        }
-        let image = match self.read.get(&texture.source.value()) {
+        };
+        let image = match self.read.get(&source) {
             Some(image) => image.clone(),
             None => {
-                let image = self.image(texture.source.value(), notes).at(at)?.map(Rc::new);
-                self.read.insert(texture.source.value(), image.clone());
+                let image = self.image(source, notes).at(at)?.map(Rc::new);
+                self.read.insert(source, image.clone());
                 image
             }
         };
         let sampler = match texture.sampler {
-            Some(sampler) => Some(find(&root.samplers, "sampler", sampler.value()).at(at)?),
+            Some(sampler) => Some(find(&root.samplers, "sampler", sampler).at(at)?),
             None => None,
         };
         let ends = ends(sampler);
@@ -108,13 +105,13 @@ impl<'a, 'f> Textures<'a, 'f> {
             notes.add(at(), "the wrapping of its left and right edges is used for all edges");
         }
         let filter = match sampler.and_then(|sampler| sampler.mag_filter) {
-            Some(Checked::Valid(MagFilter::Nearest)) => Filter::Nearest,
+            Some(NEAREST) => Filter::Nearest,
             _ => Filter::Bilinear,
         };
         Ok(image.map(|image| Picture { image, filter, ends: ends[0] }))
     }
 
-    fn image(&mut self, index: usize, notes: &mut Notes) -> Result<Option<RgbaImage>, Wrong> {
+    fn image(&mut self, index: usize, notes: &mut Notes) -> Result<Option<Raster>, Wrong> {
         let image = find(&self.lists.root.images, "image", index)?;
         let at = || name("image", index, image.name.as_ref());
         let buffers = self.lists.buffers;
@@ -129,18 +126,10 @@ impl<'a, 'f> Textures<'a, 'f> {
             (None, Some(view)) => buffers.view(view).at(at)?.0.into(),
             (None, None) => return Err(GltfFault::NoBytes).at(at),
         };
-        let mut limits = Limits::default();
-        (limits.max_image_width, limits.max_image_height) = (Some(u16::MAX.into()), Some(u16::MAX.into()));
-        limits.max_alloc = Some(8 * MOST as u64);
-        let decoded = ImageReader::new(Cursor::new(&bytes)).with_guessed_format().map_err(Into::into);
-        let decoded = decoded.and_then(|mut reader| {
-            reader.limits(limits);
-            reader.decode()
-        });
-        match decoded {
+        match Raster::decode(&bytes) {
             Ok(image) => {
-                self.take(image.width() as usize * image.height() as usize).at(at)?;
-                Ok(Some(image.into_rgba8()))
+                self.take(image.pixels.len()).at(at)?;
+                Ok(Some(image))
             }
             Err(error) => {
                 notes.add(at(), format!("left out: {error}"));
@@ -158,16 +147,16 @@ impl<'a, 'f> Textures<'a, 'f> {
 
     /// The image for the core, with its linear light multiplied by `factor`.
     pub(super) fn colored(&mut self, picture: &Picture, factor: [f32; 3]) -> Result<&'a Placed<'a>, Wrong> {
-        self.take(picture.image.len() / 4)?;
+        self.take(picture.image.pixels.len())?;
         let tables = factor.map(Codes::new);
         let pixels = self.arena.alloc_slice_fill_iter(
             picture
                 .image
-                .pixels()
-                .flat_map(|pixel| {
-                    let [r, g, b, _] = pixel.0;
+                .pixels
+                .iter()
+                .flat_map(|[r, g, b, _]| {
                     let [red, green, blue] = &tables;
-                    [red.of(r), green.of(g), blue.of(b)]
+                    [red.of(*r), green.of(*g), blue.of(*b)]
                 })
                 .collect::<Vec<_>>(),
         );
@@ -183,13 +172,13 @@ impl<'a, 'f> Textures<'a, 'f> {
     ) -> Result<Option<[&'a Placed<'a>; 2]>, Wrong> {
         let levels: Vec<u8> = (0..=u8::MAX).map(|alpha| byte(opacity(f32::from(alpha) / 255.0))).collect();
         let level = |alpha: u8| levels.get(usize::from(alpha)).copied().unwrap_or(u8::MAX);
-        if picture.image.pixels().all(|pixel| level(pixel.0[3]) == u8::MAX) {
+        if picture.image.pixels.iter().all(|[.., alpha]| level(*alpha) == u8::MAX) {
             return Ok(None);
         }
-        self.take(picture.image.len() / 4)?;
+        self.take(picture.image.pixels.len())?;
         let indices = self
             .arena
-            .alloc_slice_fill_iter(picture.image.pixels().map(|pixel| pixel.0[3]).collect::<Vec<_>>());
+            .alloc_slice_fill_iter(picture.image.pixels.iter().map(|[.., alpha]| *alpha).collect::<Vec<_>>());
         let palettes = [
             self.arena.alloc_slice_fill_iter(levels.iter().map(|level| [*level; 3])),
             self.arena.alloc_slice_fill_iter(levels.iter().map(|level| [!*level; 3])),
@@ -203,8 +192,8 @@ impl<'a, 'f> Textures<'a, 'f> {
     fn placed(&self, picture: &Picture, pixels: Pixels<'a>, encoding: Encoding) -> &'a Placed<'a> {
         let image = Image {
             // The limits of the decoder exclude larger images.
-            width: picture.image.width() as u16,
-            height: picture.image.height() as u16,
+            width: picture.image.width as u16,
+            height: picture.image.height as u16,
             pixels,
             encoding,
             filter: picture.filter,
@@ -228,12 +217,12 @@ impl Picture {
     fn mean(&self, number: impl Fn(u8) -> f64) -> [f32; 3] {
         let numbers: Vec<f64> = (0..=u8::MAX).map(number).collect();
         let mut sums = [0.0; 3];
-        for pixel in self.image.pixels() {
-            for (sum, code) in sums.iter_mut().zip(pixel.0) {
-                *sum += numbers.get(usize::from(code)).copied().unwrap_or_default();
+        for pixel in &self.image.pixels {
+            for (sum, code) in sums.iter_mut().zip(pixel) {
+                *sum += numbers.get(usize::from(*code)).copied().unwrap_or_default();
             }
         }
-        let count = (self.image.len() / 4).max(1);
+        let count = (self.image.pixels.len()).max(1);
         sums.map(|sum| (sum / count as f64) as f32)
     }
 }
@@ -272,9 +261,9 @@ fn byte(share: f32) -> u8 {
 
 fn ends(sampler: Option<&Sampler>) -> [Ends; 2] {
     let Some(Sampler { wrap_s, wrap_t, .. }) = sampler else { return [Ends::Repeat; 2] };
-    [wrap_s, wrap_t].map(|wrap| match wrap {
-        Checked::Valid(WrappingMode::ClampToEdge) => Ends::Extend,
-        Checked::Valid(WrappingMode::MirroredRepeat) => Ends::Mirror,
+    [*wrap_s, *wrap_t].map(|wrap| match wrap {
+        CLAMP_TO_EDGE => Ends::Extend,
+        MIRRORED_REPEAT => Ends::Mirror,
         _ => Ends::Repeat,
     })
 }

@@ -5,10 +5,10 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::process::Command;
 
-use image::{ImageError, ImageReader};
 use rayline::{Scene, Settings};
 
 use super::{PovrayError, to_povray};
+use crate::raster::{Raster, RasterError};
 
 /// A picture by POV-Ray, with its report.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ pub enum RunError {
         report: String,
     },
     /// POV-Ray's picture cannot be read, or has another size. Look at the file.
-    Picture(ImageError),
+    Picture(RasterError),
 }
 
 /// Renders a scene with POV-Ray on one thread, without a display and anti-aliasing. Files are written to
@@ -67,8 +67,8 @@ pub fn render(
     if !finished.status.success() {
         return Err(RunError::Failed { report });
     }
-    let reader = ImageReader::open(directory.join(output)).map_err(RunError::Io)?;
-    let rgb = reader.decode().map_err(RunError::Picture)?.to_rgb8().into_raw();
+    let picture = std::fs::read(directory.join(output)).map_err(RunError::Io)?;
+    let rgb = Raster::decode(&picture).map_err(RunError::Picture)?.rgb();
     Ok(Some(PovrayPicture { rgb, report }))
 }
 

@@ -13,6 +13,7 @@ use serde::Serialize;
 use super::RonFault;
 use super::scan::object_names;
 use crate::obj;
+use crate::raster::Raster;
 
 /// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [
@@ -125,15 +126,13 @@ impl<'a> Known<'a> {
     }
 
     fn image(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let picture =
-            image::open(self.directory.join(name)).map_err(|error| failed(name, error))?.into_rgb8();
-        let side = |pixels: u32| {
-            u16::try_from(pixels).map_err(|_| failed(name, "it has more than 65535 pixels a side"))
-        };
+        let bytes = std::fs::read(self.directory.join(name)).map_err(|error| failed(name, error))?;
+        let picture = Raster::decode(&bytes).map_err(|error| failed(name, error))?;
         let image = Image {
-            width: side(picture.width())?,
-            height: side(picture.height())?,
-            pixels: Pixels::Rgb888(picture.as_raw()),
+            // Larger images are refused.
+            width: picture.width as u16,
+            height: picture.height as u16,
+            pixels: Pixels::Rgb888(&picture.rgb()),
             encoding: Encoding::Srgb,
             filter: Filter::Bilinear,
             ends: Ends::Repeat,

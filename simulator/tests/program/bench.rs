@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use rayline_simulator::raster::Raster;
+
 /// A temporary directory in which `rayline` runs.
 pub(crate) struct Bench {
     directory: tempfile::TempDir,
@@ -70,8 +72,8 @@ impl Bench {
 }
 
 pub(crate) fn pixels(path: &Path) -> (u32, u32, Vec<u8>) {
-    let image = image::open(path).unwrap().to_rgb8();
-    (image.width(), image.height(), image.into_raw())
+    let image = Raster::decode(&std::fs::read(path).unwrap()).unwrap();
+    (image.width, image.height, image.rgb())
 }
 
 /// A model of a red square, which fills the middle of the picture.

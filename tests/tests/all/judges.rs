@@ -1,6 +1,8 @@
 //! Outside judges of distributed ray tracing: pictures by Mitsuba 3, which stand in `tests/judges` with the
 //! script that makes them, and lamps by POV-Ray.
 
+use std::fs::File;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -23,10 +25,15 @@ fn folder() -> PathBuf {
 
 /// Mitsuba's picture of a scene, in linear light.
 fn reference(name: &str) -> Vec<LinearRgb> {
-    let picture = image::open(folder().join(name).with_extension("png")).expect("a picture").to_rgb16();
-    assert_eq!(picture.dimensions(), (WIDTH, HEIGHT));
-    let light = |code: u16| f32::from(code) / 65535.0 * WHITE;
-    picture.pixels().map(|pixel| LinearRgb::new(light(pixel[0]), light(pixel[1]), light(pixel[2]))).collect()
+    let file = File::open(folder().join(name).with_extension("png")).expect("a picture");
+    let mut reader = png::Decoder::new(BufReader::new(file)).read_info().expect("a PNG file");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
+    let info = reader.next_frame(&mut bytes).expect("a whole picture");
+    assert_eq!((info.width, info.height, info.bit_depth), (WIDTH, HEIGHT, png::BitDepth::Sixteen));
+    let light = |code: &[u8; 2]| f32::from(u16::from_be_bytes(*code)) / 65535.0 * WHITE;
+    let codes = bytes.as_chunks::<2>().0;
+    let pixels = codes.as_chunks::<3>().0.iter();
+    pixels.map(|[r, g, b]| LinearRgb::new(light(r), light(g), light(b))).collect()
 }
 
 /// The mean difference of a picture from a reference, as a share of the reference's mean light.

@@ -287,7 +287,7 @@ fn lists_of_another_kind_are_refused() {
     );
     refused(
         |file| file["meshes"][0]["primitives"][0]["mode"] = json!(7),
-        &format!("{place}: expected a mode from 0 to 6, found an unknown mode"),
+        &format!("{place}: expected a mode from 0 to 6, found 7"),
     );
     refused(
         |file| file["meshes"][0]["primitives"][0]["attributes"] = json!({ "NORMAL": 0 }),

@@ -1,14 +1,14 @@
 //! Tests of materials and textures.
 
-use std::io::Cursor;
-
-use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use rayline::{
     Encoding, Ends, Figure, Filter, Fresnel, Highlight, Image, LinearRgb, Material, Onto, Optics, Pixels,
     Placed, Texture,
 };
 
 use super::*;
+use crate::raster::to_png;
 
 /// Imports the cube with this material.
 fn with_material(material: Value, look: impl FnOnce(Material<'_>)) {
@@ -147,15 +147,15 @@ fn numbers_beyond_their_range_are_brought_into_it() {
 /// Red and green above, blue and white below; the white pixel is half transparent.
 const PIXELS: [u8; 16] = [255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 128];
 
-fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
-    let mut bytes = Cursor::new(Vec::new());
-    image.write_to(&mut bytes, format).unwrap();
-    bytes.into_inner()
+fn picture() -> Vec<u8> {
+    to_png((2, 2), 4, &PIXELS).unwrap()
 }
 
-fn picture() -> Vec<u8> {
-    encoded(&RgbaImage::from_raw(2, 2, PIXELS.to_vec()).unwrap().into(), ImageFormat::Png)
-}
+/// A JPEG file of 8×8 pixels, all of which are (200, 200, 200), in base64.
+const GRAY_JPEG: &str = "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAYEBQYFBAYGBQYHBwYIChAKCgkJChQODwwQFxQYGBcUFhYaHSUfGhsj\
+    HBYWICwgIyYnKSopGR8tMC0oMCUoKSj/2wBDAQcHBwoIChMKChMoGhYaKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgo\
+    KCgoKCgoKCgoKCgoKCj/wAARCAAIAAgDASIAAhEBAxEB/8QAFQABAQAAAAAAAAAAAAAAAAAAAAf/xAAUEAEAAAAAAAAAAAAAAAAAAAAA\
+    /8QAFAEBAAAAAAAAAAAAAAAAAAAAAP/EABQRAQAAAAAAAAAAAAAAAAAAAAD/2gAMAwEAAhEDEQA/ALAAD//Z";
 
 /// A triangle with texture coordinates in sets 0 and 1, and an image on it.
 fn textured() -> Value {
@@ -264,10 +264,7 @@ fn alpha_of_pictures_is_seen_through() {
 #[test]
 fn the_mean_of_metallic_roughness_textures_is_used() {
     let mut file = textured();
-    file["images"][0]["uri"] = json!(uri(&encoded(
-        &RgbImage::from_raw(1, 2, vec![9, 255, 0, 9, 0, 255]).unwrap().into(),
-        ImageFormat::Png
-    )));
+    file["images"][0]["uri"] = json!(uri(&to_png((1, 2), 3, &[9, 255, 0, 9, 0, 255]).unwrap()));
     file["materials"] = json!([{ "pbrMetallicRoughness": {
         "metallicFactor": 0.8, "roughnessFactor": 0.5, "metallicRoughnessTexture": { "index": 0 },
     } }]);
@@ -281,7 +278,7 @@ fn the_mean_of_metallic_roughness_textures_is_used() {
 fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("my pictures")).unwrap();
-    let jpeg = encoded(&RgbImage::from_pixel(8, 8, image::Rgb([200; 3])).into(), ImageFormat::Jpeg);
+    let jpeg = BASE64_STANDARD.decode(GRAY_JPEG).unwrap();
     fs::write(folder.path().join("my pictures/gray.jpg"), jpeg).unwrap();
     let mut file = textured();
     file["images"][0]["uri"] = json!("my%20pictures/./gray.jpg");
