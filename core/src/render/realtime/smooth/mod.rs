@@ -6,8 +6,8 @@
 //! Antialiased Hidden Surface Method", SIGGRAPH 1984), and the pixel shows that mixture of the two sides'
 //! light.
 //!
-//! An edge crosses a side of a pixel at f / (f - g), where f and g are the distances at which the rays through
-//! both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. Where no
+//! An edge crosses a side of a pixel at f / (f - g), where f and g are the distances at which the rays
+//! through both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. Where no
 //! outline is known, the edge crosses in the middle.
 
 mod crossing;
@@ -49,7 +49,7 @@ impl<R> OutlinesNear<R> {
 /// visible.
 const VISIBLE: u16 = 512;
 
-/// A side of a pixel in [`Coverage`], whole.
+/// The length of a side of a pixel.
 const WHOLE: u32 = 256;
 /// The place where an edge crosses a side if no outline is known.
 const MIDDLE: u32 = WHOLE / 2;
@@ -64,6 +64,15 @@ struct Corners {
     top_right: Corner,
     bottom_left: Corner,
     bottom_right: Corner,
+}
+
+/// The edges in a pixel, as far as its corners tell.
+#[derive(Clone, Copy, Debug)]
+enum EdgesInside {
+    /// All corners saw the same things.
+    None,
+    One(Parted),
+    Several,
 }
 
 /// A straight edge that parts a pixel.
@@ -94,20 +103,19 @@ impl Corners {
         }
     }
 
-    /// The edge that parts the corners in two groups; `Err` if there is none, or more than one.
-    fn parted(&self) -> Result<Parted, HowMany> {
+    fn edges(&self) -> EdgesInside {
         let Self { top_left: a, top_right: b, bottom_left: c, bottom_right: d } = *self;
         let differ = |p: Corner, q: Corner| p.1.marks_differ(q.1, Sample::DIGESTS);
-        let parted = |first, second, shape| Ok(Parted { sides: [first, second], shape });
+        let parted = |first, second, shape| EdgesInside::One(Parted { sides: [first, second], shape });
         match (differ(a, b), differ(c, d), differ(a, c), differ(b, d)) {
-            (false, false, false, false) => Err(HowMany::None),
+            (false, false, false, false) => EdgesInside::None,
             (true, false, true, false) => parted([a, b], [a, c], PartShape::Triangle),
             (true, false, false, true) => parted([b, a], [b, d], PartShape::Triangle),
             (false, true, true, false) => parted([c, d], [c, a], PartShape::Triangle),
             (false, true, false, true) => parted([d, c], [d, b], PartShape::Triangle),
             (true, true, false, false) => parted([a, b], [c, d], PartShape::Trapezoid),
             (false, false, true, true) => parted([a, c], [b, d], PartShape::Trapezoid),
-            _ => Err(HowMany::Several),
+            _ => EdgesInside::Several,
         }
     }
 
@@ -117,19 +125,12 @@ impl Corners {
     }
 }
 
-/// The number of edges in a pixel that no single edge parts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum HowMany {
-    None,
-    Several,
-}
-
 fn middle(a: Corner, b: Corner) -> Tone {
     a.1.tone().middle(b.1.tone())
 }
 
 impl Parted {
-    /// The tones on this side of the edge and on the other one.
+    /// The tones on this side of the edge and on the other one: of the corners next to the edge.
     fn tones(&self) -> [Tone; 2] {
         let [[here, there], [also_here, also_there]] = self.sides;
         [middle(here, also_here), middle(there, also_there)]
@@ -158,10 +159,10 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         if is_all_traced {
             return self.mixed(corners);
         }
-        let parted = match corners.parted() {
-            Ok(parted) => parted,
-            Err(HowMany::None) => return corners.mean(),
-            Err(HowMany::Several) => {
+        let parted = match corners.edges() {
+            EdgesInside::None => return corners.mean(),
+            EdgesInside::One(parted) => parted,
+            EdgesInside::Several => {
                 return self.sampled_tone((x, y)).unwrap_or_else(|| self.mixed(corners));
             }
         };
@@ -230,11 +231,12 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         viewport.ray(across, row, &RayNumbers::NONE)
     }
 
-    /// The tone of all samples of a pixel; `None` if a pixel has one sample, or no rays are left.
+    /// The tone of all samples of a pixel; `None` if a pixel has one sample, if the points have taken all
+    /// samples already, or if no rays are left.
     fn sampled_tone(&mut self, (x, y): (usize, usize)) -> Option<Tone> {
         let view = &self.view;
         let renderer = view.renderer;
-        if renderer.settings.sampling.samples <= 1 || !self.may_trace() {
+        if renderer.settings.sampling.samples <= 1 || renderer.is_distributed || !self.may_trace() {
             return None;
         }
         let pixel = renderer.pixel_at(beyond(view.left, x), beyond(view.top, y));
