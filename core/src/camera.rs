@@ -96,13 +96,6 @@ impl<R: Real> PreparedCamera<R> {
     fn right_and_up(&self) -> [Vec3<R>; 2] {
         [self.right, self.up].map(Vec3::from_setup)
     }
-
-    /// The lens, if the camera has one. Without the feature there is none, and the compiler drops the code
-    /// that uses it.
-    #[inline]
-    pub(crate) fn lens(&self) -> Option<&PreparedLens<R>> {
-        self.lens.first().and_then(Option::as_ref)
-    }
 }
 
 /// A camera and the size of a picture in pixels. It maps positions in the picture to rays, and points of the
@@ -300,6 +293,33 @@ impl<R: Real> Viewport<R> {
         let ([right, up], [unit_right, unit_up]) = (lens.place(numbers.pair(Dimension::LENS)), *axes);
         let beside = unit_right * right + unit_up * up;
         (eye + beside * lens.radius, direction - beside * *turn)
+    }
+
+    /// Whether rays begin all over a lens. Without the feature there is none, and the compiler drops the code
+    /// that uses it.
+    #[inline]
+    pub(crate) fn has_lens(&self) -> bool {
+        matches!(self.lens.first(), Some(Some(_)))
+    }
+
+    /// The viewport without its lens, if the lens is not seen: if whatever lies at this depth or farther is
+    /// blurred over less than half a pixel.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn without_hidden_lens(self, nearest: Option<R::Setup>) -> Self {
+        let ([Some(view)], Some(nearest)) = (self.lens, nearest) else { return self };
+        // A point at the depth d covers a circle of the diameter 2 · |radius / focus - radius / d|, seen from
+        // the eye: most if it is the nearest or infinitely far away.
+        let far = view.lens.radius_over_focus;
+        let near = view.lens.radius.to_setup() / nearest - far;
+        let is_hidden = |half: R::Setup| half * R::Setup::from_f32(4.0) < self.pixel();
+        if is_hidden(far) && is_hidden(near) { Self { lens: [None], ..self } } else { self }
+    }
+
+    /// The cosine of the angle between the line of sight and the ray to a corner of the picture.
+    #[cfg(feature = "distributed")]
+    pub(crate) fn least_cosine(&self) -> R::Setup {
+        let Affine { middle, right, down } = self.directions();
+        (middle + right + down).length().recip()
     }
 
     /// The depth of a point along the line of sight, and its distance from the eye.

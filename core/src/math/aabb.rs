@@ -75,6 +75,14 @@ impl<R: Real> Aabb<R> {
         })
     }
 
+    /// The distance of a point from the box: 0 inside.
+    pub fn distance(self, point: Vec3<R>) -> R {
+        let beyond = |least: R, at: R, most: R| (least - at).larger(at - most).larger(R::ZERO);
+        let Self { min, max } = self;
+        let Vec3 { x, y, z } = point;
+        Vec3::new(beyond(min.x, x, max.x), beyond(min.y, y, max.y), beyond(min.z, z, max.z)).length()
+    }
+
     /// Whether the box holds a point.
     pub fn contains(self, point: Vec3<R>) -> bool {
         point.x >= self.min.x

@@ -4,13 +4,14 @@ use super::objects::PreparedObject;
 use super::wide_lights::balls_and_planes;
 use super::{ObjectSet, Part, PreparedScene, SceneError, prepare_all};
 use crate::arena::Arena;
+use crate::camera::Viewport;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_coordinate};
 use crate::light::{AreaLight, Light};
 use crate::math::{Ray, Real, Scale, Vec3};
 use crate::motion::{Moved, Mover, PreparedMotion};
 use crate::scene::Scene;
-use crate::shape::Geometry;
+use crate::shape::{Form, Geometry};
 
 /// Lamps with a size, the sky as a light, and motions of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -85,6 +86,24 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The scene for rays of one time: 0 when the shutter opens, 1 when it closes.
     pub(crate) fn at(&self, time: R) -> Self {
         Self { distributed: Distributed { time, ..self.distributed }, ..*self }
+    }
+
+    /// A depth at which nothing that the camera sees is nearer; `None` if none is known.
+    pub(crate) fn nearest_depth(&self, viewport: &Viewport<R>) -> Option<R::Setup> {
+        if self.moves_camera() {
+            return None;
+        }
+        let mut nearest = R::Setup::FARTHEST;
+        for object in self.objects {
+            let eye = viewport.eye();
+            let distance = match (object.bounds(), object.form()) {
+                (Some(bounds), _) => bounds.to_setup().distance(eye.to_setup()),
+                (None, Form::Flat { normal, distance }) => (normal.dot(eye) - distance).abs().to_setup(),
+                _ => return None,
+            };
+            nearest = if distance < nearest { distance } else { nearest };
+        }
+        Some(nearest * viewport.least_cosine())
     }
 
     /// A camera ray, moved along with the camera.

@@ -224,13 +224,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         &self.camera
     }
 
-    /// Whether rays draw numbers, so that a sample is more than its place in the pixel.
+    /// Whether rays draw numbers for what the scene holds, so that a sample is more than its place in the
+    /// pixel.
     pub(crate) fn is_distributed(&self, samples_areas: bool) -> bool {
         #[cfg(feature = "distributed")]
         {
             let spreads_rays = |object: &PreparedObject<'_, R, _>| object.material.spreads_rays();
-            self.camera.lens().is_some()
-                || self.moves()
+            self.moves()
                 || (samples_areas && self.has_wide_lights())
                 || (self.distributed.sky.is_some() && !self.background.has_closed_form())
                 || self.objects.iter().any(spreads_rays)
@@ -242,13 +242,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
     }
 
-    /// Whether the camera has no lens and does not move, so that each object has one outline in the picture.
-    pub(crate) fn has_sharp_outlines(&self) -> bool {
+    /// Whether the camera moves.
+    pub(crate) fn moves_camera(&self) -> bool {
         #[cfg(feature = "distributed")]
         let moves = self.distributed.camera_motion.is_some();
         #[cfg(not(feature = "distributed"))]
         let moves = false;
-        self.camera.lens().is_none() && !moves
+        moves
     }
 
     /// The sets of candidates. Without the feature there are none, and the compiler drops the code that uses

@@ -97,6 +97,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     pub fn new(scene: &'p PreparedScene<'m, R, S>, settings: Settings) -> Result<Self, SettingsError> {
         let (width, height) = settings.check()?;
         let viewport = Viewport::new(scene.camera(), width, height);
+        #[cfg(feature = "distributed")]
+        let viewport = viewport.without_hidden_lens(scene.nearest_depth(&viewport));
         let Sampling { samples, .. } = settings.sampling;
         let mut renderer = Self {
             scene,
@@ -111,15 +113,21 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
             },
             sample_weight: R::from_setup(R::Setup::from_u16(samples).recip()),
             settings,
-            is_distributed: scene.is_distributed(settings.area_lights == AreaLights::Sampled),
+            is_distributed: viewport.has_lens()
+                || scene.is_distributed(settings.area_lights == AreaLights::Sampled),
             outlines: Outlines::UNKNOWN,
         };
-        // A lens or a motion of the camera blurs outlines, and several samples lie beside them.
-        if samples == 1 && scene.has_sharp_outlines() {
+        // Several samples lie beside outlines.
+        if samples == 1 && renderer.has_sharp_outlines() {
             renderer.outlines.find(scene, &renderer.viewport);
             renderer.outlines.find_shadows(scene, &renderer.viewport);
         }
         Ok(renderer)
+    }
+
+    /// Whether the camera has no lens and does not move, so that each object has one outline in the picture.
+    fn has_sharp_outlines(&self) -> bool {
+        !(self.viewport.has_lens() || self.scene.moves_camera())
     }
 
     /// Width of the picture in pixels.

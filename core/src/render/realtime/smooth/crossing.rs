@@ -5,17 +5,29 @@
 //! its zero is where the outline lies. The edge of a ball's shadow is the same for the rays from the surface
 //! toward the light.
 //!
+//! Between two cells of a texture on a flat object, the edge is found by bisection along the surface, which
+//! takes no ray.
+//!
 //! One ray through the middle of a cell tells which outlines may cross the cell at all: few, as a rule.
 
 use crate::light::Source;
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{ObjectSet, PreparedScene};
 use crate::shape::{Form, Geometry};
+use crate::surface::Surface;
+
+/// A flat object.
+#[derive(Clone, Copy, Debug)]
+struct Flat<R> {
+    object: usize,
+    /// The unit normal of its plane, and the distance of the plane from the origin along the normal.
+    plane: (Vec3<R>, R),
+}
 
 /// The shadows whose edges may cross a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShadowsNear<R> {
-    /// The unit normal of the nearest flat object, and its distance from the origin along the normal.
+    /// The plane of the nearest flat object.
     plane: (Vec3<R>, R),
     /// The balls that throw the shadows.
     balls: ObjectSet,
@@ -48,7 +60,7 @@ pub(super) fn shadows_near<R: Real, S: Geometry>(
     ray: &Ray<R>,
     angle: R,
 ) -> Option<ShadowsNear<R>> {
-    let (plane, distance) = floor(scene, among, ray)?;
+    let (Flat { plane, .. }, distance) = floor(scene, among, ray)?;
     let (point, size) = (ray.at(distance), distance * angle / plane.0.dot(ray.direction).abs());
     let mut balls = ObjectSet::NONE;
     for (toward, _) in scene.lights.iter().filter_map(|light| toward(&light.source, point)) {
@@ -125,21 +137,65 @@ pub(super) fn of_shadow<R: Real, S: Geometry>(
     None
 }
 
-/// The plane of the nearest flat object that a ray meets, or would meet if the object had no end, and its
-/// distance.
+/// How often the way between two points of a texture is halved.
+const HALVINGS: u32 = 5;
+
+/// The share of the way from one camera ray to the next at which the edge between two cells of a texture
+/// crosses, on the nearest flat object; `None` if something else may be nearer, or both rays meet the same
+/// cell.
+pub(super) fn of_texture<R: Real, S: Geometry>(
+    scene: &PreparedScene<'_, R, S>,
+    among: ObjectSet,
+    rays: [Ray<R>; 2],
+) -> Option<R> {
+    let (Flat { object, plane }, nearest) = floor(scene, among, &rays[0])?;
+    let is_hidden = among.into_iter().any(|object| match scene.form(object) {
+        Some(Form::Ball { center, radius }) => passed(&rays[0], center, radius)
+            .is_some_and(|(beside, along)| beside < R::ZERO && along < nearest),
+        Some(Form::Flat { .. }) => false,
+        _ => true,
+    });
+    let texture = &scene.material(object).filter(|_| !is_hidden)?.color;
+    let cell = |point| {
+        let (normal, _) = plane;
+        let surface = Surface { point, normal, shading_normal: normal, magnitude: R::ZERO, part: 0 };
+        texture.step(&surface, || scene.uv(object, &surface))
+    };
+    let [from, to] = rays.map(|ray| Some(ray.at(distance(&ray, plane)?)));
+    let (mut from, mut to) = (from?, to?);
+    let here = cell(from)?;
+    if cell(to)? == here {
+        return None;
+    }
+    let half = R::from_fraction(1 << 15);
+    let (mut place, mut step) = (R::ZERO, R::ONE);
+    for _ in 0..HALVINGS {
+        step = step * half;
+        let middle = from + (to - from) * half;
+        if cell(middle) == Some(here) {
+            (from, place) = (middle, place + step);
+        } else {
+            to = middle;
+        }
+    }
+    Some(place + step * half)
+}
+
+/// The nearest flat object that a ray meets, or would meet if the object had no end, and its distance.
 fn floor<R: Real, S: Geometry>(
     scene: &PreparedScene<'_, R, S>,
     among: ObjectSet,
     ray: &Ray<R>,
-) -> Option<((Vec3<R>, R), R)> {
+) -> Option<(Flat<R>, R)> {
     let mut nearest = R::FARTHEST;
     let mut found = None;
     for object in among {
         if let Some(Form::Flat { normal, distance: height }) = scene.form(object)
-            && let Some(distance) = distance(ray, (normal, height))
+            && let plane = (normal, height)
+            && let Some(distance) = distance(ray, plane)
             && distance < nearest
         {
-            (nearest, found) = (distance, Some(((normal, height), distance)));
+            (nearest, found) = (distance, Some((Flat { object, plane }, distance)));
         }
     }
     found

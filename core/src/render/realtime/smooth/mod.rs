@@ -4,11 +4,12 @@
 //! straight edge parts the pixel, as in marching squares (Lorensen and Cline, "Marching Cubes", SIGGRAPH
 //! 1987). The share of the pixel on each side of the edge is its *coverage* (Carpenter, "The A-buffer, an
 //! Antialiased Hidden Surface Method", SIGGRAPH 1984), and the pixel shows that mixture of the two sides'
-//! light.
+//! light. If they saw more, as where squares of a checkered floor meet, each corner has a rectangle of the
+//! pixel.
 //!
 //! An edge crosses a side of a pixel at f / (f - g), where f and g are the distances at which the rays
-//! through both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. Where no
-//! outline is known, the edge crosses in the middle.
+//! through both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. The edges
+//! of textures are found on the surface. Where nothing is known of an edge, it crosses in the middle.
 
 mod crossing;
 
@@ -163,7 +164,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             EdgesInside::None => return corners.mean(),
             EdgesInside::One(parted) => parted,
             EdgesInside::Several => {
-                return self.sampled_tone((x, y)).unwrap_or_else(|| self.mixed(corners));
+                return self.sampled_tone((x, y)).unwrap_or_else(|| self.shared(corners, near));
             }
         };
         let [here, there] = parted.tones();
@@ -180,13 +181,31 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         self.mix([there, here], coverage)
     }
 
+    /// The light of a pixel that several edges part: of four rectangles, one for each corner, that meet where
+    /// the edges cross the sides on average.
+    fn shared(&self, corners: Corners, near: &mut OutlinesNear<R>) -> Tone {
+        let Corners { top_left, top_right, bottom_left, bottom_right } = corners;
+        let mut middle = |sides: [[Corner; 2]; 2]| {
+            let edges = sides.into_iter().filter(|[from, to]| from.1.marks_differ(to.1, Sample::DIGESTS));
+            let add = |(sum, count), side| (sum + self.crossing(side, near).unwrap_or(MIDDLE), count + 1);
+            let (sum, count) = edges.fold((0u32, 0u32), add);
+            sum.checked_div(count).unwrap_or(MIDDLE)
+        };
+        let across = middle([[top_left, top_right], [bottom_left, bottom_right]]);
+        let down = middle([[top_left, bottom_left], [top_right, bottom_right]]);
+        self.halves(corners, [across, down].map(|first| (WHOLE - first) << 7))
+    }
+
     /// The mean light of all corners.
     fn mixed(&self, corners: Corners) -> Tone {
+        self.halves(corners, [1 << 14; 2])
+    }
+
+    /// The light of four rectangles: these shares of the right and of the lower half, in 32768ths.
+    fn halves(&self, corners: Corners, [right, lower]: [u32; 2]) -> Tone {
         let Corners { top_left, top_right, bottom_left, bottom_right } = corners;
-        let half = |a, b| self.mix([a, b], 1 << 14);
-        let [top, bottom] = [[top_left, top_right], [bottom_left, bottom_right]]
-            .map(|[left, right]| half(left.1.tone(), right.1.tone()));
-        half(top, bottom)
+        let rows = [[top_left, top_right], [bottom_left, bottom_right]];
+        self.mix(rows.map(|row| self.mix(row.map(|(_, sample)| sample.tone()), right)), lower)
     }
 
     /// The tone of a mixture of light: this share of the second tone, in 32768ths, and the rest of the first.
@@ -200,7 +219,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     fn crossing(&self, [from, to]: [Corner; 2], near: &mut OutlinesNear<R>) -> Option<u32> {
         let view = &self.view;
         let scene = view.renderer.scene;
-        if !scene.has_sharp_outlines() {
+        if !view.renderer.has_sharp_outlines() {
             return None;
         }
         let among = view.among.common(scene.all());
@@ -218,7 +237,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             if near.is_empty() {
                 return None;
             }
-            crossing::of_outline(scene, near, rays())
+            crossing::of_outline(scene, near, rays()).or_else(|| crossing::of_texture(scene, among, rays()))
         };
         Some((place?.to_q16() >> 8).min(WHOLE))
     }
