@@ -16,6 +16,12 @@ import { PaintedStack } from './stack.mjs';
 /** The panel's pins, and the pin of the Pico's light, which the program turns on when it stops. */
 const PINS = { data: 16, select: 17, backlight: 20, light: 25 };
 
+/**
+ * The frames that are not measured: the cores trace the first one while the panel starts, and are ahead of the
+ * panel in the second.
+ */
+const EARLY = 2;
+
 function run(program, frames) {
   const chip = new Chip(program);
   const stack = new PaintedStack(chip.memory, program);
@@ -23,14 +29,14 @@ function run(program, frames) {
   // A frame begins when the previous frame has been sent.
   const beginnings = [];
   panel.onFrame = () => {
-    if (beginnings.length === 0) chip.profile.clear();
+    if (beginnings.length === EARLY) chip.profile.clear();
     beginnings.push({ ...chip.count, sending: panel.nanoseconds, picture: panel.picture() });
   };
-  chip.runUntil(() => beginnings.length > frames || chip.isHigh(PINS.light));
+  chip.runUntil(() => beginnings.length > EARLY + frames || chip.isHigh(PINS.light));
   if (chip.isHigh(PINS.light)) throw new Error('the program stopped, and turned on the light');
 
-  const [first, ...shown] = beginnings.slice(0, frames + 1);
-  const last = shown.at(-1);
+  const [first, last] = [beginnings[EARLY], beginnings[EARLY + frames]];
+  const shown = beginnings.slice(1, 1 + frames);
   writeFileSync('picture', Buffer.concat(shown.map(({ picture }) => picture)));
   writeFileSync('profile', chip.profile.toString());
   report('frames', frames);
@@ -40,6 +46,8 @@ function run(program, frames) {
   report('spi_hz', panel.clockHz);
   report('spi_nanoseconds', (last.sending - first.sending) / frames);
   report('stack_bytes', stack.used);
+  const { lit, shown: complete } = panel.first;
+  report('first_picture_nanoseconds', ((complete - lit) / chip.clockHz) * 1e9);
 }
 
 function report(name, value) {

@@ -24,6 +24,11 @@ export class Panel {
     this.spi = chip.mcu.spi[0];
     /** Called when a frame begins, once the backlight is on. */
     this.onFrame = () => {};
+    /** The cycles at which the backlight goes on, and at which the first picture is whole from then on. */
+    this.first = { lit: undefined, shown: undefined };
+    chip.mcu.gpio[pins.backlight].addListener(() => {
+      if (chip.isHigh(pins.backlight)) this.first.lit ??= chip.count.cycles;
+    });
     /** Time that the bus has been busy. */
     this.nanoseconds = 0;
     this.command = 0;
@@ -97,7 +102,10 @@ export class Panel {
     }
     if (this.x++ === this.columns[1]) {
       [this.x] = this.columns;
-      if (this.y++ === this.rows[1]) [this.y] = this.rows;
+      if (this.y++ === this.rows[1]) {
+        [this.y] = this.rows;
+        if (this.first.lit !== undefined) this.first.shown ??= this.chip.count.cycles;
+      }
     }
   }
 }

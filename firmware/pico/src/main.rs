@@ -117,13 +117,15 @@ fn run(
     tracer: impl FnOnce() -> Result<Tracer, Fault>,
     bands: &'static mut [Band; BANDS],
 ) -> Result<Infallible, Fault> {
-    let panel = Panel::new(bus, pins)?;
     let mut schedule = Schedule::new();
     for (number, band) in bands.iter_mut().enumerate() {
         TO_TRACE.try_send(schedule.next(number, band)).map_err(|_| Fault::Line)?;
     }
+    // The panel takes a second to start. The second core traces the first picture meanwhile.
+    let tracer = tracer()?;
+    let panel = Panel::new(bus, pins)?;
     // The panel sends one band while this core traces another.
-    match block_on(select(panel.show(schedule), tracer()?.trace())) {
+    match block_on(select(panel.show(schedule), tracer.trace())) {
         Either::First(ended) | Either::Second(ended) => ended,
     }
 }
