@@ -155,11 +155,10 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     let demands = Demands::new(&scene.scene, boards, settings).map_err(|error| explain(&scene, error))?;
     let mut out = io::stdout();
     writeln!(out, "{}: {}; {width}x{height}, {bounces} bounces", scene.name, counts(&scene.scene))?;
-    if let Some(Demand { mean_rays, worst_rays, .. }) = demands.0.first() {
+    if let Some(Demand { mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
         writeln!(
             out,
-            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; the limit is {}\n",
-            settings.rays_per_pixel
+            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; from elsewhere {most_rays} at most\n"
         )?;
     }
     let fits = demands.0.iter().any(Demand::fits);

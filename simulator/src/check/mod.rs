@@ -11,6 +11,7 @@
 
 mod boards;
 mod counted;
+mod rays;
 
 use core::fmt;
 
@@ -45,10 +46,12 @@ pub struct Demand {
     pub ram: u64,
     /// An estimate of the stack, in bytes.
     pub stack: u64,
-    /// The rays of the pixel that takes most.
-    pub worst_rays: u32,
     /// The mean number of rays of a pixel.
     pub mean_rays: f64,
+    /// The rays of the pixel that takes most in this picture.
+    pub worst_rays: u32,
+    /// A bound on the rays of a pixel, wherever the camera is.
+    pub most_rays: u64,
     /// An estimate of the time for a picture, in seconds.
     pub seconds: f64,
 }
@@ -68,8 +71,9 @@ impl Demand {
             flash: counted.code(scene) + description_bytes + traced.baked_bytes,
             ram: traced.prepared_bytes + u64::from(settings.width) * 2,
             stack: counted.stack(scene),
-            worst_rays: traced.worst_rays,
             mean_rays: traced.rays as f64 / pixels,
+            worst_rays: traced.worst_rays,
+            most_rays: rays::most_rays(scene, settings),
             seconds: counted.cycles_per_ray(scene) * traced.rays as f64 / (board.megahertz * 1e6),
         }
     }
@@ -184,9 +188,9 @@ impl fmt::Display for Demands {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rayline::builtin::{CLASSIC, FLAKE, FLAKE_10, FLAKE_820, MESH, SPHERES, TABLE, TORUS};
-    use rayline::shape::{Instances, Mesh, Model, Pose, Shape};
-    use rayline::{Object, Vec3};
+    use rayline::builtin::{CLASSIC, FLAKE, FLAKE_10, FLAKE_820, MESH, SPHERES, TABLE, TORUS, WHITTED};
+    use rayline::shape::{Instances, Mesh, Model, Pose, Shape, Sphere};
+    use rayline::{AreaLights, Light, LinearRgb, Material, Object, ObjectId, Optics, Sampling, Vec3};
 
     const SETTINGS: Settings = Settings { bounces: 3, ..Settings::new(32, 24) };
 
@@ -207,6 +211,36 @@ mod tests {
         let flake = demand(&FLAKE_820, "microbit");
         assert!(!flake.fits() && flake.ram > 16 * 1024, "{flake:?}");
         assert!(demand(&FLAKE_820, "pico").fits());
+    }
+
+    /// `classic` has three lights, mirrors and glass: at most 15 hits of 4 rays. A lamp with a size takes 16.
+    #[test]
+    fn no_pixel_takes_more_rays_than_the_bound() {
+        let counts = |scene: &Scene<'_>, settings| {
+            let board = BOARDS.iter().find(|known| known.name == "pico").unwrap();
+            let demand = Demands::new(scene, [board], settings).unwrap().0[0];
+            assert!(u64::from(demand.worst_rays) <= demand.most_rays, "{demand:?}");
+            (demand.worst_rays, demand.most_rays)
+        };
+        assert_eq!(counts(&CLASSIC, SETTINGS), (16, 60));
+        let sampling = Sampling::new(16);
+        assert_eq!(counts(&CLASSIC, Settings { sampling, ..SETTINGS }).1, 16 * 60);
+        let glass = counts(&WHITTED, SETTINGS);
+        assert_eq!(glass.1, (1 + 2 + 4 + 8) * (1 + WHITTED.lights.len() as u64));
+        let limited = Settings { rays_per_pixel: 5, ..SETTINGS };
+        assert_eq!(counts(&CLASSIC, limited).1, 5);
+
+        let optics = Optics { emission: LinearRgb::WHITE, ..Optics::PLAIN };
+        let glow = Material { optics: Some(&optics), ..Material::matte(LinearRgb::WHITE) };
+        let ball = |y, radius| Shape::Sphere(Sphere::new(Vec3::new(0.0, y, 0.0), radius));
+        let scene = Scene {
+            objects: &[Object::new(ball(4.0, 1.0), 0), Object::new(ball(0.0, 1.0), 1)],
+            materials: &[glow, Material::matte(LinearRgb::WHITE)],
+            lights: &[Light::Object(ObjectId(0)), Light::Sky],
+            ..SPHERES
+        };
+        assert_eq!(counts(&scene, SETTINGS).1, 33);
+        assert_eq!(counts(&scene, Settings { area_lights: AreaLights::ClosedForm, ..SETTINGS }), (2, 2));
     }
 
     /// Earlier estimates were as low as a quarter of the times in the README's tables.
