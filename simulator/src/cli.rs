@@ -296,7 +296,7 @@ impl SamplingArgs {
 impl Look {
     /// The options for a picture of this scene.
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
-        let (meant, own) = (scene.options(), &scene.settings);
+        let (meant, own) = (RenderOptions::new(scene.settings), &scene.settings);
         let (width, height) = self.size.unwrap_or((own.width, own.height));
         let settings = Settings {
             width,

@@ -51,7 +51,7 @@ fn showcase() -> Outcome {
     let arena = Bump::new();
     let scene = LoadedScene::open(Path::new(SHOWCASE), &arena)?;
     let file = PictureFile::new(Path::new("rayline.png"))?;
-    let (picture, time) = timed(&scene, &scene.options(), false)?;
+    let (picture, time) = timed(&scene, &RenderOptions::new(scene.settings), false)?;
     file.write(&picture)?;
     if io::stdout().is_terminal() {
         show(&picture)?;
@@ -123,7 +123,7 @@ fn convert(arguments: &Convert) -> Outcome {
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
-    let bytes = file.write(&scene.scene, &scene.options().settings)?;
+    let bytes = file.write(&scene.scene, &scene.settings)?;
     if !arguments.quiet {
         writeln!(io::stdout(), "{}: {bytes} bytes; {}", file.path().display(), counts(&scene.scene))?;
     }

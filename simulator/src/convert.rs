@@ -3,12 +3,11 @@
 use core::fmt;
 use std::path::{Path, PathBuf};
 
-use rayline::bake::{self, BakeError};
-use rayline::math::Fixed;
+use rayline::bake::BakeError;
 use rayline::{BytesError, Scene, Settings};
+use rayline_formats::povray::{PovrayError, to_povray};
+use rayline_formats::{FILE_SETTINGS, rust_source, to_bytes};
 
-use crate::loaded::FILE_SETTINGS;
-use crate::povray::{PovrayError, to_povray};
 use crate::{FileError, Number, check_writable, ron, write_file};
 
 /// A file that a scene will be written to. Its name is checked before the scene is read.
@@ -43,7 +42,7 @@ pub enum ConvertError {
     /// Rust source cannot be written for `f64`. Choose `f32` or `fixed`.
     Number,
     /// RON cannot express the scene.
-    Format(::ron::Error),
+    Format(ron::FormatError),
     /// The scene cannot be written as bytes.
     Bytes(BytesError),
     /// The file cannot be written.
@@ -86,36 +85,15 @@ impl SceneFile {
             Format::Ron => {
                 ron::write(scene, settings, &FILE_SETTINGS).map_err(ConvertError::Format)?.into_bytes()
             }
-            Format::Bytes => to_bytes(scene)?,
+            Format::Bytes => to_bytes(scene).map_err(ConvertError::Bytes)?,
             Format::Povray => to_povray(scene, settings).map_err(ConvertError::Povray)?.into_bytes(),
             Format::Rust(number) => {
-                let source = match number {
-                    Number::Fixed => bake::scene::<Fixed>(scene),
-                    _ => bake::scene::<f32>(scene),
-                };
+                let source = rust_source(scene, number == Number::Fixed);
                 source.map_err(ConvertError::Rust)?.into_bytes()
             }
         };
         write_file(&self.path, &bytes).map_err(ConvertError::File)?;
         Ok(bytes.len())
-    }
-}
-
-/// The bytes of a scene, in a vector that is as large as needed.
-pub(crate) fn to_bytes(scene: &Scene<'_>) -> Result<Vec<u8>, ConvertError> {
-    /// The limit: far more than fits a microcontroller.
-    const MOST: usize = 1 << 30;
-    let mut room = 1 << 12;
-    loop {
-        let mut bytes = vec![0; room];
-        match scene.to_bytes(&mut bytes).map(|written| written.len()) {
-            Ok(written) => {
-                bytes.truncate(written);
-                return Ok(bytes);
-            }
-            Err(BytesError::NoRoom) if room < MOST => room *= 4,
-            Err(error) => return Err(ConvertError::Bytes(error)),
-        }
     }
 }
 

@@ -42,6 +42,7 @@ impl Light16 {
     }
 
     /// The luminance, 0 to 65536 (ITU-R BT.709: 0.2126 R + 0.7152 G + 0.0722 B).
+    #[inline]
     pub fn luminance(&self) -> u32 {
         // The compiler leaves this out for light that a renderer makes.
         let [r, g, b] = [self.r, self.g, self.b].map(|channel| channel.min(65536));
@@ -69,6 +70,7 @@ impl Quantizer {
     }
 
     /// The level, 0 to `most`, of a display that has `most + 1`, for light from 0 to 65536.
+    #[inline]
     pub fn level(&self, light: u32, most: u8) -> u8 {
         let light = light.min(65536);
         let code = match self.transfer {

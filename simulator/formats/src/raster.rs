@@ -151,14 +151,14 @@ pub fn to_png((width, height): (u32, u32), channels: usize, pixels: &[u8]) -> io
 }
 
 /// The bytes of a binary PPM file of an RGB image.
-pub(crate) fn to_ppm((width, height): (u32, u32), rgb: &[u8]) -> Vec<u8> {
+pub fn to_ppm((width, height): (u32, u32), rgb: &[u8]) -> Vec<u8> {
     let mut bytes = format!("P6\n{width} {height}\n255\n").into_bytes();
     bytes.extend_from_slice(rgb);
     bytes
 }
 
 /// An RGB image, made smaller: each pixel is the mean of those that it covers.
-pub(crate) fn shrunk(rgb: &[u8], (width, height): (u32, u32), (across, down): (u32, u32)) -> Vec<[u8; 3]> {
+pub fn shrunk(rgb: &[u8], (width, height): (u32, u32), (across, down): (u32, u32)) -> Vec<[u8; 3]> {
     let (width, height) = (u64::from(width), u64::from(height));
     let part = |index: u32, parts: u32, all: u64| {
         let start = u64::from(index) * all / u64::from(parts);

@@ -67,6 +67,8 @@ use ron::extensions::Extensions;
 
 use crate::text;
 
+/// The reason why RON cannot express a scene.
+pub use ::ron::Error as FormatError;
 pub use error::{Position, RonError, RonFault};
 use names::Known;
 pub use names::PRESETS;

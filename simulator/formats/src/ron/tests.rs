@@ -12,7 +12,7 @@ use rayline::{
 };
 
 use super::*;
-use crate::loaded::FILE_SETTINGS;
+use crate::FILE_SETTINGS;
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GRAY: LinearRgb = LinearRgb::gray(0.25);

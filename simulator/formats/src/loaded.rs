@@ -9,7 +9,6 @@ use bumpalo::Bump;
 use rayline::builtin;
 use rayline::{BytesError, Part, Scene, SceneError, Settings};
 
-use crate::RenderOptions;
 use crate::gltf::{self, GltfError};
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
@@ -32,7 +31,7 @@ pub struct LoadedScene<'a> {
 }
 
 /// The usual settings of files in Rayline's own formats.
-pub(crate) const FILE_SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(640, 480) };
+pub const FILE_SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(640, 480) };
 
 /// The settings for the scenes of other formats.
 const fn of_size((width, height): (u32, u32)) -> Settings {
@@ -177,11 +176,6 @@ impl<'a> LoadedScene<'a> {
             notes: Vec::new(),
             file: None,
         })
-    }
-
-    /// The options for its picture, with its settings.
-    pub fn options(&self) -> RenderOptions {
-        RenderOptions::new(self.settings)
     }
 
     /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.

@@ -1,0 +1,32 @@
+//! Scenes and images from files, for Rayline on the desktop.
+//!
+//! - [`LoadedScene`] opens a scene by name or file;
+//! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats;
+//! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
+//! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
+//! - [`raster`] reads and writes images.
+//!
+//! Nothing here traces a ray. The crate is built with fewer optimizations than the rest, in a third of the
+//! time: its code is long, and runs once for each file.
+
+pub mod gltf;
+mod loaded;
+mod model;
+mod nearest;
+pub mod nff;
+pub mod obj;
+pub mod povray;
+pub mod raster;
+pub mod ron;
+mod source;
+mod text;
+
+pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};
+pub use source::{rust_source, to_bytes};
+
+/// Checks whether a scene can be drawn.
+#[cfg(test)]
+fn check(scene: &rayline::Scene<'_>) -> Result<(), rayline::SceneError> {
+    let mut memory = vec![core::mem::MaybeUninit::uninit(); scene.bytes::<f32>()];
+    rayline::PreparedScene::<f32, _>::new(scene, &mut memory).map(|_| ())
+}
