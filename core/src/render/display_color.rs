@@ -1,6 +1,9 @@
 //! The colors that displays take.
 
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
+    Rgb888,
+};
 
 use super::{Light16, Quantizer, Tone};
 
@@ -64,119 +67,122 @@ impl DisplayColor for Light16 {
     }
 }
 
-impl DisplayColor for Rgb888 {
-    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.level(light.r, 255), quantizer.level(light.g, 255), quantizer.level(light.b, 255))
-    }
+/// Implements [`DisplayColor`] for colors with bits of red, green and blue.
+macro_rules! of_channels {
+    (#[$inline:meta] $($Color:ty),+: $r:literal $g:literal $b:literal) => {$(
+        impl DisplayColor for $Color {
+            #[$inline]
+            fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
+                let level = |light, bits: u32| quantizer.level(light, (1u16 << bits).wrapping_sub(1) as u8);
+                Self::new(level(light.r, $r), level(light.g, $g), level(light.b, $b))
+            }
 
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Tone::new(quantizer.tone::<8>(light.r), quantizer.tone::<8>(light.g), quantizer.tone::<8>(light.b))
-    }
+            #[inline]
+            fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+                Tone::new(
+                    quantizer.tone::<$r>(light.r),
+                    quantizer.tone::<$g>(light.g),
+                    quantizer.tone::<$b>(light.b),
+                )
+            }
 
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        Light16 {
-            r: quantizer.light::<8>(tone.first()),
-            g: quantizer.light::<8>(tone.second()),
-            b: quantizer.light::<8>(tone.third()),
+            fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+                Light16 {
+                    r: quantizer.light::<$r>(tone.first()),
+                    g: quantizer.light::<$g>(tone.second()),
+                    b: quantizer.light::<$b>(tone.third()),
+                }
+            }
+
+            #[inline]
+            fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+                Self::new(
+                    quantizer.cut::<$r>(tone.first()),
+                    quantizer.cut::<$g>(tone.second()),
+                    quantizer.cut::<$b>(tone.third()),
+                )
+            }
+        }
+    )+};
+}
+
+of_channels!(#[inline] Rgb888, Bgr888: 8 8 8);
+of_channels!(#[inline] Rgb666, Bgr666: 6 6 6);
+of_channels!(#[inline(always)] Rgb565, Bgr565: 5 6 5);
+of_channels!(#[inline] Rgb555, Bgr555: 5 5 5);
+
+/// Implements [`DisplayColor`] for a gray of some bits, which is made by this function of its level.
+macro_rules! of_luminance {
+    ($Color:ty: $bits:literal, $of_level:expr) => {
+        impl DisplayColor for $Color {
+            #[inline]
+            fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
+                $of_level(quantizer.level(light.luminance(), (1u16 << $bits).wrapping_sub(1) as u8))
+            }
+
+            #[inline]
+            fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
+                Tone::new(0, quantizer.tone::<$bits>(light.luminance()), 0)
+            }
+
+            fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
+                Light16::gray(quantizer.light::<$bits>(tone.second()))
+            }
+
+            #[inline]
+            fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
+                $of_level(quantizer.cut::<$bits>(tone.second()))
+            }
+        }
+    };
+}
+
+of_luminance!(Gray8: 8, Self::new);
+of_luminance!(Gray4: 4, Self::new);
+of_luminance!(Gray2: 2, Self::new);
+of_luminance!(BinaryColor: 1, |level| Self::from(level == 1));
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{Settings, Transfer};
+    use core::fmt::Debug;
+    use embedded_graphics::pixelcolor::{GrayColor, RgbColor};
+
+    /// Black, white, and colors by tone and by light are the same.
+    fn assert_color<C: DisplayColor + Debug>(black: C, white: C) {
+        for transfer in [Transfer::Linear, Transfer::Srgb] {
+            let quantizer = Quantizer::new(&Settings { transfer, ..Settings::new(1, 1) }, 0, 0);
+            let of = |r, g, b| C::from_light(Light16 { r, g, b }, &quantizer);
+            assert_eq!((of(0, 0, 0), of(65536, 65536, 65536)), (black, white));
+            for (r, g, b) in [(0, 9_000, 65_536), (30_000, 31_000, 32_000), (65_536, 77, 1_000)] {
+                let light = Light16 { r, g, b };
+                assert_eq!(C::from_tone(C::tone(light, &quantizer), &quantizer), of(r, g, b), "{light:?}");
+            }
         }
     }
 
-    #[inline]
-    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
-        Self::new(
-            quantizer.cut::<8>(tone.first()),
-            quantizer.cut::<8>(tone.second()),
-            quantizer.cut::<8>(tone.third()),
-        )
-    }
-}
-
-impl DisplayColor for Rgb565 {
-    #[inline(always)]
-    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.level(light.r, 31), quantizer.level(light.g, 63), quantizer.level(light.b, 31))
+    fn assert_channels<C: DisplayColor + RgbColor + Debug>() {
+        assert_color(C::BLACK, C::WHITE);
+        let settings = Settings { transfer: Transfer::Linear, ..Settings::new(1, 1) };
+        let light = Light16 { r: 65_536, g: 0, b: 32_768 };
+        let color = C::from_light(light, &Quantizer::new(&settings, 0, 0));
+        assert_eq!((color.r(), color.g(), color.b()), (C::MAX_R, 0, C::MAX_B / 2 + 1), "{color:?}");
     }
 
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Tone::new(quantizer.tone::<5>(light.r), quantizer.tone::<6>(light.g), quantizer.tone::<5>(light.b))
-    }
-
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        Light16 {
-            r: quantizer.light::<5>(tone.first()),
-            g: quantizer.light::<6>(tone.second()),
-            b: quantizer.light::<5>(tone.third()),
-        }
-    }
-
-    #[inline]
-    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
-        Self::new(
-            quantizer.cut::<5>(tone.first()),
-            quantizer.cut::<6>(tone.second()),
-            quantizer.cut::<5>(tone.third()),
-        )
-    }
-}
-
-impl DisplayColor for Gray8 {
-    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.level(light.luminance(), 255))
-    }
-
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Tone::new(0, quantizer.tone::<8>(light.luminance()), 0)
-    }
-
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        Light16::gray(quantizer.light::<8>(tone.second()))
-    }
-
-    #[inline]
-    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.cut::<8>(tone.second()))
-    }
-}
-
-impl DisplayColor for Gray4 {
-    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.level(light.luminance(), 15))
-    }
-
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Tone::new(0, quantizer.tone::<4>(light.luminance()), 0)
-    }
-
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        Light16::gray(quantizer.light::<4>(tone.second()))
-    }
-
-    #[inline]
-    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
-        Self::new(quantizer.cut::<4>(tone.second()))
-    }
-}
-
-impl DisplayColor for BinaryColor {
-    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
-        Self::from(quantizer.level(light.luminance(), 1) == 1)
-    }
-
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Tone::new(0, quantizer.tone::<1>(light.luminance()), 0)
-    }
-
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        Light16::gray(quantizer.light::<1>(tone.second()))
-    }
-
-    #[inline]
-    fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
-        Self::from(quantizer.cut::<1>(tone.second()) == 1)
+    #[test]
+    fn every_color_of_embedded_graphics_has_all_its_levels() {
+        assert_channels::<Rgb555>();
+        assert_channels::<Bgr555>();
+        assert_channels::<Rgb565>();
+        assert_channels::<Bgr565>();
+        assert_channels::<Rgb666>();
+        assert_channels::<Bgr666>();
+        assert_channels::<Rgb888>();
+        assert_channels::<Bgr888>();
+        assert_color(Gray2::BLACK, Gray2::WHITE);
+        assert_color(Gray4::BLACK, Gray4::WHITE);
+        assert_color(Gray8::BLACK, Gray8::WHITE);
+        assert_color(BinaryColor::Off, BinaryColor::On);
     }
 }
