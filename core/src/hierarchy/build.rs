@@ -43,10 +43,19 @@ const fn halving_nodes(mut objects: usize) -> usize {
 
 const _: () = assert!(CUT_DEPTH + halving_nodes(MAX_COUNT) <= MAX_HIERARCHY_DEPTH);
 
+/// A quotient that cannot panic, at no level of optimization: 0 if the divisor is 0.
+const fn ratio(dividend: usize, divisor: usize) -> usize {
+    match dividend.checked_div(divisor) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
+}
+
 /// The most nodes of `width` boxes for so many objects, which must be more than `leaf`.
 pub(super) const fn most_nodes(objects: usize, leaf: usize, width: usize) -> usize {
-    let around_leaves = objects.saturating_mul(width) / ((leaf + 1) * (width - 1));
-    let around_nodes = objects / (width - 1);
+    let more = width.saturating_sub(1);
+    let around_leaves = ratio(objects.saturating_mul(width), leaf.saturating_add(1).saturating_mul(more));
+    let around_nodes = ratio(objects, more);
     if around_leaves > around_nodes { around_leaves } else { around_nodes }
 }
 

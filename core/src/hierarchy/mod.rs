@@ -171,9 +171,9 @@ impl<R: Real, const W: usize> Node<R, W> {
 
     /// The contents of a box.
     #[inline]
-    #[allow(clippy::indexing_slicing)] // A remainder is below the length.
     fn content(&self, place: usize) -> Content {
-        Content { count: self.count[place % W], first: self.first[place % W] }
+        let (count, first) = (self.count.get(place), self.first.get(place));
+        Content { count: count.copied().unwrap_or(0), first: first.copied().unwrap_or(0) }
     }
 
     /// Sets the contents of a box.
@@ -185,10 +185,10 @@ impl<R: Real, const W: usize> Node<R, W> {
 
     /// The corners of a box with the smallest and the largest coordinates.
     #[inline]
-    #[allow(clippy::indexing_slicing)] // A remainder is below the length.
     fn corners(&self, place: usize) -> [Vec3<R>; 2] {
-        let [x, y, z] = &self.planes;
-        [0, 1].map(|side: usize| Vec3::new(x[side][place % W], y[side][place % W], z[side][place % W]))
+        let at = |planes: &[R; W]| planes.get(place).copied().unwrap_or(R::ZERO);
+        let [[x, far_x], [y, far_y], [z, far_z]] = &self.planes;
+        [Vec3::new(at(x), at(y), at(z)), Vec3::new(at(far_x), at(far_y), at(far_z))]
     }
 }
 

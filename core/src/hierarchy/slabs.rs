@@ -65,11 +65,11 @@ impl<R: Real> Slabs<R> {
 impl<R: Real> Slabs<R> {
     /// A bit for each box of a node that the ray meets, and the distances at which it enters them.
     #[inline]
-    #[allow(clippy::indexing_slicing)] // A bit is below 2.
     pub(super) fn meet<const W: usize>(&self, node: &Node<R, W>) -> (u32, [R; W]) {
         let (mut nears, mut fars) = ([R::ZERO; W], [self.max; W]);
-        for (i, Along { nearer, near, far, per_unit }) in self.axes.iter().enumerate() {
-            let [near_planes, far_planes] = [nearer & 1, !nearer & 1].map(|side| node.planes[i][side]);
+        for (along, planes) in self.axes.iter().zip(&node.planes) {
+            let Along { near, far, per_unit, .. } = along;
+            let [near_planes, far_planes] = along.nearer_first(planes);
             nears = both(nears, near_planes.map(|plane| (plane - *near) * *per_unit), R::larger);
             fars = both(fars, far_planes.map(|plane| (plane - *far) * *per_unit), R::smaller);
         }
@@ -100,12 +100,18 @@ impl<R: Real> Slabs<R> {
 }
 
 impl<R: Real> Along<R> {
+    /// The planes of all boxes, the nearer side first.
+    #[inline]
+    fn nearer_first<'p, const W: usize>(&self, [lower, upper]: &'p [[R; W]; 2]) -> [&'p [R; W]; 2] {
+        if self.nearer & 1 == 0 { [lower, upper] } else { [upper, lower] }
+    }
+
     /// The distances at which the ray crosses the nearer and the farther plane of a box.
     // Forced: see `enters`.
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // A bit is below 2, a remainder below the length.
     fn crossings<const W: usize>(&self, planes: &[[R; W]; 2], slot: usize) -> (R, R) {
-        let [near, far] = [self.nearer & 1, !self.nearer & 1].map(|side| planes[side][slot % W]);
+        let [near, far] =
+            self.nearer_first(planes).map(|planes| planes.get(slot).copied().unwrap_or(R::ZERO));
         ((near - self.near) * self.per_unit, (far - self.far) * self.per_unit)
     }
 }
@@ -124,11 +130,14 @@ impl<R: Real, const W: usize> BoxTest<R, W> for Slabs<R> {
 impl<R: Real, const W: usize> RayTest<R, W> for Slabs<R> {
     // Forced: see `enters`.
     #[inline(always)]
-    #[allow(clippy::indexing_slicing)] // A remainder is below the length.
     fn each_met(&self, node: &Node<R, W>, mut visit: impl FnMut(usize, R)) {
         if FOUR_AT_ONCE {
             let (met, keys) = self.meet(node);
-            slots::<W>(met).for_each(|slot| visit(slot, keys[slot % W]));
+            for slot in slots::<W>(met) {
+                if let Some(key) = keys.get(slot) {
+                    visit(slot, *key);
+                }
+            }
             return;
         }
         for slot in 0..W {
@@ -151,7 +160,9 @@ impl<R: Real, const W: usize> RayTest<R, W> for Slabs<R> {
 
 /// The results of `f` for each pair of elements.
 #[inline]
-#[allow(clippy::indexing_slicing)] // All indices are below the length.
-pub(super) fn both<A: Copy, const W: usize>(a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
-    core::array::from_fn(|i| f(a[i], b[i]))
+pub(super) fn both<A: Copy, const W: usize>(mut a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = f(*a, b);
+    }
+    a
 }

@@ -9,6 +9,9 @@ use crate::program::Program;
 use crate::request::Request;
 use crate::toolchain::{Built, PANIC, Toolchain};
 
+/// The level of optimization for size. At level "z", an assertion of the crate `semihosting` stays in the program.
+const SMALL: &str = "s";
+
 /// Builds the program of each board and its twins; returns whether no required board was skipped.
 pub(crate) fn prove(boards: &[&Board], request: &Request, all_required: bool) -> Result<bool> {
     let mut complete = true;
@@ -29,11 +32,16 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     let picture = request.on(board);
 
     let read = |file: &Path| Program::read(file, board.program);
+    // What the compiler leaves out at one level of optimization, it may leave in at another one.
+    let small = toolchain.program_at(SMALL, board, &picture).and_then(|file| read(&file)?.check());
+    small.with_context(|| format!("{name}, opt-level {SMALL:?}"))?;
     read(&toolchain.program(board, &picture)?)?.check().context(name)?;
     if board.program.has_hal {
         println!("{name}: the program links, and no panic can be reached from rendering");
     } else {
-        println!("{name}: the program links, and none of its symbols is that of a panic");
+        println!(
+            "{name}: the program links, and none of its symbols is that of a panic; at opt-level {SMALL:?} too"
+        );
         match toolchain.build(board, &picture, &["twin"])? {
             Built::Linked(_) => anyhow::bail!("{name}: a program with a panic links"),
             Built::Refused(reason) => {

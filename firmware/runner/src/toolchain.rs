@@ -159,6 +159,13 @@ impl Toolchain {
         self.build_by(command, board, picture, &[])?.linked()
     }
 
+    /// Builds the program of a board as [`program`](Self::program) does, at another level of optimization.
+    pub(crate) fn program_at(&self, level: &str, board: &Board, picture: &Picture) -> Result<PathBuf> {
+        let mut command = self.cargo(board.target);
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
+        self.build_by(command, board, picture, &[])?.linked()
+    }
+
     /// The toolchain's cargo. Instructions and flash depend on the profile, so the workspace's own is used:
     /// no variable of the environment changes it.
     fn cargo(&self, target: &str) -> Command {
