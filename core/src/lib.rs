@@ -145,7 +145,7 @@ pub use render::{
 pub use sampling::{Adaptive, Reconstruction, Sampler, Sampling};
 #[cfg(feature = "serde")]
 pub use scene::BytesError;
-pub use scene::{FASTER, MaterialId, Object, Scene, SceneBuf};
+pub use scene::{FASTER, Full, MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
 pub use texture::{
     Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Map, Marble, Noise, Onto,

@@ -1,5 +1,7 @@
 //! A scene that is built at run time, without allocation.
 
+use core::fmt;
+
 use heapless::Vec;
 
 use super::{MaterialId, Object, Scene};
@@ -18,10 +20,11 @@ use crate::motion::Motion;
 ///     lens: None,
 /// };
 /// let mut scene = SceneBuf::<Sphere, 8, 2, 1>::new(camera, Background::gray(0.1));
-/// let red = scene.add_material(Material::matte(LinearRgb::new(0.9, 0.2, 0.1))).unwrap();
-/// scene.add_object(Sphere::new(Vec3::ZERO, 1.0), red).unwrap();
-/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE }).unwrap();
+/// let red = scene.add_material(Material::matte(LinearRgb::new(0.9, 0.2, 0.1)))?;
+/// scene.add_object(Sphere::new(Vec3::ZERO, 1.0), red)?;
+/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: LinearRgb::WHITE })?;
 /// assert_eq!(scene.as_scene().objects.len(), 1);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
 /// # Frame after frame
@@ -44,10 +47,10 @@ use crate::motion::Motion;
 /// # };
 /// # let white = LinearRgb::WHITE;
 /// let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(camera, Background::gray(0.1));
-/// let gray = scene.add_material(Material::matte(LinearRgb::gray(0.8))).unwrap();
-/// scene.add_object(Sphere::new(Vec3::new(0.0, -100.0, 0.0), 100.0), gray).unwrap();
-/// scene.add_object(Sphere::new(Vec3::ZERO, 0.5), gray).unwrap(); // the ball
-/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: white }).unwrap();
+/// let gray = scene.add_material(Material::matte(LinearRgb::gray(0.8)))?;
+/// scene.add_object(Sphere::new(Vec3::new(0.0, -100.0, 0.0), 100.0), gray)?;
+/// scene.add_object(Sphere::new(Vec3::ZERO, 0.5), gray)?; // the ball
+/// scene.add_light(Light::Point { position: Vec3::new(3.0, 4.0, 5.0), color: white })?;
 ///
 /// let mut memory = Workspace::<{ prepared_bytes::<f32, Sphere>(2, 1, 1, 0) }>::new();
 /// let mut line = [Gray8::new(0); 64];
@@ -74,6 +77,23 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
     materials: Vec<Material<'a>, MATERIALS>,
     lights: Vec<Light, LIGHTS>,
 }
+
+/// There is no room for one more item in a [`SceneBuf`], which is unchanged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Full<T> {
+    /// The item.
+    pub item: T,
+    /// The parameter of [`SceneBuf`] to raise.
+    pub parameter: &'static str,
+}
+
+impl<T> fmt::Display for Full<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the scene has no room for one more; raise `{}` of its `SceneBuf`", self.parameter)
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for Full<T> {}
 
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
@@ -105,25 +125,27 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
     ///
     /// # Errors
     /// There is no room: the material is handed back and the scene is unchanged. Raise `MATERIALS`.
-    pub fn add_material(&mut self, material: Material<'a>) -> Result<MaterialId, Material<'a>> {
+    pub fn add_material(&mut self, material: Material<'a>) -> Result<MaterialId, Full<Material<'a>>> {
         let id = MaterialId(self.materials.len() as u16);
-        self.materials.push(material).map(|()| id)
+        let added = self.materials.push(material).map(|()| id);
+        added.map_err(|item| Full { item, parameter: "MATERIALS" })
     }
 
     /// Adds an object.
     ///
     /// # Errors
     /// There is no room: the object is handed back and the scene is unchanged. Raise `OBJECTS`.
-    pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<(), Object<S>> {
-        self.objects.push(Object { shape, material })
+    pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<(), Full<Object<S>>> {
+        let added = self.objects.push(Object { shape, material });
+        added.map_err(|item| Full { item, parameter: "OBJECTS" })
     }
 
     /// Adds a light.
     ///
     /// # Errors
     /// There is no room: the light is handed back and the scene is unchanged. Raise `LIGHTS`.
-    pub fn add_light(&mut self, light: Light) -> Result<(), Light> {
-        self.lights.push(light)
+    pub fn add_light(&mut self, light: Light) -> Result<(), Full<Light>> {
+        self.lights.push(light).map_err(|item| Full { item, parameter: "LIGHTS" })
     }
 
     /// The objects in the order in which they were added, to be moved or given another shape or material.

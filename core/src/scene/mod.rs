@@ -7,7 +7,7 @@ mod buf;
 mod bytes;
 mod features;
 
-pub use buf::SceneBuf;
+pub use buf::{Full, SceneBuf};
 #[cfg(feature = "serde")]
 pub use bytes::BytesError;
 pub use features::FASTER;

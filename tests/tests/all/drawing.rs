@@ -3,18 +3,20 @@
 use std::mem::MaybeUninit;
 use std::ops::Range;
 
-use embedded_graphics::draw_target::DrawTargetExt;
-use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::raw::RawU1;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
 use rayline::{
-    Background, Camera, DrawError, Event, Light, LineError, LinearRgb, Material, Object, PreparedScene,
-    Probe, Progress, Realtime, Renderer, Sample, Sampling, Scene, SceneBuf, Settings, SettingsError, Texture,
-    Transfer, Vec3, Workspace, prepared_bytes,
+    Background, Camera, DisplayColor, Dither, DrawError, Event, Light, Light16, LineError, LinearRgb,
+    Material, Object, PreparedScene, Probe, Progress, Quantizer, Realtime, Renderer, Sample, Sampling, Scene,
+    SceneBuf, Settings, SettingsError, Texture, Transfer, Vec3, Workspace, prepared_bytes,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -521,4 +523,75 @@ fn a_display_may_be_smaller_than_the_picture_or_moved() {
             assert_eq!(moved.get_pixel(point + Point::new(3, 7)), whole.get_pixel(point));
         }
     });
+}
+
+/// A color of another crate, for which nobody can implement `DisplayColor`: e-paper whose 1 is black.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Paper {
+    White,
+    Black,
+}
+
+impl PixelColor for Paper {
+    type Raw = RawU1;
+}
+
+/// The page `docs/displays.md` has this color.
+#[derive(Clone, Copy, PartialEq)]
+struct Ink(bool);
+
+impl PixelColor for Ink {
+    type Raw = RawU1;
+}
+
+impl DisplayColor for Ink {
+    fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
+        Self(quantizer.level(light.luminance(), 1) == 0)
+    }
+}
+
+impl From<Ink> for Paper {
+    fn from(Ink(is_dark): Ink) -> Self {
+        if is_dark { Self::Black } else { Self::White }
+    }
+}
+
+/// A panel of e-paper.
+struct PaperPanel(Vec<Paper>);
+
+impl OriginDimensions for PaperPanel {
+    fn size(&self) -> Size {
+        Size::new(SMALL.width, SMALL.height)
+    }
+}
+
+impl DrawTarget for PaperPanel {
+    type Color = Paper;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Paper>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(Point { x, y }, color) in pixels {
+            self.0[(y as u32 * SMALL.width + x as u32) as usize] = color;
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn colors_of_other_crates_are_converted() {
+    let count = (SMALL.width * SMALL.height) as usize;
+    for dither in [Dither::None, Dither::Ordered] {
+        with_renderer(&CLASSIC, Settings { dither, ..SMALL }, |renderer| {
+            let mut panel = PaperPanel(vec![Paper::White; count]);
+            let mut line = [Ink(false); SMALL.width as usize];
+            renderer.draw(&mut panel.color_converted::<Ink>(), &mut line).expect("drawn");
+            let mut expected = vec![BinaryColor::Off; count];
+            renderer.lines(0, &mut expected, &mut ()).expect("lines");
+            let white = expected.iter().filter(|color| color.is_on()).count();
+            assert!((count / 10..count).contains(&white), "{white} of {count}");
+            for (paper, expected) in panel.0.iter().zip(expected) {
+                assert_eq!(*paper == Paper::White, expected.is_on());
+            }
+        });
+    }
 }

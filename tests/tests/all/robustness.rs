@@ -443,13 +443,18 @@ fn a_refused_camera_leaves_the_old_one() {
 fn a_full_scene_hands_back_what_does_not_fit() {
     let mut scene = SceneBuf::<Sphere, 2, 1, 1>::new(CLASSIC.camera, CLASSIC.background);
     let matte = scene.add_material(CLASSIC.materials[0]).expect("room");
-    assert_eq!(scene.add_material(CLASSIC.materials[1]), Err(CLASSIC.materials[1]));
+    let full = scene.add_material(CLASSIC.materials[1]).expect_err("no room");
+    assert_eq!((full.item, full.parameter), (CLASSIC.materials[1], "MATERIALS"));
+    let message = "the scene has no room for one more; raise `MATERIALS` of its `SceneBuf`";
+    assert_eq!(full.to_string(), message);
     let ball = |x| Sphere::new(Vec3::new(x, 0.0, -9.0), 1.0);
     assert_eq!(scene.add_object(ball(0.0), matte), Ok(()));
     assert_eq!(scene.add_object(ball(1.0), matte), Ok(()));
-    assert_eq!(scene.add_object(ball(2.0), matte), Err(Object { shape: ball(2.0), material: matte }));
+    let full = scene.add_object(ball(2.0), matte).expect_err("no room");
+    assert_eq!((full.item, full.parameter), (Object { shape: ball(2.0), material: matte }, "OBJECTS"));
     assert_eq!(scene.add_light(CLASSIC.lights[0]), Ok(()));
-    assert_eq!(scene.add_light(CLASSIC.lights[1]), Err(CLASSIC.lights[1]));
+    let full = scene.add_light(CLASSIC.lights[1]).expect_err("no room");
+    assert_eq!((full.item, full.parameter), (CLASSIC.lights[1], "LIGHTS"));
     let Scene { objects, materials, lights, .. } = scene.as_scene();
     assert_eq!(objects.iter().map(|object| object.shape).collect::<Vec<_>>(), [ball(0.0), ball(1.0)]);
     assert_eq!((materials, lights), (&CLASSIC.materials[..1], &CLASSIC.lights[..1]));

@@ -22,6 +22,13 @@ const PATH: u32 = ((1 << 7) - 1) << 16;
 /// [`Near::Tiny`].
 const SHADE: u32 = ((1 << 14) - 1) << 16 ^ PATH;
 
+/// An unknown pixel.
+impl Default for Sample {
+    fn default() -> Self {
+        Self::BLANK
+    }
+}
+
 /// A digest of the objects that a pixel's rays met, cut to the 7 bits that a sample keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct PathDigest(u32);
