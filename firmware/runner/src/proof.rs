@@ -9,7 +9,8 @@ use crate::program::Program;
 use crate::request::Request;
 use crate::toolchain::{Built, PANIC, Toolchain};
 
-/// The level of optimization for size. At level "z", an assertion of the crate `semihosting` stays in the program.
+/// The level of optimization for size. At level "z", an assertion of the crate `semihosting` stays in the
+/// program.
 const SMALL: &str = "s";
 
 /// Builds the program of each board and its twins; returns whether no required board was skipped.

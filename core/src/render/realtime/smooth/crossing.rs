@@ -243,8 +243,8 @@ mod tests {
             let direction: Vec3<R> = Vec3::new(x, 0.0, -4.0).to().normalized().unwrap();
             Ray { origin: Vec3::ZERO, direction }
         };
-        // A ball of radius 1 at distance 4 is seen up to the sine 1/4, so up to x = 4 · tan. There the distance,
-        // 4 sin θ - 1, grows by cos³θ from one x to the next.
+        // A ball of radius 1 at distance 4 is seen up to the sine 1/4, so up to x = 4 · tan. There the
+        // distance, 4 sin θ - 1, grows by cos³θ from one x to the next.
         let center = Vec3::new(0.0, 0.0, -4.0).to();
         let edge = 4.0 / 15f64.sqrt();
         let (inside, outside) = (edge - 0.004, edge + 0.006);
