@@ -160,9 +160,7 @@ impl<R: Real, const W: usize> RayTest<R, W> for Slabs<R> {
 
 /// The results of `f` for each pair of elements.
 #[inline]
-pub(super) fn both<A: Copy, const W: usize>(mut a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = f(*a, b);
-    }
-    a
+pub(super) fn both<A: Copy, const W: usize>(a: [A; W], b: [A; W], f: impl Fn(A, A) -> A) -> [A; W] {
+    let mut others = b.into_iter();
+    a.map(|a| others.next().map_or(a, |b| f(a, b)))
 }
