@@ -302,13 +302,14 @@ impl<R: Real> Viewport<R> {
         matches!(self.lens.first(), Some(Some(_)))
     }
 
-    /// The viewport without its lens, if the lens is not seen: if whatever lies at this depth or farther is
-    /// blurred over less than half a pixel.
+    /// The viewport without its lens, if the lens is not seen: if whatever lies at the `nearest` depth or
+    /// farther is blurred over less than half a pixel.
     #[cfg(feature = "distributed")]
-    pub(crate) fn without_hidden_lens(self, nearest: Option<R::Setup>) -> Self {
-        let ([Some(view)], Some(nearest)) = (self.lens, nearest) else { return self };
-        // A point at the depth d covers a circle of the diameter 2 · |radius / focus - radius / d|, seen from
-        // the eye: most if it is the nearest or infinitely far away.
+    pub(crate) fn without_hidden_lens(self, nearest: impl FnOnce(&Self) -> Option<R::Setup>) -> Self {
+        let [Some(view)] = self.lens else { return self };
+        let Some(nearest) = nearest(&self) else { return self };
+        // A point at the depth d covers a circle of the diameter 2 · |radius / focus - radius / d|, seen
+        // from the eye. The largest circle is that of the nearest point, or of one infinitely far away.
         let far = view.lens.radius_over_focus;
         let near = view.lens.radius.to_setup() / nearest - far;
         let is_hidden = |half: R::Setup| half * R::Setup::from_f32(4.0) < self.pixel();

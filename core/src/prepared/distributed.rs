@@ -93,15 +93,14 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         if self.moves_camera() {
             return None;
         }
-        let mut nearest = R::Setup::FARTHEST;
+        let (eye, mut nearest) = (viewport.eye(), R::Setup::FARTHEST);
         for object in self.objects {
-            let eye = viewport.eye();
             let distance = match (object.bounds(), object.form()) {
                 (Some(bounds), _) => bounds.to_setup().distance(eye.to_setup()),
                 (None, Form::Flat { normal, distance }) => (normal.dot(eye) - distance).abs().to_setup(),
                 _ => return None,
             };
-            nearest = if distance < nearest { distance } else { nearest };
+            nearest = nearest.smaller(distance);
         }
         Some(nearest * viewport.least_cosine())
     }

@@ -98,7 +98,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         let (width, height) = settings.check()?;
         let viewport = Viewport::new(scene.camera(), width, height);
         #[cfg(feature = "distributed")]
-        let viewport = viewport.without_hidden_lens(scene.nearest_depth(&viewport));
+        let viewport = viewport.without_hidden_lens(|viewport| scene.nearest_depth(viewport));
         let Sampling { samples, .. } = settings.sampling;
         let mut renderer = Self {
             scene,
