@@ -15,6 +15,14 @@ pub const MAX_BOUNCES: u8 = 16;
 /// ([`Cut`](crate::Cut)).
 pub const MAX_SHADOW_LAYERS: u8 = 8;
 
+/// The rays toward each lamp with a size and into the sky, from each hit of one of several samples.
+///
+/// In a pixel of one sample, a lamp takes as many first, and [`MAX_AREA_RAYS`] in its penumbra.
+pub const AREA_RAYS: u16 = 4;
+
+/// The most rays toward each lamp with a size and into the sky, from each hit in a pixel of one sample.
+pub const MAX_AREA_RAYS: u16 = 16;
+
 /// The largest coordinate, radius or distance in a scene: at 1e6, `f32` resolves 1/16 of a unit.
 pub const MAX_COORDINATE: f32 = 1e6;
 

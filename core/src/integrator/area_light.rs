@@ -4,20 +4,12 @@ use super::shaded_hit::{FacingLight, LampLight, ShadedHit};
 use super::{AreaLights, Trace};
 use crate::color::LinearRgb;
 use crate::light::{AreaLight, LampPoint, SeenLamp};
+use crate::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use crate::math::{Real, Vec3};
 use crate::prepared::{Among, Through};
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::Dimension;
 use crate::shape::Geometry;
-
-/// The rays toward each lamp. If all of them or none reach it, it is in full light or in the umbra.
-const FIRST: u16 = 4;
-/// The rays toward each lamp if the first ones disagree and the pixel has one sample: in the penumbra.
-///
-/// Rays that are added where the first ones disagree make the penumbra a little narrower (Kirk and Arvo,
-/// "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991). Where a pixel has several samples,
-/// none are added, and the mean of the samples is that of the lamp.
-const MOST: u16 = 16;
 
 impl<R: Real> ShadedHit<'_, R> {
     /// Diffuse light and highlights of all lamps with a size and of the sky, at a hit after so many bounces.
@@ -44,26 +36,33 @@ impl<R: Real> ShadedHit<'_, R> {
         light
     }
 
+    /// The light of a lamp, by rays to its points. If all of the first rays or none of them reach the lamp, it is
+    /// in full light or in the umbra. If they disagree, in the penumbra, and the pixel has one sample, more
+    /// rays follow.
+    ///
+    /// Rays that are added where the first ones disagree make the penumbra a little narrower (Kirk and Arvo,
+    /// "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991). Where a pixel has several samples,
+    /// none are added, and the mean of the samples is that of the lamp.
     fn light_of<S: Geometry, P: Probe<R>>(
         &self,
         area: &AreaLight<R>,
         trace: &mut Trace<'_, '_, R, S, P>,
         bounces: u8,
     ) -> LinearRgb<R> {
-        let most = if trace.numbers.is_of_one_sample() { MOST } else { FIRST };
+        let most = if trace.numbers.is_of_one_sample() { MAX_AREA_RAYS } else { AREA_RAYS };
         // A lamp that moves is seen where it was described, from where the surface then is.
         let moved = trace.scene.moved(area.object);
         let point = self.hit.surface.point;
         let seen_from = moved.as_ref().map_or(point, |moved| moved.point_back(point));
         let mut sum = LampLight::NONE;
         let (mut reached, mut missed) = (0, 0);
-        let mut share = R::from_f32(1.0 / f32::from(FIRST));
+        let mut share = R::from_f32(1.0 / f32::from(AREA_RAYS));
         for number in 0..most {
-            if number == FIRST {
+            if number == AREA_RAYS {
                 if reached == 0 || missed == 0 {
                     break;
                 }
-                let known = R::from_f32(f32::from(FIRST) / f32::from(MOST));
+                let known = R::from_f32(f32::from(AREA_RAYS) / f32::from(MAX_AREA_RAYS));
                 (sum.diffuse, sum.specular) = (sum.diffuse.scaled(known), sum.specular.scaled(known));
                 share = share * known;
             }

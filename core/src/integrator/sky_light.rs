@@ -3,14 +3,12 @@
 use super::shaded_hit::ShadedHit;
 use super::{AreaLights, Trace};
 use crate::color::LinearRgb;
+use crate::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use crate::math::Real;
 use crate::prepared::Among;
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::{Dimension, around, disc};
 use crate::shape::Geometry;
-
-/// The rays into the sky, for a pixel of several samples and for one of a single sample.
-const RAYS: [u16; 2] = [4, 16];
 
 impl<R: Real> ShadedHit<'_, R> {
     /// Diffuse light that comes from the sky, at a hit after so many bounces.
@@ -36,8 +34,7 @@ impl<R: Real> ShadedHit<'_, R> {
             trace.probe.record(Event::Surface { shown });
             return shown;
         }
-        let [few, many] = RAYS;
-        let count = if trace.numbers.is_of_one_sample() { many } else { few };
+        let count = if trace.numbers.is_of_one_sample() { MAX_AREA_RAYS } else { AREA_RAYS };
         let share = R::from_f32(1.0 / f32::from(count));
         let mut sum = LinearRgb::BLACK;
         for number in 0..count {

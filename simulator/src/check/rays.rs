@@ -1,11 +1,7 @@
 //! The most rays that a pixel can take, from the scene's description alone.
 
+use rayline::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use rayline::{AreaLights, Background, Fresnel, Light, Material, Scene, Settings};
-
-/// The rays toward a lamp with a size, or into the sky, from a pixel of one sample.
-const OF_ONE_SAMPLE: u64 = 16;
-/// The same rays for each of several samples.
-const OF_EACH_SAMPLE: u64 = 4;
 
 /// The most rays that a pixel can take with these settings: samples · hits · (1 + shadow rays of a hit). It
 /// holds wherever the camera goes.
@@ -20,12 +16,12 @@ pub(super) fn most_rays(scene: &Scene<'_>, settings: Settings) -> u64 {
 /// The most shadow rays toward a light from one hit.
 fn rays_toward(light: &Light, scene: &Scene<'_>, settings: Settings) -> u64 {
     let is_closed = settings.area_lights == AreaLights::ClosedForm;
-    let several = if settings.sampling.samples > 1 { OF_EACH_SAMPLE } else { OF_ONE_SAMPLE };
+    let several = if settings.sampling.samples > 1 { AREA_RAYS } else { MAX_AREA_RAYS };
     match light {
         Light::Ambient { .. } => 0,
         Light::Object(_) if is_closed => 1,
         Light::Sky if is_closed && !matches!(scene.background, Background::Image(_)) => 0,
-        Light::Object(_) | Light::Sky => several,
+        Light::Object(_) | Light::Sky => u64::from(several),
         _ => 1,
     }
 }
