@@ -8,8 +8,8 @@
 //! pixel.
 //!
 //! An edge crosses a side of a pixel at f / (f - g), where f and g are the distances at which the rays
-//! through both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. The edges
-//! of textures are found on the surface. Where nothing is known of an edge, it crosses in the middle.
+//! through both ends of the side pass the outline ([`crossing`]): this is f / |∇f| along the side. The
+//! edges of textures are found on the surface. Where nothing is known of an edge, it crosses in the middle.
 
 mod crossing;
 
@@ -106,7 +106,6 @@ impl Corners {
 
     fn edges(&self) -> EdgesInside {
         let Self { top_left: a, top_right: b, bottom_left: c, bottom_right: d } = *self;
-        let differ = |p: Corner, q: Corner| p.1.marks_differ(q.1, Sample::DIGESTS);
         let parted = |first, second, shape| EdgesInside::One(Parted { sides: [first, second], shape });
         match (differ(a, b), differ(c, d), differ(a, c), differ(b, d)) {
             (false, false, false, false) => EdgesInside::None,
@@ -124,6 +123,11 @@ impl Corners {
         let Self { top_left: a, top_right: b, bottom_left: c, bottom_right: d } = *self;
         middle(a, b).middle(middle(c, d))
     }
+}
+
+/// Whether two corners saw different things.
+fn differ((_, a): Corner, (_, b): Corner) -> bool {
+    a.marks_differ(b, Sample::DIGESTS)
 }
 
 fn middle(a: Corner, b: Corner) -> Tone {
@@ -186,7 +190,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     fn shared(&self, corners: Corners, near: &mut OutlinesNear<R>) -> Tone {
         let Corners { top_left, top_right, bottom_left, bottom_right } = corners;
         let mut middle = |sides: [[Corner; 2]; 2]| {
-            let edges = sides.into_iter().filter(|[from, to]| from.1.marks_differ(to.1, Sample::DIGESTS));
+            let edges = sides.into_iter().filter(|[from, to]| differ(*from, *to));
             let add = |(sum, count), side| (sum + self.crossing(side, near).unwrap_or(MIDDLE), count + 1);
             let (sum, count) = edges.fold((0u32, 0u32), add);
             sum.checked_div(count).unwrap_or(MIDDLE)
@@ -237,7 +241,8 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             if near.is_empty() {
                 return None;
             }
-            crossing::of_outline(scene, near, rays()).or_else(|| crossing::of_texture(scene, among, rays()))
+            let rays = rays();
+            crossing::of_outline(scene, near, rays).or_else(|| crossing::of_texture(scene, among, rays))
         };
         Some((place?.to_q16() >> 8).min(WHOLE))
     }
