@@ -464,15 +464,15 @@ fn assert_penumbra_has_its_width<R: Real>() {
     assert!((28..36).map(shadow_rays).any(|rays| rays == 16));
 }
 
-/// Sobol's samples give neighboring pixels different errors, so that noise is fine: blurred over 8×8 pixels,
-/// white noise keeps 1/64 of its variance, and this noise 0.68 times as much with one sample (which takes more
-/// rays in the penumbra), 0.33 with 4, and 0.36 with 16.
+/// Sobol's samples give neighboring pixels different errors, so that noise is fine. Blurred over 8×8 pixels,
+/// white noise keeps 1/64 of its variance, and noise of Sobol's samples 0.68 times as much with one sample
+/// (which takes more rays in the penumbra), 0.33 with 4, and 0.36 with 16.
 #[test]
 fn errors_of_neighbors_differ() {
     // The middle of a penumbra, so small that all pixels should have the same light.
     let lamp = Disc::new(Vec3::new(0.0, 8.0, 0.0), UP, 0.2);
-    // The edge is askew and hides a third of the lamp. One through the middle, along an axis of the lamp, would
-    // part Sobol's points evenly.
+    // The edge is askew and hides a third of the lamp. An edge through the middle, along an axis of the lamp,
+    // would part Sobol's points evenly.
     let edge = Rectangle::new(Vec3::new(0.03, 4.0, -3.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.2, 0.0, 6.0));
     let objects = [
         Object::new(Shape::Disc(lamp), 0),

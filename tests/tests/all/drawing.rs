@@ -3,9 +3,8 @@
 use std::mem::MaybeUninit;
 use std::ops::Range;
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::draw_target::DrawTargetExt;
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::raw::RawU1;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb888, RgbColor};
@@ -536,7 +535,7 @@ impl PixelColor for Paper {
     type Raw = RawU1;
 }
 
-/// The page `docs/displays.md` has this color.
+/// The color of the page `docs/displays.md`.
 #[derive(Clone, Copy, PartialEq)]
 struct Ink(bool);
 
@@ -556,41 +555,20 @@ impl From<Ink> for Paper {
     }
 }
 
-/// A panel of e-paper.
-struct PaperPanel(Vec<Paper>);
-
-impl OriginDimensions for PaperPanel {
-    fn size(&self) -> Size {
-        Size::new(SMALL.width, SMALL.height)
-    }
-}
-
-impl DrawTarget for PaperPanel {
-    type Color = Paper;
-    type Error = core::convert::Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Paper>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
-        for Pixel(Point { x, y }, color) in pixels {
-            self.0[(y as u32 * SMALL.width + x as u32) as usize] = color;
-        }
-        Ok(())
-    }
-}
-
 #[test]
 fn colors_of_other_crates_are_converted() {
     let count = (SMALL.width * SMALL.height) as usize;
     for dither in [Dither::None, Dither::Ordered] {
         with_renderer(&CLASSIC, Settings { dither, ..SMALL }, |renderer| {
-            let mut panel = PaperPanel(vec![Paper::White; count]);
+            let mut panel = Screen::<Paper>::blank(Size::new(SMALL.width, SMALL.height));
             let mut line = [Ink(false); SMALL.width as usize];
             renderer.draw(&mut panel.color_converted::<Ink>(), &mut line).expect("drawn");
             let mut expected = vec![BinaryColor::Off; count];
             renderer.lines(0, &mut expected, &mut ()).expect("lines");
             let white = expected.iter().filter(|color| color.is_on()).count();
             assert!((count / 10..count).contains(&white), "{white} of {count}");
-            for (paper, expected) in panel.0.iter().zip(expected) {
-                assert_eq!(*paper == Paper::White, expected.is_on());
+            for (paper, expected) in panel.picture().into_iter().zip(expected) {
+                assert_eq!(paper == Paper::White, expected.is_on());
             }
         });
     }

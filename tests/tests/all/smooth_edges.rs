@@ -90,11 +90,12 @@ fn outlines_and_shadows_of_balls_have_their_coverage() {
 #[test]
 fn smooth_edges_are_closer_to_many_samples_for_as_many_rays() {
     println!("scene    | stepped dB | smooth dB | rays, stepped | rays, smooth | 16 samples dB | rays");
-    for (name, scene, gain, most_rays) in [
-        ("classic", &CLASSIC, 5.5, 0.7),
-        ("whitted", &WHITTED, 5.0, 0.85),
-        ("flake", &FLAKE, 2.5, 1.0),
-        ("prism", &PRISM, 1.5, 1.0),
+    // The gain by smooth edges, the gain of samples beyond it, and the share of all rays that they take.
+    for (name, scene, gain, more_gain, most_rays) in [
+        ("classic", &CLASSIC, 5.5, 3.0, 0.7),
+        ("whitted", &WHITTED, 5.0, 4.0, 0.85),
+        ("flake", &FLAKE, 2.5, 4.0, 1.0),
+        ("prism", &PRISM, 1.5, 4.0, 1.0),
     ] {
         let (reference, _) = picture::<f32>(scene, Sampling::new(64), None);
         let one = Sampling::CENTER;
@@ -110,7 +111,7 @@ fn smooth_edges_are_closer_to_many_samples_for_as_many_rays() {
         );
         assert!(close[1] > close[0] + gain, "{name}: {close:?} dB");
         assert!(also_few < few * 1.03, "{name}: {also_few} rays, {few}");
-        assert!(close[2] > close[1] + 2.0, "{name}: {close:?} dB");
+        assert!(close[2] > close[1] + more_gain, "{name}: {close:?} dB");
         assert!(more < all * most_rays, "{name}: {more} rays, {all}");
     }
 }
