@@ -158,7 +158,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     if let Some(Demand { mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
         writeln!(
             out,
-            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; from elsewhere {most_rays} at most\n"
+            "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; from elsewhere at most {most_rays}\n"
         )?;
     }
     let fits = demands.0.iter().any(Demand::fits);

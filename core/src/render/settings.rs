@@ -96,8 +96,8 @@ pub enum Transfer {
     /// The curve of IEC 61966-2-1, which displays expect.
     #[default]
     Srgb,
-    /// Codes proportional to light: for LED matrices (WS2812, HUB75), for dithering to black and white, and for
-    /// comparisons.
+    /// Codes proportional to light: for LED matrices (WS2812, HUB75), for dithering to black and white, and
+    /// for comparisons.
     Linear,
 }
 

@@ -17,8 +17,8 @@ import { PaintedStack } from './stack.mjs';
 const PINS = { data: 16, select: 17, backlight: 20, light: 25 };
 
 /**
- * The frames that are not measured: the cores trace the first one while the panel starts, and are ahead of the
- * panel in the second.
+ * The frames that are not measured: the cores trace the first one while the panel starts, and are ahead of
+ * the panel in the second.
  */
 const EARLY = 2;
 

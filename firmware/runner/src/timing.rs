@@ -29,7 +29,7 @@ pub(crate) struct Rates {
     pub(crate) frames_per_second: f64,
     spi_hz: u64,
     spi_milliseconds_per_frame: f64,
-    pub(crate) first_picture_milliseconds: f64,
+    first_picture_milliseconds: f64,
 }
 
 impl Timing {

@@ -6,8 +6,8 @@
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
 //! - [`raster`] reads and writes images.
 //!
-//! Nothing here traces a ray. The crate is built with fewer optimizations than the rest, in a third of the
-//! time: its code is long, and runs once for each file.
+//! Nothing here traces a ray. The workspace builds the crate with fewer optimizations than the rest: its code
+//! is long, and runs once for each file.
 
 pub mod gltf;
 mod loaded;

@@ -1,4 +1,4 @@
-//! What programs for boards read: a scene as bytes, and as Rust source.
+//! Scenes for programs on boards: as bytes, and as Rust source.
 
 use rayline::bake::{self, BakeError};
 use rayline::math::Fixed;
