@@ -134,9 +134,12 @@ pub(crate) struct CheckArgs {
         value_parser = PossibleValuesParser::new(BOARDS.map(|board| board.name)),
     )]
     pub(crate) board: Option<String>,
-    /// Width and height of the picture on the board's display
+    /// Width and height of the picture
     #[arg(long, value_name = "WxH", default_value = "160x120", value_parser = size)]
     pub(crate) size: (u32, u32),
+    /// Width and height of the board's display, to hear whether the picture fits it
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub(crate) panel: Option<(u32, u32)>,
     /// The most reflections and refractions along a path of light, 0 to 16 [default: the scene's own; 6 for
     /// .ron and .rayline files, 4 for others]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=i64::from(MAX_BOUNCES)))]

@@ -163,10 +163,26 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     }
     let fits = demands.0.iter().any(Demand::fits);
     write!(out, "{demands}")?;
+    if let Some(panel) = arguments.panel.filter(|panel| *panel != arguments.size) {
+        writeln!(out, "\n{}", on_panel(arguments.size, panel))?;
+    }
     match &arguments.board {
         Some(board) if !fits => Err(format!("{} does not fit {board}", scene.name).into()),
         _ => Ok(()),
     }
+}
+
+/// What a panel shows of a picture of another size, and the size that fits it.
+fn on_panel((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
+    let (columns, lines) = (width.min(wide), height.min(high));
+    let of = |part: u64, width: u32, height: u32| part * 100 / (u64::from(width) * u64::from(height));
+    let shown = u64::from(columns) * u64::from(lines);
+    format!(
+        "A panel of {wide}x{high} shows {columns}x{lines} pixels of the picture ({} %), which cover {} % of \
+         the panel. Use --size {wide}x{high}.",
+        of(shown, width, height),
+        of(shown, wide, high),
+    )
 }
 
 fn gallery(arguments: &GalleryArgs) -> Outcome {

@@ -2,16 +2,17 @@
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use rayline::{Real, Renderer};
 
-/// A display that records every pixel and every window, and can fail at any pixel.
+/// A display that records every pixel and every window, and can fail at any pixel. It panics when somebody
+/// draws beside it.
 #[derive(Clone, Debug)]
 pub struct Screen<C = Rgb888> {
-    /// The size in pixels.
-    pub size: Size,
+    /// The bounding box.
+    pub area: Rectangle,
     /// The pixels that were drawn, line by line.
     pub pixels: Vec<Option<C>>,
     /// The areas that were filled, in order.
@@ -30,8 +31,13 @@ impl Screen {
 impl<C: Copy> Screen<C> {
     /// A blank screen for any color.
     pub fn blank(size: Size) -> Self {
-        let count = (size.width * size.height) as usize;
-        Self { size, pixels: vec![None; count], windows: Vec::new(), pixels_until_failure: None }
+        Self::over(Rectangle::new(Point::zero(), size))
+    }
+
+    /// A blank screen with this bounding box.
+    pub fn over(area: Rectangle) -> Self {
+        let count = (area.size.width * area.size.height) as usize;
+        Self { area, pixels: vec![None; count], windows: Vec::new(), pixels_until_failure: None }
     }
 
     /// All pixels, which must have been drawn.
@@ -44,9 +50,9 @@ impl<C: Copy> Screen<C> {
 #[derive(Debug, PartialEq, Eq)]
 pub struct Unplugged;
 
-impl<C> OriginDimensions for Screen<C> {
-    fn size(&self) -> Size {
-        self.size
+impl<C> Dimensions for Screen<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
     }
 }
 
@@ -55,11 +61,13 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     type Error = Unplugged;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Unplugged> {
-        for Pixel(Point { x, y }, color) in pixels {
+        for Pixel(point, color) in pixels {
+            assert!(self.area.contains(point), "{point} is not in {:?}", self.area);
             if let Some(left) = &mut self.pixels_until_failure {
                 *left = left.checked_sub(1).ok_or(Unplugged)?;
             }
-            self.pixels[(y as u32 * self.size.width + x as u32) as usize] = Some(color);
+            let Point { x, y } = point - self.area.top_left;
+            self.pixels[(y as u32 * self.area.size.width + x as u32) as usize] = Some(color);
         }
         Ok(())
     }

@@ -6,9 +6,9 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SettingsError {
-    /// The picture is too wide or too high. Render a smaller one.
+    /// The picture has no pixels, or is too wide or too high. Use sides that are allowed.
     Size {
-        /// The side that is too long.
+        /// The side that is not allowed.
         side: u32,
         /// The longest that is allowed.
         most: u32,
@@ -48,7 +48,9 @@ pub enum SettingsError {
 impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Size { side, most } => write!(f, "a side of {side} pixels is too long; use at most {most}"),
+            Self::Size { side, most } => {
+                write!(f, "a picture cannot have a side of {side} pixels; use 1 to {most}")
+            }
             Self::Bounces { given, most } => write!(f, "{given} bounces are too many; use at most {most}"),
             Self::Samples => f.write_str("no samples for a pixel; take at least 1"),
             Self::SamplesBeyondRays { samples, rays } => write!(
@@ -76,7 +78,7 @@ impl core::error::Error for SettingsError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LineError {
-    /// The buffer does not hold whole lines. Lend one line of the picture's width, or a multiple to draw
+    /// The buffer does not hold one line. Lend as many pixels as the picture is wide, or a multiple to draw
     /// several lines together.
     BufferLength {
         /// Pixels of the buffer.
@@ -85,15 +87,15 @@ pub enum LineError {
         width: u32,
     },
     /// The buffer of colors for realtime quality does not hold one band of lines. Lend
-    /// [`Realtime::colors`](crate::Realtime::colors) pixels.
+    /// [`Realtime::colors`](crate::Realtime::colors) pixels or more.
     BandLength {
         /// Pixels of the buffer.
         given: usize,
         /// Pixels of a band.
         needed: usize,
     },
-    /// The buffer of samples for realtime quality has the wrong length. Lend
-    /// [`Realtime::samples`](crate::Realtime::samples) samples.
+    /// The buffer of samples for realtime quality is too short. Lend
+    /// [`Realtime::samples`](crate::Realtime::samples) samples or more.
     SampleCount {
         /// Samples of the buffer.
         given: usize,
@@ -125,14 +127,20 @@ impl fmt::Display for LineError {
             Self::BufferLength { given, width } => {
                 write!(
                     f,
-                    "a buffer of {given} pixels does not fit lines of {width}; lend {width}, or a multiple to draw several"
+                    "a buffer of {given} pixels does not hold a line of {width}; lend {width}, or a multiple to draw several"
                 )
             }
             Self::BandLength { given, needed } => {
-                write!(f, "a buffer of {given} pixels is not a band of lines; lend {needed} pixels")
+                write!(
+                    f,
+                    "a buffer of {given} pixels does not hold a band of lines; lend {needed}: `Realtime::colors`"
+                )
             }
             Self::SampleCount { given, needed } => {
-                write!(f, "a buffer of {given} samples has the wrong length; lend {needed} samples")
+                write!(
+                    f,
+                    "a buffer of {given} samples does not hold a row; lend {needed}: `Realtime::samples`"
+                )
             }
             Self::SumCount { given, needed } => {
                 write!(f, "{given} sums do not fit a picture of {needed} pixels; lend one for each pixel")

@@ -1,10 +1,9 @@
 //! Exact quality: every pixel is traced.
 
-use core::ops::Range;
-
 use super::groups::Groups;
 use super::line::LinePainter;
 use super::painter::{LineBand, Painter, Traced};
+use super::part::Part;
 use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -30,48 +29,49 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        lines: &Range<u32>,
+        part: &Part,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let pixels = self.0.pixels(lines, renderer.width);
+        let pixels = self.0.pixels(part);
         let LineBand { colors, traced } = &mut self.0;
         let band = colors.get_mut(..pixels).unwrap_or_default();
-        let rays = trace_lines(renderer, lines.start as u16, band, traced, budget_rays, probe);
+        let rays = trace_part(renderer, part, band, traced, budget_rays, probe);
         Traced { rays, is_complete: *traced >= pixels }
     }
 
-    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
-        self.0.complete(lines, renderer.width)
+    fn band(&self, part: &Part) -> (u32, &[C]) {
+        self.0.complete(part)
     }
 
-    fn next_band(&mut self) {
+    fn sent_until(&mut self, _line: u32) {
         self.0.traced = 0;
     }
 }
 
-/// Traces whole lines from line `y` on, of which the first `traced` pixels are done, until all are done or
-/// `budget_rays` are spent; at least one pixel, or one group of pixels that are traced side by side.
-/// Returns the rays that it spent.
-pub(super) fn trace_lines<R: Real, S: Geometry, C: DisplayColor>(
+/// Traces the whole lines of a part of the picture that `pixels` hold, of which the first `traced` pixels are
+/// done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that are
+/// traced side by side. Returns the rays that it spent.
+pub(super) fn trace_part<R: Real, S: Geometry, C: DisplayColor>(
     renderer: &Renderer<'_, '_, R, S>,
-    y: u16,
+    part: &Part,
     pixels: &mut [C],
     traced: &mut usize,
     budget_rays: u32,
     probe: &mut impl Probe<R>,
 ) -> u32 {
     if let Some(mut groups) = Groups::new(renderer, probe) {
-        return groups.trace(y, pixels, traced, budget_rays, probe);
+        return groups.trace(part, pixels, traced, budget_rays, probe);
     }
-    let width = usize::from(renderer.width).max(1);
+    let width = (part.width() as usize).max(1);
     let (mut down, mut x) = (*traced / width, *traced % width);
     let mut spent: u32 = 0;
     while *traced < pixels.len() {
         let end = pixels.len().min(traced.saturating_add(width - x));
         let line = pixels.get_mut(*traced..end).unwrap_or_default();
-        let mut painter = LinePainter::new(renderer, y.wrapping_add(down as u16));
-        let (painted, rays) = painter.paint(x as u16, line, budget_rays.saturating_sub(spent), probe);
+        let mut painter = LinePainter::new(renderer, (part.top as u16).wrapping_add(down as u16));
+        let first = (part.left as u16).wrapping_add(x as u16);
+        let (painted, rays) = painter.paint(first, line, budget_rays.saturating_sub(spent), probe);
         *traced = traced.saturating_add(painted);
         spent = spent.saturating_add(rays);
         if painted == 0 || spent >= budget_rays {

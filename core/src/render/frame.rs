@@ -3,10 +3,11 @@
 use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
 use super::painter::Painter;
+use super::part::Part;
 use super::{DrawError, LineError, Quality, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -25,6 +26,8 @@ pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> {
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
+    /// The part of the picture that the display showed when it was last asked.
+    shown: Part,
     painter: Q::Painter<'m, S>,
 }
 
@@ -51,7 +54,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     #[inline]
     pub(super) fn new(renderer: &'r Renderer<'r, 'm, R, S>, lines: Range<u32>, quality: Q) -> Self {
         let total = lines.end.saturating_sub(lines.start);
-        let mut frame = Self { renderer, lines, total, painter: quality.painter(renderer) };
+        let shown = renderer.whole();
+        let mut frame = Self { renderer, lines, total, shown, painter: quality.painter(renderer) };
         frame.painter.restart(total);
         frame
     }
@@ -59,6 +63,16 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     /// The painter.
     pub(super) fn painter(&self) -> &Q::Painter<'m, S> {
         &self.painter
+    }
+
+    /// The renderer.
+    pub(super) fn renderer(&self) -> &'r Renderer<'r, 'm, R, S> {
+        self.renderer
+    }
+
+    /// The part of the picture that the display showed when it was last asked; the whole picture before.
+    pub(super) fn shown(&self) -> Part {
+        self.shown
     }
 
     /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not
@@ -123,37 +137,51 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     where
         D: DrawTarget<Color = Q::Color>,
     {
-        let mut spent: u32 = 0;
-        while !self.lines.is_empty() {
+        let (mut spent, mut is_spent) = (0u32, false);
+        while let Some(part) = self.next_part(display).filter(|_| !is_spent) {
             let left = budget_rays.saturating_sub(spent);
-            let traced = self.painter.trace(self.renderer, &self.lines, left, probe);
+            let traced = self.painter.trace(self.renderer, &part, left, probe);
             spent = spent.saturating_add(traced.rays);
             if !traced.is_complete {
                 break;
             }
-            self.send(display)?;
-            if spent >= budget_rays {
-                break;
-            }
+            self.send(display, &part)?;
+            is_spent = spent >= budget_rays;
         }
         let left = self.lines.end.saturating_sub(self.lines.start);
         Ok(Progress { lines_done: self.total.saturating_sub(left), lines_total: self.total, rays: spent })
     }
 
-    /// Sends the complete band to the display.
-    fn send<D>(&mut self, display: &mut D) -> Result<(), DrawError<D::Error>>
+    /// What is left to draw on this display, if anything is.
+    fn next_part(&mut self, display: &impl Dimensions) -> Option<Part> {
+        let shown = self.renderer.whole().shown_in(&display.bounding_box());
+        let (top, bottom) = (shown.top.max(self.lines.start), shown.bottom.min(self.lines.end));
+        let part = Part { top, bottom, ..shown };
+        if shown != self.shown {
+            self.shown = shown;
+            self.painter.restart(part.height());
+        }
+        if part.is_empty() {
+            self.lines.start = self.lines.end;
+            return None;
+        }
+        Some(part)
+    }
+
+    /// Sends complete lines to the display.
+    fn send<D>(&mut self, display: &mut D, part: &Part) -> Result<(), DrawError<D::Error>>
     where
         D: DrawTarget<Color = Q::Color>,
     {
-        let line = self.lines.start;
-        let (end, colors) = self.painter.band(self.renderer, &self.lines);
-        let size = Size::new(self.renderer.width(), end.saturating_sub(line));
-        let area = Rectangle::new(Point::new(0, line as i32), size);
+        let Part { left, top: line, .. } = *part;
+        let (end, colors) = self.painter.band(part);
+        let size = Size::new(part.width(), end.saturating_sub(line));
+        let area = Rectangle::new(Point::new(left as i32, line as i32), size);
         display
             .fill_contiguous(&area, colors.iter().copied())
             .map_err(|error| DrawError::Display { line, error })?;
         self.lines.start = end;
-        self.painter.next_band();
+        self.painter.sent_until(end);
         Ok(())
     }
 }

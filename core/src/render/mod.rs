@@ -25,6 +25,7 @@ mod line_candidates;
 mod outline;
 mod outlines;
 mod painter;
+mod part;
 mod pattern;
 mod pixel;
 mod pixel_sum;
@@ -53,9 +54,9 @@ pub use tone::Tone;
 
 use core::ops::Range;
 
-use groups::Groups;
-use line::LinePainter;
+use exact::trace_part;
 use outlines::Outlines;
+use part::Part;
 
 use embedded_graphics::draw_target::DrawTarget;
 
@@ -161,15 +162,13 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         self.color(self.refined(self.pixel_at(x, y), sum, probe), x, y)
     }
 
-    /// Renders line `y` into a slice of the picture's width.
+    /// Renders line `y` into the first pixels of a slice, which is as long as the picture is wide or longer.
     ///
     /// # Errors
-    /// If the slice has another length or the picture has no such line; no pixel is then rendered.
+    /// If the slice is shorter or the picture has no such line; no pixel is then rendered.
     pub fn line<C: DisplayColor>(&self, y: u32, line: &mut [C]) -> Result<(), LineError> {
-        if line.len() != usize::from(self.width) {
-            return Err(LineError::BufferLength { given: line.len(), width: self.width() });
-        }
-        self.lines(y, line, &mut ())
+        let pixels = line.len().min(usize::from(self.width));
+        self.lines(y, line.get_mut(..pixels).unwrap_or_default(), &mut ())
     }
 
     /// Renders as many whole lines as a slice holds, from line `y` on. The probe records what happens.
@@ -178,39 +177,37 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     /// after the other.
     ///
     /// # Errors
-    /// If the slice does not hold one whole line or several, or the picture has no such lines; no pixel is
-    /// then rendered.
+    /// If the slice does not hold one whole line, or the picture has no such lines; no pixel is then
+    /// rendered.
     pub fn lines<C: DisplayColor>(
         &self,
         y: u32,
         lines: &mut [C],
         probe: &mut impl Probe<R>,
     ) -> Result<(), LineError> {
-        let count = self.whole_lines(lines.len())?;
-        let last = y.saturating_add(count.saturating_sub(1));
-        let Some(y) = u16::try_from(y).ok().filter(|_| last < self.height()) else {
+        self.check_line(lines.len())?;
+        let height = u32::try_from(lines.len() / usize::from(self.width).max(1)).unwrap_or(u32::MAX);
+        let last = y.saturating_add(height.saturating_sub(1));
+        if last >= self.height() {
             return Err(LineError::NoSuchLine { line: last, height: self.height() });
-        };
-        if let Some(mut groups) = Groups::new(self, probe) {
-            groups.trace(y, lines, &mut 0, u32::MAX, probe);
-            return Ok(());
         }
-        for (down, line) in lines.chunks_mut(usize::from(self.width).max(1)).enumerate() {
-            LinePainter::new(self, y.wrapping_add(down as u16)).paint(0, line, u32::MAX, probe);
+        let part = Part { top: y, bottom: last.saturating_add(1), ..self.whole() };
+        let pixels = height as usize * usize::from(self.width);
+        trace_part(self, &part, lines.get_mut(..pixels).unwrap_or_default(), &mut 0, u32::MAX, probe);
+        Ok(())
+    }
+
+    /// Whether this many pixels hold a line of the picture.
+    fn check_line(&self, pixels: usize) -> Result<(), LineError> {
+        if pixels < usize::from(self.width) {
+            return Err(LineError::BufferLength { given: pixels, width: self.width() });
         }
         Ok(())
     }
 
-    /// The number of lines that this many pixels fill: 1 or more. In a picture of width 0, no pixels are
-    /// one line.
-    fn whole_lines(&self, pixels: usize) -> Result<u32, LineError> {
-        let lines = match pixels.checked_rem(usize::from(self.width)) {
-            Some(0) if pixels > 0 => pixels.checked_div(usize::from(self.width)),
-            None if pixels == 0 => Some(1),
-            _ => None,
-        };
-        let lines = lines.map(|lines| u32::try_from(lines).unwrap_or(u32::MAX));
-        lines.ok_or(LineError::BufferLength { given: pixels, width: self.width() })
+    /// The whole picture.
+    fn whole(&self) -> Part {
+        Part::whole(self.width, self.height)
     }
 
     /// The lines of a range that are to be drawn; `0..0` if there is nothing to draw.
@@ -222,12 +219,16 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         if lines.end > self.height() {
             return Err(LineError::NoSuchLine { line: lines.end.wrapping_sub(1), height: self.height() });
         }
-        Ok(if self.width == 0 { 0..0 } else { lines })
+        Ok(lines)
     }
 
-    /// Draws the whole picture with its upper left corner at the display's origin: one `fill_contiguous`
-    /// for each band of lines. The lent memory says in which [`Quality`]: `&mut line` draws exactly, with
-    /// one line or as many whole lines as are to be sent together.
+    /// Draws the picture with its upper left corner at (0, 0): one `fill_contiguous` for each band of lines.
+    /// The lent memory says in which [`Quality`]: `&mut line` draws exactly, with one line or as many whole
+    /// lines as are to be sent together.
+    ///
+    /// Only what lies in the display's `bounding_box()` is traced and sent. The box may begin elsewhere, as
+    /// the box of a `translated` display does: `display.translated(display.bounding_box().top_left)` has
+    /// (0, 0) in the upper left corner of `display`.
     ///
     /// # Errors
     /// Memory of the wrong length, before the first pixel; or the display's own error, with the line from

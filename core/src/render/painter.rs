@@ -1,7 +1,6 @@
 //! The interface between a frame and the tracing of one quality.
 
-use core::ops::Range;
-
+use super::part::Part;
 use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -14,25 +13,27 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// The color of the display's pixels.
     type Color: DisplayColor;
 
-    /// Drops the current band, because the frame goes on with other lines; so many are to be drawn.
+    /// Drops the current band, because the frame goes on with other lines or columns; so many lines are to
+    /// be drawn.
     fn restart(&mut self, lines_total: u32);
 
-    /// Traces the band of lines that holds the first of `lines`, until it is complete or `budget_rays` are
-    /// spent. An incomplete band gets one unit of work or more. The band stays until
-    /// [`next_band`](Self::next_band).
+    /// Traces the band of lines that holds the first line of `part`, which is not empty, until it is complete
+    /// or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays until
+    /// its lines are [sent](Self::sent_until).
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        lines: &Range<u32>,
+        part: &Part,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced;
 
-    /// The complete band: the line after it, and its pixels from the first of `lines` on.
-    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[Self::Color]);
+    /// One or more lines of the complete band, from the first line of `part` on: the line after them, and
+    /// their pixels in the columns of `part`.
+    fn band(&self, part: &Part) -> (u32, &[Self::Color]);
 
-    /// Drops the current band, because it is on the display.
-    fn next_band(&mut self);
+    /// All lines above `line` are on the display. If the current band lies above it, the band is dropped.
+    fn sent_until(&mut self, line: u32);
 }
 
 /// Memory for a band of whole lines, and how many of its pixels are traced.
@@ -47,18 +48,22 @@ impl<'b, C> LineBand<'b, C> {
         Self { colors, traced: 0 }
     }
 
-    /// Pixels of the band that begins with these lines: fewer than the memory holds at the bottom of the
-    /// picture.
-    pub(super) fn pixels(&self, lines: &Range<u32>, width: u16) -> usize {
-        let left = u64::from(lines.end.saturating_sub(lines.start)) * u64::from(width);
-        usize::try_from(left).map_or(self.colors.len(), |left| left.min(self.colors.len()))
+    /// Lines of the band at the top of this part of the picture: as many as the memory holds, and fewer at
+    /// the bottom.
+    fn height(&self, part: &Part) -> u32 {
+        let most = self.colors.len() / (part.width() as usize).max(1);
+        u32::try_from(most).unwrap_or(u32::MAX).min(part.height())
+    }
+
+    /// Pixels of the band at the top of this part of the picture.
+    pub(super) fn pixels(&self, part: &Part) -> usize {
+        self.height(part) as usize * part.width() as usize
     }
 
     /// [`Painter::band`].
-    pub(super) fn complete(&self, lines: &Range<u32>, width: u16) -> (u32, &[C]) {
-        let pixels = self.pixels(lines, width);
-        let height = pixels.checked_div(usize::from(width)).unwrap_or(0) as u32;
-        (lines.start.saturating_add(height), self.colors.get(..pixels).unwrap_or_default())
+    pub(super) fn complete(&self, part: &Part) -> (u32, &[C]) {
+        let pixels = self.colors.get(..self.pixels(part)).unwrap_or_default();
+        (part.top.saturating_add(self.height(part)), pixels)
     }
 }
 

@@ -1,9 +1,8 @@
 //! Progressive refinement: a picture that is shown early and becomes smooth over several passes (Bergman,
 //! Fuchs, Grant and Spach, "Image Rendering by Adaptive Refinement", SIGGRAPH 1986).
 
-use core::ops::Range;
-
 use super::painter::{LineBand, Painter, Traced};
+use super::part::Part;
 use super::pixel_sum::PixelSum;
 use super::quality::Sealed;
 use super::{DisplayColor, Frame, LineError, Quality, Renderer};
@@ -64,7 +63,7 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for Progressive<'b, C, R> {
         if self.sums.len() != needed {
             return Err(LineError::SumCount { given: self.sums.len(), needed });
         }
-        renderer.whole_lines(self.line.len()).map(|_| ())
+        renderer.check_line(self.line.len())
     }
 
     fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ProgressivePainter<'b, C, R> {
@@ -73,14 +72,24 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for Progressive<'b, C, R> {
 }
 
 impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'_, 'm, R, S, Progressive<'_, C, R>> {
-    /// Whether all pixels have all samples that they need, so that another pass would change nothing.
+    /// Whether all pixels that the display shows have all samples that they need, so that another pass would
+    /// change nothing.
     pub fn is_refined(&self) -> bool {
-        self.pixels_refined() == self.painter().sums.len()
+        self.sums_shown().all(|sum| sum.is_complete)
     }
 
-    /// How many pixels of the picture have all samples that they need.
+    /// How many pixels that the display shows have all samples that they need.
     pub fn pixels_refined(&self) -> usize {
-        self.painter().sums.iter().filter(|sum| sum.is_complete).count()
+        self.sums_shown().filter(|sum| sum.is_complete).count()
+    }
+
+    /// The sums of the pixels that the display shows; of all pixels before anything is drawn.
+    fn sums_shown(&self) -> impl Iterator<Item = &PixelSum<R>> {
+        let Part { left, top, .. } = self.shown();
+        let (columns, lines) = (self.shown().width() as usize, self.shown().height() as usize);
+        let all = self.painter().sums.chunks(usize::from(self.renderer().width).max(1));
+        let lines = all.skip(top as usize).take(lines);
+        lines.flat_map(move |line| line.iter().skip(left as usize).take(columns))
     }
 }
 
@@ -101,17 +110,18 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        lines: &Range<u32>,
+        part: &Part,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let (pixels, width) = (self.band.pixels(lines, renderer.width), usize::from(renderer.width).max(1));
-        let above = (lines.start as usize).saturating_mul(width);
+        let (pixels, width) = (self.band.pixels(part), (part.width() as usize).max(1));
         let mut spent: u32 = 0;
         while self.band.traced < pixels && spent < budget_rays.max(1) {
-            let (down, x) = (self.band.traced / width, (self.band.traced % width) as u16);
-            let y = (lines.start as u16).wrapping_add(down as u16);
-            if let Some(sum) = self.sums.get_mut(above.saturating_add(self.band.traced))
+            let (down, right) = (self.band.traced / width, self.band.traced % width);
+            let x = (part.left as u16).wrapping_add(right as u16);
+            let y = (part.top as u16).wrapping_add(down as u16);
+            let place = usize::from(y).saturating_mul(usize::from(renderer.width)).saturating_add(x.into());
+            if let Some(sum) = self.sums.get_mut(place)
                 && let Some(color) = self.band.colors.get_mut(self.band.traced)
             {
                 let before = sum.rays;
@@ -124,11 +134,11 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
         Traced { rays: spent, is_complete: self.band.traced >= pixels }
     }
 
-    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
-        self.band.complete(lines, renderer.width)
+    fn band(&self, part: &Part) -> (u32, &[C]) {
+        self.band.complete(part)
     }
 
-    fn next_band(&mut self) {
+    fn sent_until(&mut self, _line: u32) {
         self.band.traced = 0;
     }
 }

@@ -38,7 +38,7 @@ use crate::shape::Geometry;
 /// The quality in which a picture is drawn in the number system `R`, with the memory that this takes. These
 /// types implement it:
 /// - `&mut [C]` and `&mut [C; N]`: exact quality, with memory for one line of the picture, or for several
-///   whole lines that are sent to the display together;
+///   whole lines that are sent to the display together. Pixels that fill no whole line are not used;
 /// - [`RealtimeBuffer`](super::RealtimeBuffer): realtime quality, see
 ///   [`Realtime::lend`](super::Realtime::lend);
 /// - [`Progressive`](super::Progressive): exact quality, one sample of each pixel after the other.
@@ -76,7 +76,7 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for &'b mut [C] {
     type Painter<'m, S: Geometry + 'm> = ExactPainter<'b, C>;
 
     fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
-        renderer.whole_lines(self.len()).map(|_| ())
+        renderer.check_line(self.len())
     }
 
     fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {
@@ -91,7 +91,7 @@ impl<'b, C: DisplayColor, R: Real, const N: usize> Quality<R> for &'b mut [C; N]
     type Painter<'m, S: Geometry + 'm> = ExactPainter<'b, C>;
 
     fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
-        renderer.whole_lines(N).map(|_| ())
+        renderer.check_line(N)
     }
 
     fn painter<'m, S: Geometry + 'm>(self, _: &Renderer<'_, 'm, R, S>) -> ExactPainter<'b, C> {

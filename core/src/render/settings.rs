@@ -13,9 +13,9 @@ use crate::sampling::{Adaptive, Sampling};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Width of the picture in pixels, 0 to 65535.
+    /// Width of the picture in pixels, 1 to 65535.
     pub width: u32,
-    /// Height of the picture in pixels, 0 to 65535.
+    /// Height of the picture in pixels, 1 to 65535.
     pub height: u32,
     /// How often light may be mirrored or refracted on its way: 0 to
     /// [`MAX_BOUNCES`](crate::limits::MAX_BOUNCES).
@@ -53,7 +53,10 @@ impl Settings {
 
     /// Checks every setting. Returns width and height.
     pub(super) fn check(&self) -> Result<(u16, u16), SettingsError> {
-        let side = |side: u32| u16::try_from(side).map_err(|_| SettingsError::Size { side, most: MAX_SIDE });
+        let side = |side: u32| match u16::try_from(side) {
+            Ok(length @ 1..) => Ok(length),
+            _ => Err(SettingsError::Size { side, most: MAX_SIDE }),
+        };
         if self.bounces > MAX_BOUNCES {
             return Err(SettingsError::Bounces { given: self.bounces, most: MAX_BOUNCES });
         }

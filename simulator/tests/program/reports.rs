@@ -143,3 +143,18 @@ fn first_distance(report: &str) -> String {
     let distance = report.split("distance ").nth(1).unwrap().split(',').next().unwrap();
     format!("{:.2}", distance.parse::<f64>().unwrap())
 }
+
+#[test]
+fn check_tells_what_a_panel_shows() {
+    let bench = Bench::new();
+    let report = |panel: &str| {
+        bench.output(&["check", "classic", "--board", "pico", "--size", "32x24", "--panel", panel])
+    };
+    assert!(!report("32x24").contains("A panel"));
+    assert!(report("16x24").ends_with(
+        "\nA panel of 16x24 shows 16x24 pixels of the picture (50 %), which cover 100 % of the panel. Use \
+         --size 16x24.\n"
+    ));
+    let larger = report("64x24");
+    assert!(larger.contains("shows 32x24 pixels of the picture (100 %), which cover 50 % of"), "{larger}");
+}

@@ -23,6 +23,7 @@ mod media;
 mod operations;
 mod optics;
 mod own_shape;
+mod panels;
 mod povray;
 mod progressive;
 mod realtime;

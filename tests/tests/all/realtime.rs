@@ -7,7 +7,6 @@ use std::ops::Range;
 use std::path::Path;
 
 use bumpalo::Bump;
-use embedded_graphics::geometry::OriginDimensions;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::builtin::{CLASSIC, FLAKE, PRISM, WHITTED};
 use rayline::math::Fixed;
@@ -38,7 +37,7 @@ pub(super) fn with_renderer<R: Real, T>(
 /// The picture on a screen.
 fn picture_on(screen: &Screen) -> Picture {
     let pixels = screen.picture().iter().map(|color| [color.r(), color.g(), color.b()]).collect();
-    Picture { width: screen.size().width, pixels }
+    Picture { width: screen.area.size.width, pixels }
 }
 
 /// The buffers for one frame.
@@ -754,7 +753,7 @@ fn traced_pixels_are_those_of_the_exact_picture() {
 #[test]
 fn every_size_is_drawn() {
     let quality = Realtime::new();
-    for (width, height) in [(0, 0), (0, 9), (9, 0), (1, 1), (3, 2), (65_535, 1), (65_535, 5), (1, 65_535)] {
+    for (width, height) in [(1, 1), (3, 2), (65_535, 1), (65_535, 5), (1, 65_535)] {
         with_renderer::<f32, _>(
             &CLASSIC,
             Settings { bounces: 0, ..Settings::new(width, height) },
@@ -767,17 +766,14 @@ fn every_size_is_drawn() {
 }
 
 #[test]
-fn memory_of_the_wrong_length_and_lines_that_are_not_there_are_refused() {
+fn memory_that_is_too_short_and_lines_that_are_not_there_are_refused() {
     let quality = Realtime::new();
     with_renderer::<f32, _>(&CLASSIC, SMALL, |renderer| {
         let (colors, samples) = (quality.colors(61), quality.samples(61));
         assert_eq!((colors, samples), (61 * 8, 65));
-        for (given, fewer) in [
-            ((colors - 1, samples), true),
-            ((colors + 61, samples), true),
-            ((colors, samples - 1), false),
-            ((colors, 0), false),
-        ] {
+        for (given, fewer) in
+            [((colors - 1, samples), true), ((colors, samples - 1), false), ((colors, 0), false)]
+        {
             let mut memory =
                 Memory { colors: vec![Rgb888::BLACK; given.0], samples: vec![Sample::BLANK; given.1] };
             let error = renderer.frame(0..43, memory.lend(quality)).unwrap_err();

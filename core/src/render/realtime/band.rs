@@ -2,7 +2,6 @@
 
 use core::array::from_fn;
 use core::marker::PhantomData;
-use core::ops::Range;
 
 use super::budget::{Budget, Detail, Spent};
 use super::buffer::RealtimeBuffer;
@@ -26,6 +25,7 @@ use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
+use crate::render::part::Part;
 use crate::render::{DisplayColor, Renderer};
 use crate::shape::{Geometry, Silhouette};
 
@@ -39,6 +39,10 @@ pub(super) struct Band<R> {
     pub(super) top: u32,
     /// The left column of the next cell.
     pub(super) left: u32,
+    /// The left column of the first cell.
+    pub(super) first: u32,
+    /// The column after the band.
+    end: u32,
     /// The camera rays of each line, and of the first line below.
     rows: [RayRow<R>; POINTS],
     /// Whether the lent row of samples holds the upper row of the grid, from `left` on.
@@ -54,6 +58,21 @@ pub(super) struct Band<R> {
 }
 
 impl<R> Band<R> {
+    /// Pixels of a line.
+    pub(super) fn width(&self) -> usize {
+        self.end.saturating_sub(self.first) as usize
+    }
+
+    /// Pixels of a line to the left of the next cell.
+    fn drawn(&self) -> usize {
+        self.left.saturating_sub(self.first) as usize
+    }
+
+    /// Whether all cells are drawn.
+    pub(super) fn is_complete(&self) -> bool {
+        self.left >= self.end
+    }
+
     /// The corners of the next cell, in which no ray meets an object.
     fn empty_corners(&self, nothing: Sample, size: usize) -> Corners {
         let corner = |x: usize, y: usize| match &self.tips {
@@ -69,6 +88,14 @@ impl<R> Band<R> {
     }
 }
 
+/// A row of the grid, from column `first` up to column `end`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct GridRow {
+    line: u32,
+    first: u32,
+    end: u32,
+}
+
 /// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
 #[derive(Debug)]
 pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
@@ -79,8 +106,8 @@ pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
     unlit: UnlitScene<'m, R, S>,
     quality: Realtime,
     small: SmallThings<R>,
-    /// The line of the picture that the lent row of samples holds.
-    row: Option<u32>,
+    /// The row of the grid that the lent samples hold.
+    row: Option<GridRow>,
     /// The sample of a pixel whose ray meets no object, if all such pixels look alike.
     nothing: Option<Sample>,
     /// The current cell. Its left side is known from the cell before.
@@ -117,15 +144,16 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
     }
 
-    /// Begins the band that holds the first of the `lines` that are still to be drawn.
+    /// Begins the band that holds the first line of the `part` that is still to be drawn.
     // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F, 2,200 on an
     // M0).
     #[inline(never)]
-    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> Band<R> {
+    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, part: &Part) -> Band<R> {
         let size = self.quality.grid.pixels();
-        let top = lines.start & !(size as u32 - 1);
+        let first_of = |place: u32| place & !(size as u32 - 1);
+        let (top, first, end) = (first_of(part.top), first_of(part.left), part.right);
         let bottom = (top + size as u32).min(u32::from(u16::MAX));
-        self.budget.share(size as u32, lines.end.saturating_sub(lines.start));
+        self.budget.share(size as u32, part.height());
         let rows = (top as u16, bottom as u16);
         let mut thin = self.small.thin_cells(renderer.width, self.quality.grid);
         let strip = Strip::new(renderer, rows, self.quality.aim(), &mut thin);
@@ -136,9 +164,11 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         let tips = self.small.tip_points(renderer, self.quality.grid, rows);
         Band {
             top,
-            left: 0,
+            left: first,
+            first,
+            end,
             rows: from_fn(|y| renderer.row(beyond(top, y), self.quality.aim())),
-            has_top: self.row == Some(top),
+            has_top: self.row == Some(GridRow { line: top, first, end }),
             is_left_refined: false,
             strip,
             thin,
@@ -168,10 +198,17 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         buffer: &mut RealtimeBuffer<'_, C>,
         probe: &mut impl Probe<R>,
     ) -> Spent {
-        let (size, left) = (self.quality.grid.pixels(), band.left as usize);
-        let (settings, width) = (&renderer.settings, usize::from(renderer.width));
+        let (size, drawn) = (self.quality.grid.pixels(), band.drawn());
         let is_smooth = self.quality.is_smooth();
-        let paint = Paint { settings, width, left, top: band.top, size, is_smooth };
+        let paint = Paint {
+            settings: &renderer.settings,
+            width: band.width(),
+            drawn,
+            left: band.left,
+            top: band.top,
+            size,
+            is_smooth,
+        };
         let among = objects_shown(renderer, band, size);
         if let Some(nothing) = self.nothing
             && among.is_empty()
@@ -202,8 +239,8 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             rays: 0,
             allowed: self.budget.left(),
         };
-        let above: Above<'_> = if band.has_top { buffer.samples.get(left..) } else { None };
-        let is_first = left == 0;
+        let above: Above<'_> = if band.has_top { buffer.samples.get(drawn..) } else { None };
+        let is_first = drawn == 0;
         let traces_row = self.budget.traces_row();
         let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), size, &mut tracer);
         let grid = tracer.rays;
@@ -243,11 +280,11 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         if plan.is_smooth() {
             return self.hand_on_corners(band, corners, samples);
         }
-        let (left, size) = (band.left as usize, self.quality.grid.pixels());
+        let (drawn, size) = (band.drawn(), self.quality.grid.pixels());
         if plan.traces_all() {
-            hand_down_corners(samples, left, corners, size);
+            hand_down_corners(samples, drawn, corners, size);
         } else {
-            hand_down_row(samples, left, &self.cell, size);
+            hand_down_row(samples, drawn, &self.cell, size);
         }
         self.cell.advance(size);
         self.advance(band, plan.refines_right());
@@ -258,7 +295,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         let size = self.quality.grid.pixels();
         self.cell.set(0, 0, corners.top_right);
         self.cell.set(0, size, corners.bottom_right);
-        hand_down_corners(samples, band.left as usize, corners, size);
+        hand_down_corners(samples, band.drawn(), corners, size);
         self.advance(band, false);
     }
 
@@ -268,7 +305,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         band.is_left_refined = is_left_refined;
         band.left += size;
         // Each cell sets it; the value of the band's last cell counts.
-        self.row = Some(band.top + size);
+        self.row = Some(GridRow { line: band.top + size, first: band.first, end: band.end });
     }
 }
 
@@ -337,17 +374,17 @@ fn refine_first_side(cell: &mut Cell, size: usize, pixels: &mut impl PixelSource
 
 /// Hands the bottom row of a cell to the band below, without its left end: the cell before has handed that
 /// down as its own right end. Only a band's first cell hands down both ends.
-fn hand_down_row(samples: &mut [Sample], left: usize, cell: &Cell, size: usize) {
-    let first = if left == 0 { 0 } else { 1 };
-    for (x, sample) in (first..=size).zip(samples.iter_mut().skip(left + first)) {
+fn hand_down_row(samples: &mut [Sample], drawn: usize, cell: &Cell, size: usize) {
+    let first = if drawn == 0 { 0 } else { 1 };
+    for (x, sample) in (first..=size).zip(samples.iter_mut().skip(drawn + first)) {
         *sample = cell.get(x, size);
     }
 }
 
 /// Hands the lower corners of a cell to the band below, and marks the points between them as unknown.
-fn hand_down_corners(samples: &mut [Sample], left: usize, corners: &Corners, size: usize) {
-    if let Some(row) = samples.get_mut(left..) {
-        if let (0, Some(first)) = (left, row.first_mut()) {
+fn hand_down_corners(samples: &mut [Sample], drawn: usize, corners: &Corners, size: usize) {
+    if let Some(row) = samples.get_mut(drawn..) {
+        if let (0, Some(first)) = (drawn, row.first_mut()) {
             *first = corners.bottom_left;
         }
         if let Some(inside) = row.get_mut(1) {

@@ -17,7 +17,7 @@ pub struct RealtimeBuffer<'b, C> {
 impl Realtime {
     /// This quality with memory to draw in, for [`Renderer::draw`](crate::Renderer::draw) and
     /// [`Renderer::frame`](crate::Renderer::frame). The memory holds
-    /// [`colors`](Self::colors) pixels and [`samples`](Self::samples) samples.
+    /// [`colors`](Self::colors) pixels and [`samples`](Self::samples) samples, or more.
     pub fn lend<'b, C>(self, colors: &'b mut [C], samples: &'b mut [Sample]) -> RealtimeBuffer<'b, C> {
         RealtimeBuffer { quality: self, colors, samples }
     }

@@ -8,10 +8,12 @@ use crate::render::{DisplayColor, Dither, Quantizer, Settings, Tone};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint<'s> {
     pub(super) settings: &'s Settings,
-    /// Pixels of a line.
+    /// Pixels of a line of the band.
     pub(super) width: usize,
-    /// The cell's upper left pixel, and its size in pixels.
-    pub(super) left: usize,
+    /// Pixels of a line of the band that lie to the left of the cell.
+    pub(super) drawn: usize,
+    /// The cell's upper left pixel in the picture, and its size in pixels.
+    pub(super) left: u32,
     pub(super) top: u32,
     pub(super) size: usize,
     /// Whether samples belong to the corners of pixels, not to their centers.
@@ -85,7 +87,8 @@ impl Paint<'_> {
 
     // Called from `smooth` and `refined`: one copy is enough.
     fn dithered<C: DisplayColor>(&self, x: usize, y: usize, tone: Tone) -> C {
-        let quantizer = Quantizer::new(self.settings, (self.left + x) as u16, (self.top + y as u32) as u16);
+        let quantizer =
+            Quantizer::new(self.settings, (self.left + x as u32) as u16, (self.top + y as u32) as u16);
         C::from_tone(tone, &quantizer)
     }
 
@@ -102,8 +105,8 @@ impl Paint<'_> {
         for y in 0..self.size {
             let Some((line, more)) = rest.split_at_mut_checked(self.width) else { return };
             rest = more;
-            let end = (self.left + self.size).min(self.width);
-            if let Some(row) = line.get_mut(self.left..end) {
+            let end = (self.drawn + self.size).min(self.width);
+            if let Some(row) = line.get_mut(self.drawn..end) {
                 paint(y, row);
             }
         }

@@ -1,13 +1,12 @@
 //! Realtime quality as a frame uses it: a painter of bands.
 
-use core::ops::Range;
-
 use super::band::{Band, BandPainter};
 use super::buffer::RealtimeBuffer;
 use super::quality::Edges;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::render::painter::{Painter, Traced};
+use crate::render::part::Part;
 use crate::render::quality::Sealed;
 use crate::render::{DisplayColor, LineError, Quality, Renderer};
 use crate::shape::Geometry;
@@ -20,11 +19,11 @@ impl<'b, C: DisplayColor, R: Real> Quality<R> for RealtimeBuffer<'b, C> {
 
     fn check<S: Geometry>(&self, renderer: &Renderer<'_, '_, R, S>) -> Result<(), LineError> {
         let needed = self.quality.colors(renderer.width);
-        if self.colors.len() != needed {
+        if self.colors.len() < needed {
             return Err(LineError::BandLength { given: self.colors.len(), needed });
         }
         let needed = self.quality.samples(renderer.width);
-        if self.samples.len() != needed {
+        if self.samples.len() < needed {
             return Err(LineError::SampleCount { given: self.samples.len(), needed });
         }
         if !cfg!(feature = "distributed") && self.quality.edges == Edges::Smooth {
@@ -52,6 +51,13 @@ pub struct RealtimePainter<'m, 'b, R: Real, S: Geometry + 'm, C> {
     buffer: RealtimeBuffer<'b, C>,
 }
 
+impl<R: Real, S: Geometry, C> RealtimePainter<'_, '_, R, S, C> {
+    /// The line after a band.
+    fn bottom(&self, band: &Band<R>) -> u32 {
+        band.top.saturating_add(self.buffer.quality.grid.pixels() as u32)
+    }
+}
+
 impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for RealtimePainter<'m, '_, R, S, C> {
     type Color = C;
 
@@ -63,16 +69,16 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Realt
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        lines: &Range<u32>,
+        part: &Part,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
         let mut band = match self.band {
             Some(band) => band,
-            None => self.bands.begin(renderer, lines),
+            None => self.bands.begin(renderer, part),
         };
         let mut spent: u32 = 0;
-        while band.left < renderer.width() {
+        while !band.is_complete() {
             let rays = self.bands.draw_cell(renderer, &mut band, &mut self.buffer, probe);
             // A cell without rays takes time too.
             spent = spent.saturating_add(rays.max(1));
@@ -81,19 +87,24 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Realt
             }
         }
         self.band = Some(band);
-        Traced { rays: spent, is_complete: band.left >= renderer.width() }
+        Traced { rays: spent, is_complete: band.is_complete() }
     }
 
-    fn band(&self, renderer: &Renderer<'_, 'm, R, S>, lines: &Range<u32>) -> (u32, &[C]) {
-        let top = self.band.as_ref().map_or(lines.start, |band| band.top);
-        let end = (top + self.buffer.quality.grid.pixels() as u32).min(lines.end);
-        let pixels = |lines: u32| lines as usize * usize::from(renderer.width);
-        let above = pixels(lines.start.saturating_sub(top));
-        let shown = above..above + pixels(end.saturating_sub(lines.start));
-        (end, self.buffer.colors.get(shown).unwrap_or_default())
+    fn band(&self, part: &Part) -> (u32, &[C]) {
+        let Some(band) = &self.band else { return (part.bottom, &[]) };
+        // The band may have pixels to the left of the part. Each line is then sent by itself.
+        let beside = part.left.saturating_sub(band.first);
+        let below = if beside == 0 { self.bottom(band) } else { part.top.saturating_add(1) };
+        let end = below.min(part.bottom);
+        let pixels = |lines: u32| lines as usize * band.width();
+        let first = pixels(part.top.saturating_sub(band.top)) + beside as usize;
+        let last = pixels(end.saturating_sub(band.top));
+        (end, self.buffer.colors.get(first..last).unwrap_or_default())
     }
 
-    fn next_band(&mut self) {
-        self.band = None;
+    fn sent_until(&mut self, line: u32) {
+        if self.band.as_ref().is_some_and(|band| line >= self.bottom(band)) {
+            self.band = None;
+        }
     }
 }
