@@ -76,6 +76,8 @@ const fn objects<const OBJECTS: usize>() -> [Object<Shape<'static>>; OBJECTS] {
 
 static TWO_SIZES: [Object<Shape<'static>>; 1 + 10] = objects();
 static THREE_SIZES: [Object<Shape<'static>>; 1 + 91] = objects();
+// Too large for processors that address 64 KB.
+#[cfg(not(target_pointer_width = "16"))]
 static FOUR_SIZES: [Object<Shape<'static>>; 1 + 820] = objects();
 
 const fn light(x: f32, y: f32, z: f32) -> Light {
@@ -90,6 +92,8 @@ pub static FLAKE_10: Scene<'static> = scene(&TWO_SIZES);
 pub static FLAKE: Scene<'static> = scene(&THREE_SIZES);
 
 /// The sphereflake of 820 mirroring balls over a floor.
+// Too large for processors that address 64 KB.
+#[cfg(not(target_pointer_width = "16"))]
 pub static FLAKE_820: Scene<'static> = scene(&FOUR_SIZES);
 
 const fn scene(objects: &'static [Object<Shape<'static>>]) -> Scene<'static> {

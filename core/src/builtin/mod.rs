@@ -9,7 +9,9 @@ mod whitted;
 
 pub use classic::CLASSIC;
 pub use costs::{CSG, MESH, SPHERES, TORUS};
-pub use flake::{FLAKE, FLAKE_10, FLAKE_820};
+#[cfg(not(target_pointer_width = "16"))]
+pub use flake::FLAKE_820;
+pub use flake::{FLAKE, FLAKE_10};
 pub use prism::PRISM;
 pub use table::TABLE;
 pub use whitted::WHITTED;
@@ -59,7 +61,7 @@ pub static ALL: [Builtin; 5] = [
 ];
 
 /// The sphereflake with 10, 91 and 820 balls, to measure how the time grows with the number of objects.
-pub static GROWTH: [Builtin; 3] = [
+pub static GROWTH: &[Builtin] = &[
     Builtin {
         name: "flake-10",
         description: "the sphereflake: 10 mirroring balls",
@@ -72,6 +74,7 @@ pub static GROWTH: [Builtin; 3] = [
         scene: &FLAKE,
         bounces: 4,
     },
+    #[cfg(not(target_pointer_width = "16"))]
     Builtin {
         name: "flake-820",
         description: "the sphereflake: 820 mirroring balls",
@@ -90,5 +93,5 @@ pub static COSTS: [Builtin; 4] = [
 
 /// All built-in scenes: [`ALL`], [`GROWTH`] and [`COSTS`].
 pub fn all() -> impl Iterator<Item = &'static Builtin> {
-    ALL.iter().chain(&GROWTH).chain(&COSTS)
+    ALL.iter().chain(GROWTH).chain(&COSTS)
 }
