@@ -124,6 +124,15 @@ pub(crate) struct Arguments {
     )]
     pub(crate) effects: Option<PathBuf>,
 
+    /// Measure flash and stack by features and levels of optimization, and write a page: docs/sizes.md
+    #[arg(
+        long,
+        value_name = "FILE.md",
+        conflicts_with_all = OF_PICTURES,
+        conflicts_with_all = ["boards", "gallery", "bench", "report", "effects"]
+    )]
+    pub(crate) sizes: Option<PathBuf>,
+
     /// Write the tables as a page: docs/benchmarks.md
     ///
     /// With --bench the page has what was measured, and the desktop is measured as well. Without, its boards

@@ -39,6 +39,7 @@ use crate::picture::Mode;
 use crate::record::Record;
 use crate::request::Request;
 use crate::session::Session;
+use crate::toolchain::Compilation;
 
 fn main() -> ExitCode {
     match run(&Arguments::parse()) {
@@ -63,6 +64,9 @@ fn run(arguments: &Arguments) -> Result<bool> {
     }
     if let Some(file) = &arguments.effects {
         return bench::effects::run(file, arguments.timeout());
+    }
+    if let Some(file) = &arguments.sizes {
+        return bench::sizes::run(file, arguments.timeout());
     }
     let request = request(arguments)?;
     if let Some(name) = &arguments.profile {
@@ -129,6 +133,7 @@ fn render(boards: &[&'static Board], request: &Request, arguments: &Arguments) -
         let session = Session {
             board,
             picture: request.on(board),
+            compilation: Compilation::FAST,
             picture_file: arguments.picture.as_ref().map(|file| png::file_for(file, board, boards.len())),
             timeout: arguments.timeout(),
         };

@@ -5,13 +5,16 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::board::Board;
+use crate::picture::{Mode, Picture};
 use crate::program::Program;
 use crate::request::Request;
-use crate::toolchain::{Built, PANIC, Toolchain};
+use crate::toolchain::{Built, Compilation, PANIC, Toolchain};
 
-/// The level of optimization for size. At level "z", an assertion of the crate `semihosting` stays in the
-/// program.
-const SMALL: &str = "s";
+/// The levels of optimization. A compiler may keep a panic at one level that it removes at another one.
+const LEVELS: [&str; 3] = ["3", "s", "z"];
+
+/// The features of the core that are on by default, and `distributed`.
+const ALL: &[&str] = &["candidates", "distributed", "hierarchy", "optics", "textures"];
 
 /// Builds the program of each board and its twins; returns whether no required board was skipped.
 pub(crate) fn prove(boards: &[&Board], request: &Request, all_required: bool) -> Result<bool> {
@@ -33,16 +36,30 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     let picture = request.on(board);
 
     let read = |file: &Path| Program::read(file, board.program);
-    // A compiler may keep a panic at one level of optimization that it removes at another one.
-    let small = toolchain.program_at(SMALL, board, &picture).and_then(|file| read(&file)?.check());
-    small.with_context(|| format!("{name}, opt-level {SMALL:?}"))?;
-    read(&toolchain.program(board, &picture)?)?.check().context(name)?;
+    let levels = LEVELS.join(", ");
+    let check = |picture: &Picture, features: &'static [&'static str]| -> Result<()> {
+        for level in LEVELS {
+            eprintln!("{name}: building at level {level}");
+            let program = toolchain.program(board, picture, Compilation { level, features });
+            let checked = program.and_then(|file| read(&file)?.check());
+            checked.with_context(|| format!("{name}, level {level}"))?;
+        }
+        Ok(())
+    };
     if board.program.has_hal {
-        println!("{name}: the program links, and no panic can be reached from rendering");
+        check(&picture, &[])?;
+        println!("{name}: at levels {levels} the program links, and rendering reaches no panic");
     } else {
-        println!("{name}: the program links, and none of its symbols is that of a panic");
-        println!("{name}: the same holds at opt-level {SMALL:?}");
-        match toolchain.build(board, &picture, &["twin"])? {
+        if picture.mode == Mode::Exact {
+            check(&Picture { small: true, ..picture }, &[])?;
+        }
+        check(&picture, &[])?;
+        check(&picture, ALL)?;
+        println!(
+            "{name}: at levels {levels}, without features that make it faster, with those that its scene \
+             needs, and with all, the program links, and none of its symbols is that of a panic"
+        );
+        match toolchain.build(board, &picture, Compilation { features: &["twin"], ..Compilation::FAST })? {
             Built::Linked(_) => anyhow::bail!("{name}: a program with a panic links"),
             Built::Refused(reason) => {
                 ensure!(reason.contains(PANIC), "{name}: the twin was refused for another reason:\n{reason}");
@@ -51,7 +68,8 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
         println!("{name}: with a panic it does not link, because `{PANIC}` is missing");
     }
 
-    let Built::Linked(file) = toolchain.build(board, &picture, &["twin-linked"])? else {
+    let twin = Compilation { features: &["twin-linked"], ..Compilation::FAST };
+    let Built::Linked(file) = toolchain.build(board, &picture, twin)? else {
         anyhow::bail!("{name}: the twin with a common panic handler was not built");
     };
     let panics = read(&file)?.panics;

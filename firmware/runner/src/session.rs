@@ -11,7 +11,7 @@ use crate::picture::{Picture, Size};
 use crate::program::Program;
 use crate::quality::Quality;
 use crate::record::{Figures, NoPicture, Record};
-use crate::toolchain::{self, Toolchain};
+use crate::toolchain::{self, Compilation, Toolchain};
 use crate::{emulator, host, png, rp2040js};
 
 /// One picture on one board.
@@ -19,6 +19,7 @@ use crate::{emulator, host, png, rp2040js};
 pub(crate) struct Session<'a> {
     pub(crate) board: &'a Board,
     pub(crate) picture: Picture,
+    pub(crate) compilation: Compilation,
     /// The file that the board's picture is written to.
     pub(crate) picture_file: Option<PathBuf>,
     pub(crate) timeout: Duration,
@@ -56,7 +57,7 @@ impl Session<'_> {
         let toolchain = self.toolchain().map_err(NoPicture::Skipped)?;
         self.say("building (the first time takes a minute)");
         let build = || {
-            let file = toolchain.program(self.board, &self.picture)?;
+            let file = toolchain.program(self.board, &self.picture, self.compilation)?;
             let program = Program::read(&file, self.board.program)?;
             program.check()?;
             Ok(BuiltProgram { file, program })

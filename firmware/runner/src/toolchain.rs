@@ -55,6 +55,20 @@ impl Built {
     }
 }
 
+/// How a program is compiled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Compilation {
+    /// The level of optimization.
+    pub(crate) level: &'static str,
+    /// Features of the program that its scene does not need.
+    pub(crate) features: &'static [&'static str],
+}
+
+impl Compilation {
+    /// For speed, with no more features than the scene needs.
+    pub(crate) const FAST: Self = Self { level: "3", features: &[] };
+}
+
 impl Toolchain {
     /// Finds a compiler for a target.
     ///
@@ -95,9 +109,9 @@ impl Toolchain {
         Ok(format!("{}{core}", String::from_utf8(output.stdout)?.trim()))
     }
 
-    /// Builds the program of a board, with more features than the scene needs.
-    pub(crate) fn build(&self, board: &Board, picture: &Picture, features: &[&str]) -> Result<Built> {
-        self.build_by(self.cargo(board.target), board, picture, features)
+    /// Builds the program of a board.
+    pub(crate) fn build(&self, board: &Board, picture: &Picture, how: Compilation) -> Result<Built> {
+        self.build_by(self.cargo(board.target), board, picture, how)
     }
 
     fn build_by(
@@ -105,7 +119,7 @@ impl Toolchain {
         mut command: Command,
         board: &Board,
         picture: &Picture,
-        features: &[&str],
+        how: Compilation,
     ) -> Result<Built> {
         command
             .args(["build", "--release", "--package", board.program.package, "--bin", board.program.binary])
@@ -118,13 +132,14 @@ impl Toolchain {
             .env("RAYLINE_NUMBER", picture.number.name())
             .env("RAYLINE_MODE", picture.mode.name())
             .env("RAYLINE_BOARD", board.program.layout)
+            .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", how.level)
             // The flags in use are meant for this computer.
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS");
         if let Self::Debian { .. } = self {
             command.arg("-Zbuild-std=core");
         }
-        let mut features = [board.program.features, features].concat();
+        let mut features = [board.program.features, how.features].concat();
         for feature in picture.scene.scene.features() {
             if !(picture.small && FASTER.contains(&feature)) {
                 features.push(feature);
@@ -147,23 +162,16 @@ impl Toolchain {
     ///
     /// # Errors
     /// The reason why the program was not built.
-    pub(crate) fn program(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
-        self.build(board, picture, &[])?.linked()
+    pub(crate) fn program(&self, board: &Board, picture: &Picture, how: Compilation) -> Result<PathBuf> {
+        self.build(board, picture, how)?.linked()
     }
 
-    /// Builds the program of a board as [`program`](Self::program) does, with tables of the line that each
+    /// Builds the program of a board with [`Compilation::FAST`], with tables of the line that each
     /// instruction comes from.
     pub(crate) fn program_with_lines(&self, board: &Board, picture: &Picture) -> Result<PathBuf> {
         let mut command = self.cargo(board.target);
         command.env("CARGO_PROFILE_RELEASE_DEBUG", "line-tables-only");
-        self.build_by(command, board, picture, &[])?.linked()
-    }
-
-    /// Builds the program of a board as [`program`](Self::program) does, at another level of optimization.
-    pub(crate) fn program_at(&self, level: &str, board: &Board, picture: &Picture) -> Result<PathBuf> {
-        let mut command = self.cargo(board.target);
-        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
-        self.build_by(command, board, picture, &[])?.linked()
+        self.build_by(command, board, picture, Compilation::FAST)?.linked()
     }
 
     /// The toolchain's cargo. Instructions and flash depend on the profile, so the workspace's own is used:

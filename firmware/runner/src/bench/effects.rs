@@ -17,6 +17,7 @@ use crate::picture::{Mode, Number, Size};
 use crate::request::Request;
 use crate::session::Session;
 use crate::table::{Align, Table, with_commas};
+use crate::toolchain::Compilation;
 
 /// Size of the pictures.
 const SIZE: Size = Size { width: 160, height: 120 };
@@ -124,7 +125,8 @@ pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
         let source = if scene == CLASSIC { CLASSIC } else { file };
         let (size, mode, closed_form) = (Some(SIZE), way.mode(), way == Way::ClosedForm);
         let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
-        sessions.push(Session { board, picture: request.on(board), picture_file: None, timeout });
+        let (picture, compilation) = (request.on(board), Compilation::FAST);
+        sessions.push(Session { board, picture, compilation, picture_file: None, timeout });
     }
     let records = measure(&sessions, folder.path())?;
     let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();

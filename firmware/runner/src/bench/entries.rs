@@ -9,6 +9,7 @@ use crate::board::{BOARDS, Board};
 use crate::picture::{Mode, Number, Size};
 use crate::request::Request;
 use crate::session::Session;
+use crate::toolchain::Compilation;
 
 pub(super) const M4F: &str = "mps2-an386";
 const M7: &str = "mps2-an500";
@@ -120,7 +121,8 @@ impl Entry {
         let request = Request { size, number, mode, small, ..Request::new(source)? };
         let board = BOARDS.iter().find(|known| known.name == board);
         let board = board.with_context(|| format!("there is no board {}", self.board))?;
-        Ok(Session { board, picture: request.on(board), picture_file: None, timeout })
+        let (picture, compilation) = (request.on(board), Compilation::FAST);
+        Ok(Session { board, picture, compilation, picture_file: None, timeout })
     }
 }
 

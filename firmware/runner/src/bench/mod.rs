@@ -7,6 +7,7 @@ pub(crate) mod effects;
 mod entries;
 mod measured;
 mod report;
+pub(crate) mod sizes;
 mod tables;
 
 use std::path::{Path, PathBuf};

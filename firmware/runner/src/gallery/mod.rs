@@ -19,7 +19,7 @@ use crate::picture::{Mode, Picture, Size};
 use crate::program::Program;
 use crate::request::Request;
 use crate::session::Session;
-use crate::toolchain::Toolchain;
+use crate::toolchain::{Compilation, Toolchain};
 use results::{Drawn, Exhibit, TourOutcome, table};
 use scenes::Scenes;
 
@@ -110,7 +110,7 @@ impl Tour<'_> {
     /// Draws the scenes, and prints the progress.
     fn run(&self) -> TourOutcome {
         let Self { board, picture, timeout, .. } = *self;
-        let session = Session { board, picture, picture_file: None, timeout };
+        let session = Session { board, picture, compilation: Compilation::FAST, picture_file: None, timeout };
         let outcome = match session.toolchain() {
             _ if picture.small && picture.mode != Mode::Exact => TourOutcome::Skipped(
                 "its flash is too small for all shapes and realtime quality: use --mode exact".into(),
@@ -126,7 +126,7 @@ impl Tour<'_> {
 
     fn draw(&self, toolchain: &Toolchain) -> Result<TourOutcome> {
         self.say(&"building (the first time takes a minute)");
-        let file = toolchain.program(self.board, &self.picture)?;
+        let file = toolchain.program(self.board, &self.picture, Compilation::FAST)?;
         let program = Program::read(&file, self.board.program)?;
         program.check()?;
 

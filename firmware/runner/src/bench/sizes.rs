@@ -1,0 +1,160 @@
+//! `cargo boards --sizes`: flash and stack of small programs, by shapes, features and levels of optimization.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, Result, ensure};
+use rayline::shape::{Geometry, Shape, Sphere};
+use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Scene, Vec3};
+
+use super::entries::{LARGE_M0, M3, M4F};
+use super::measured::Measured;
+use super::{compiler, gallery, measure};
+use crate::board::BOARDS;
+use crate::convert;
+use crate::picture::{Number, Size};
+use crate::request::Request;
+use crate::session::Session;
+use crate::table::{Align, Table, with_commas};
+use crate::toolchain::Compilation;
+
+/// Size of the pictures.
+const SIZE: Size = Size { width: 32, height: 24 };
+
+/// The boards, with the number system that each computes in.
+const ON: [(&str, &str, Number); 4] = [
+    ("M0", LARGE_M0, Number::Fixed),
+    ("M3", M3, Number::Fixed),
+    ("M4F, `f32`", M4F, Number::F32),
+    ("RISC-V", "riscv32", Number::Fixed),
+];
+
+/// The levels of optimization.
+const LEVELS: [&str; 3] = ["3", "s", "z"];
+
+/// The sets of features: their name, whether those that only make pictures faster are left out, and those
+/// that the scenes do not need.
+const FEATURES: [(&str, bool, &[&str]); 3] = [
+    ("none", true, &[]),
+    ("`candidates`", false, &[]),
+    ("default", false, &["candidates", "hierarchy", "optics", "textures"]),
+];
+
+/// The scenes: their names, and the names of their files.
+const SCENES: [(&str, &str); 2] = [("README's sphere", "sphere"), ("all shapes of files", "all-shapes")];
+
+/// README's scene.
+const SPHERE: Scene<'_> = Scene {
+    camera: Camera {
+        eye: Vec3::new(0.0, 0.0, 4.0),
+        target: Vec3::ZERO,
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 40f32.to_radians(),
+        lens: None,
+    },
+    background: Background::Solid(LinearRgb::new(0.0, 0.02, 0.05)),
+    objects: &[Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)],
+    materials: &[Material {
+        specular: 0.4,
+        shininess: 30.0,
+        ..Material::matte(LinearRgb::new(0.8, 0.2, 0.1))
+    }],
+    lights: &[Light::Point { position: Vec3::new(-3.0, 4.0, 5.0), color: LinearRgb::WHITE }],
+    motions: &[],
+};
+
+const HEAD: &str = "\
+# The sizes of programs
+
+A command writes this page; do not edit it: `cargo boards --sizes docs/sizes.md`.
+
+Bytes of flash and of stack of a program that draws one exact picture and links only the shapes of its scene:
+by the features of the crate `rayline`, and by the profile's `opt-level`, with `lto = \"fat\"` and one codegen
+unit. Flash includes the scene, start-up code and output of the program, without a driver: about 3 KB.
+";
+
+/// Measures all programs, and writes the page.
+pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
+    let folder = tempfile::tempdir()?;
+    write(&SPHERE, &folder.path().join("sphere.rayline"))?;
+    write_all_shapes(&folder.path().join("all-shapes.rayline"))?;
+    let mut sessions = Vec::new();
+    for (_, scene) in SCENES {
+        let scene = folder.path().join(scene).with_extension("rayline");
+        let scene = scene.to_str().context("a path that is not UTF-8")?;
+        for (_, small, features) in FEATURES {
+            for level in LEVELS {
+                for (_, board, number) in ON {
+                    let board = BOARDS.iter().find(|known| known.name == board);
+                    let board = board.context("there is no such board")?;
+                    let request = Request { size: Some(SIZE), number, small, ..Request::new(scene)? };
+                    let (picture, compilation) = (request.on(board), Compilation { level, features });
+                    sessions.push(Session { board, picture, compilation, picture_file: None, timeout });
+                }
+            }
+        }
+    }
+    let records = measure(&sessions, folder.path())?;
+    let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
+    ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
+    let table = table(&measured);
+    println!("{table}");
+    let page = format!("{HEAD}\nThe compiler is {}.\n\n{table}", compiler()?);
+    fs::write(file, page).with_context(|| file.display().to_string())?;
+    Ok(true)
+}
+
+/// The table, of the figures of all programs in the order in which they were built.
+fn table(measured: &[Measured]) -> Table {
+    let mut headings = vec![("shapes", Align::Left), ("features", Align::Left), ("level", Align::Left)];
+    for (name, ..) in ON {
+        headings.extend([(name, Align::Right), ("stack", Align::Right)]);
+    }
+    let mut table = Table::new(headings);
+    let mut figures = measured.iter();
+    for (scene, _) in SCENES {
+        for (features, ..) in FEATURES {
+            for level in LEVELS {
+                let mut row: Vec<String> = [scene, features, level].map(Into::into).into();
+                for program in figures.by_ref().take(ON.len()) {
+                    row.extend([program.text_bytes, program.stack_bytes].map(with_commas));
+                }
+                table.push(row);
+            }
+        }
+    }
+    table
+}
+
+fn write(scene: &Scene<'_>, file: &Path) -> Result<()> {
+    let mut room = vec![0; 1 << 20];
+    fs::write(file, scene.to_bytes(&mut room)?).with_context(|| file.display().to_string())
+}
+
+/// Writes a scene with one object of each kind of shape that the gallery has: the one that takes least
+/// memory.
+fn write_all_shapes(file: &Path) -> Result<()> {
+    let folder = tempfile::tempdir()?;
+    let mut scenes: Vec<PathBuf> = fs::read_dir(gallery())?
+        .map(|entry| Ok(entry?.path()))
+        .filter(|path| path.as_ref().is_ok_and(|path| path.extension().is_some_and(|end| end == "ron")))
+        .collect::<Result<_>>()?;
+    scenes.sort();
+    let mut shapes: Vec<Shape<'static>> = Vec::new();
+    for bytes in convert::to_bytes(&scenes, folder.path())? {
+        // The shapes are used until the end of this program.
+        let bytes = &*fs::read(bytes)?.leak();
+        let memory = rayline_build_support::memory_for(bytes).leak();
+        for object in Scene::<Shape<'static>>::from_bytes(bytes, memory)?.objects {
+            let kind = std::mem::discriminant(&object.shape);
+            match shapes.iter_mut().find(|known| std::mem::discriminant(*known) == kind) {
+                None => shapes.push(object.shape),
+                Some(known) if object.shape.bytes::<f32>() < known.bytes::<f32>() => *known = object.shape,
+                Some(_) => {}
+            }
+        }
+    }
+    let objects: Vec<Object<Shape<'_>>> = shapes.into_iter().map(|shape| Object::new(shape, 0)).collect();
+    write(&Scene { objects: &objects, ..SPHERE }, file)
+}
