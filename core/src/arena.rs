@@ -6,9 +6,9 @@ use crate::fault::{Fault, Inner};
 
 /// Memory for a prepared scene, in bytes.
 ///
-/// [`Scene::bytes`](crate::Scene::bytes) computes how many bytes a scene of [`Shape`](crate::shape::Shape)s
-/// needs, and [`prepared_bytes`](crate::prepared_bytes) does so for another set of shapes. The module
-/// [`shape`](crate::shape#how-much-memory-to-lend) has an example.
+/// The macro [`prepared_bytes!`](crate::prepared_bytes!) computes how many bytes a scene needs, and the
+/// function [`prepared_bytes`](fn@crate::prepared_bytes) does so for numbers of items. The [guide on
+/// shapes](crate::shape::guide#how-much-memory-to-lend) has examples.
 ///
 /// On the desktop, where sizes are known only at run time, [`PreparedScene::new`](crate::PreparedScene::new)
 /// takes any slice of bytes.

@@ -139,12 +139,7 @@ pub type Set = {set};
 
 /// The bytes of memory that the prepared scene takes in the number system `R`.
 pub const fn prepared_bytes<R: rayline::Real>() -> usize {{
-    rayline::prepared_bytes::<R, Set>(
-        DESCRIPTION.objects.len(),
-        DESCRIPTION.materials.len(),
-        DESCRIPTION.lights.len(),
-        DESCRIPTION.part_bytes_baked::<R>(),
-    )
+    rayline::prepared_bytes!(R, SCENE)
 }}
 ",
         set = shapes(names, "'static"),

@@ -8,11 +8,11 @@ use crate::material::PreparedMaterial;
 use crate::math::Real;
 use crate::motion::Motion;
 use crate::scene::Scene;
-use crate::shape::{Geometry, Shape};
+use crate::shape::Geometry;
 
 impl Scene<'_> {
     /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R`
-    /// and the built-in shapes. For a set of your own see [`prepared_bytes`](crate::prepared_bytes).
+    /// and the built-in shapes: as [`prepared_bytes!`](crate::prepared_bytes!) for any set of shapes.
     ///
     /// ```
     /// use rayline::{PreparedScene, Workspace, builtin::CLASSIC};
@@ -21,52 +21,75 @@ impl Scene<'_> {
     /// assert!(prepared.is_ok());
     /// ```
     pub const fn bytes<R: Real>(&self) -> usize {
-        let more = self.part_bytes::<R>();
-        prepared_bytes::<R, Shape<'_>>(self.objects.len(), self.materials.len(), self.lights.len(), more)
+        crate::prepared_bytes!(R, *self)
     }
+}
 
-    /// How many of those bytes the background and single shapes, materials and lights take beyond what each
-    /// of its kind does: the last argument of [`prepared_bytes`](crate::prepared_bytes), where the scene is
-    /// prepared with a set of fewer shapes.
-    pub const fn part_bytes<R: Real>(&self) -> usize {
-        self.parts_bytes::<R>(false)
-    }
-
-    /// As [`part_bytes`](Self::part_bytes), for a scene whose meshes were [baked](crate::shape::BakedMesh).
-    pub const fn part_bytes_baked<R: Real>(&self) -> usize {
-        self.parts_bytes::<R>(true)
-    }
-
-    const fn parts_bytes<R: Real>(&self, has_baked: bool) -> usize {
+impl<S: Geometry> Scene<'_, S> {
+    /// All bytes, if the shapes take this many beside their places: for the macro.
+    #[doc(hidden)]
+    pub const fn bytes_with_shapes<R: Real>(&self, shapes: usize) -> usize {
         let motions = Motion::bytes::<R>(self.motions.len());
-        let mut bytes = self.background.bytes::<R>().saturating_add(motions);
-        let mut objects = self.objects;
-        while let [object, rest @ ..] = objects {
-            bytes = bytes.saturating_add(match &object.shape {
-                Shape::Mesh(_) if has_baked => 0,
-                shape => shape.const_bytes::<R>(),
-            });
-            objects = rest;
-        }
+        let mut more = shapes.saturating_add(self.background.bytes::<R>()).saturating_add(motions);
         let mut materials = self.materials;
         while let [material, rest @ ..] = materials {
-            bytes = bytes.saturating_add(material.bytes::<R>());
+            more = more.saturating_add(material.bytes::<R>());
             materials = rest;
         }
         let mut lights = self.lights;
         while let [light, rest @ ..] = lights {
-            bytes = bytes.saturating_add(light.bytes::<R>());
+            more = more.saturating_add(light.bytes::<R>());
             lights = rest;
         }
-        bytes
+        prepared_bytes::<R, S>(self.objects.len(), self.materials.len(), self.lights.len(), more)
     }
 }
 
+/// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for a number system and a
+/// scene of any set of shapes that is known when the program is compiled: a constant.
+///
+/// ```
+/// use rayline::shape::Sphere;
+/// use rayline::{Background, Camera, LinearRgb, Material, Object, PreparedScene, Scene, Vec3};
+/// use rayline::{Workspace, prepared_bytes};
+///
+/// static BALL: Scene<Sphere> = Scene {
+///     camera: Camera {
+///         eye: Vec3::new(0.0, 0.0, 4.0),
+///         target: Vec3::ZERO,
+///         up: Vec3::new(0.0, 1.0, 0.0),
+///         vertical_fov: 0.7,
+///         lens: None,
+///     },
+///     background: Background::BLACK,
+///     objects: &[Object::new(Sphere::new(Vec3::ZERO, 1.0), 0)],
+///     materials: &[Material::matte(LinearRgb::WHITE)],
+///     lights: &[],
+///     motions: &[],
+/// };
+/// let mut memory = Workspace::<{ prepared_bytes!(f32, BALL) }>::new();
+/// assert!(PreparedScene::<f32, _>::new(&BALL, memory.lend()).is_ok());
+/// ```
+///
+/// For a [`SceneBuf`](crate::SceneBuf), whose items are not known, see the function
+/// [`prepared_bytes`](fn@crate::prepared_bytes).
+#[macro_export]
+macro_rules! prepared_bytes {
+    ($Number:ty, $scene:expr) => {{
+        let scene = &$scene;
+        let (mut objects, mut shapes) = (scene.objects, 0usize);
+        while let [object, rest @ ..] = objects {
+            shapes = shapes.saturating_add(object.shape.const_bytes::<$Number>());
+            objects = rest;
+        }
+        scene.bytes_with_shapes::<$Number>(shapes)
+    }};
+}
+
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and
-/// the shapes `S`: for so many objects, materials and lights, and for `more`, what single ones take beyond
-/// that: [`Scene::part_bytes`](crate::Scene::part_bytes), or the sum of [`Geometry::bytes`] over all objects
-/// where nothing else takes more. The module [`shape`](crate::shape#how-much-memory-to-lend) tells what takes
-/// more, with an example.
+/// the shapes `S`, where only the numbers of items are known: for so many objects, materials and lights, and
+/// for `more`, what single ones take beyond that. The [guide on
+/// shapes](crate::shape::guide#how-much-memory-to-lend) tells what takes more.
 ///
 /// ```
 /// use rayline::{Workspace, prepared_bytes, shape::Sphere};

@@ -41,7 +41,8 @@ impl Cuboid {
         a.y == 0.0 && a.z == 0.0 && b.z == 0.0 && b.x == 0.0 && c.x == 0.0 && c.y == 0.0
     }
 
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         if self.is_aligned() { 0 } else { Arena::bytes::<[Vec3<R>; 3]>(1) }
     }
 

@@ -28,7 +28,8 @@ impl Ellipsoid {
         }
     }
 
-    pub(super) const fn const_bytes<R: Real>() -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<MappedBall<R>>(1)
     }
 }
@@ -37,7 +38,7 @@ impl Geometry for Ellipsoid {
     type Prepared<'m, R: Real> = PreparedEllipsoid<'m, R>;
 
     fn bytes<R: Real>(&self) -> usize {
-        Self::const_bytes::<R>()
+        self.const_bytes::<R>()
     }
 
     fn is_solid(&self) -> bool {

@@ -23,6 +23,13 @@
 //!     rim: R,
 //! }
 //!
+//! impl Bowl {
+//!     /// The bowl takes no memory beside its place in the list of objects: see below.
+//!     pub const fn const_bytes<R: Real>(&self) -> usize {
+//!         0
+//!     }
+//! }
+//!
 //! impl Geometry for Bowl {
 //!     type Prepared<'m, R: Real> = PreparedBowl<R>;
 //!
@@ -100,8 +107,8 @@
 //! ## Rules
 //!
 //! - [`prepare`](super::Geometry::prepare) refuses every description that could fail later; [`Fault::Own`] is
-//!   for reasons that no other fault names. It stores large data in the [`Arena`], and
-//!   [`bytes`](super::Geometry::bytes) returns the size of that data, by [`Arena::bytes`].
+//!   for reasons that no other fault names. It stores large data in the [`Arena`]; `const_bytes` and
+//!   [`bytes`](super::Geometry::bytes) return the size of that data, by [`Arena::bytes`].
 //! - [`intersect`](super::Intersect::intersect) takes a bounded number of steps, and returns the same
 //!   distance whatever the range is. To keep digits, it computes from the point of the ray that is nearest to
 //!   the shape ([`Ray::nearest_to`]).
@@ -116,27 +123,16 @@
 //!
 //! # How much memory to lend
 //!
-//! For a scene of built-in shapes, [`Scene::bytes`] tells how many bytes
-//! [`PreparedScene::new`](crate::PreparedScene::new) takes. For another set `S` it is [`prepared_bytes::<R,
-//! S>(objects, materials, lights, more)`](crate::prepared_bytes). The first three arguments are the numbers
-//! of objects, materials and lights. The last, `more`, is the sum of what some of them need in addition; for
-//! most scenes it is 0:
-//!
-//! - Built-in shapes need more, except spheres, planes, discs, rectangles, cylinders, cones and tori. So do
-//!   materials with placed textures, optics or maps, lamps, and backgrounds that are no solid color. For
-//!   their sum, put all built-in shapes that your scene has into a constant [`Scene`] and call
-//!   [`Scene::part_bytes`].
-//! - A shape of your own that stores data in the [`Arena`] needs as many bytes as its
-//!   [`bytes`](super::Geometry::bytes) returns. Write the same function as a `const fn`, too.
-//!
-//! All of this is known when the program is built, so that the memory can be `static`. Here is a shape that
-//! stores a list:
+//! The macro [`prepared_bytes!`](crate::prepared_bytes!) tells how many bytes
+//! [`PreparedScene::new`](crate::PreparedScene::new) takes for a constant scene of any set of shapes. It asks
+//! each shape for its `const_bytes`: a `const fn`, because traits have none, that returns what
+//! [`Geometry::bytes`](super::Geometry::bytes) returns. Here is a shape that stores a list:
 //!
 //! ```
 //! # use rayline::math::{Aabb, Extent, Interval, Ray, Scale};
 //! # use rayline::shape::{Intersect, Plane, Silhouette};
 //! # use rayline::{Falloff, Surface};
-//! use rayline::shape::{Geometry, Polygon, Shape};
+//! use rayline::shape::{Geometry, Polygon};
 //! use rayline::{
 //!     Arena, Background, Camera, Fault, Lamp, Light, LinearRgb, Material, Object, PreparedScene, Real,
 //!     Scene, Vec3, Workspace, prepared_bytes,
@@ -158,7 +154,7 @@
 //!
 //! impl Beads {
 //!     /// [`Geometry::bytes`], usable in constants.
-//!     const fn const_bytes<R: Real>(&self) -> usize {
+//!     pub const fn const_bytes<R: Real>(&self) -> usize {
 //!         Arena::bytes::<Vec3<R>>(self.centers.len())
 //!     }
 //! #
@@ -258,44 +254,32 @@
 //! # const LAMP: Lamp =
 //! #     Lamp { position: Vec3::new(0.0, 4.0, 0.0), color: LinearRgb::WHITE, falloff: FALLOFF, cone: None };
 //!
-//! static OBJECTS: [Object<Window>; 3] = [
-//!     Object::new(Window::Beads(BEADS), 0),
-//!     Object::new(Window::Tag(TAG), 0),
-//!     Object::new(Window::Top(TOP), 0),
-//! ];
-//! const MATERIALS: &[Material] = &[Material::matte(LinearRgb::WHITE)];
-//! const LIGHTS: &[Light] = &[Light::Lamp(LAMP)];
-//!
-//! /// The built-in things that need more: the tag and the lamp.
-//! const BUILT_IN: Scene = Scene {
+//! static SCENE: Scene<Window> = Scene {
 //!     camera: CAMERA,
 //!     background: Background::BLACK,
-//!     objects: &[Object::new(Shape::Polygon(TAG), 0)],
-//!     materials: MATERIALS,
-//!     lights: LIGHTS,
+//!     objects: &[
+//!         Object::new(Window::Beads(BEADS), 0),
+//!         Object::new(Window::Tag(TAG), 0),
+//!         Object::new(Window::Top(TOP), 0),
+//!     ],
+//!     materials: &[Material::matte(LinearRgb::WHITE)],
+//!     lights: &[Light::Lamp(LAMP)],
 //!     motions: &[],
 //! };
-//! const MORE: usize = BUILT_IN.part_bytes::<f32>() + BEADS.const_bytes::<f32>();
-//! const BYTES: usize = prepared_bytes::<f32, Window>(OBJECTS.len(), MATERIALS.len(), LIGHTS.len(), MORE);
 //!
-//! let mut memory = Workspace::<BYTES>::new();
-//! let scene = Scene {
-//!     camera: CAMERA,
-//!     background: Background::BLACK,
-//!     objects: &OBJECTS,
-//!     materials: MATERIALS,
-//!     lights: LIGHTS,
-//!     motions: &[],
-//! };
+//! let mut memory = Workspace::<{ prepared_bytes!(f32, SCENE) }>::new();
 //! # #[cfg(feature = "optics")]
-//! assert!(PreparedScene::<f32, _>::new(&scene, memory.lend()).is_ok());
-//! # let mut less = Workspace::<{ BYTES - 1 }>::new();
-//! # assert!(PreparedScene::<f32, _>::new(&scene, less.lend()).is_err());
+//! assert!(PreparedScene::<f32, _>::new(&SCENE, memory.lend()).is_ok());
+//! # let mut less = Workspace::<{ prepared_bytes!(f32, SCENE) - 1 }>::new();
+//! # assert!(PreparedScene::<f32, _>::new(&SCENE, less.lend()).is_err());
 //! ```
 //!
-//! If a scene is put together at run time, lend memory for the largest one: with
-//! [`SceneBuf`](crate::SceneBuf), for its three capacities. Too little memory is refused with the number of
-//! bytes that were needed ([`Fault::Memory`]).
+//! If a scene is put together at run time, lend memory for the largest one: the function
+//! [`prepared_bytes`](fn@crate::prepared_bytes) takes the numbers of objects, materials and lights, as the
+//! three capacities of a [`SceneBuf`](crate::SceneBuf). Its last argument is the sum of what single items
+//! take beyond that. Spheres, planes, discs, rectangles, cylinders, cones, tori, matte and shining materials,
+//! point lights and backgrounds of one color take nothing more. Too little memory is refused with the number
+//! of bytes that were needed ([`Fault::Memory`]).
 //!
 //! [`Arena`]: crate::Arena
 //! [`Arena::bytes`]: crate::Arena::bytes
@@ -305,6 +289,3 @@
 //! [`Fault::Own`]: crate::Fault::Own
 //! [`Fixed`]: crate::math::Fixed
 //! [`Ray::nearest_to`]: crate::math::Ray::nearest_to
-//! [`Scene`]: crate::Scene
-//! [`Scene::bytes`]: crate::Scene::bytes
-//! [`Scene::part_bytes`]: crate::Scene::part_bytes

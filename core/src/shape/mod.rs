@@ -219,30 +219,19 @@ crate::shape_set! {
     }
 }
 
-impl Shape<'_> {
-    /// [`Geometry::bytes`], usable in constants.
-    pub(crate) const fn const_bytes<R: Real>(&self) -> usize {
-        match self {
-            Self::Triangle(triangle) => triangle.const_bytes::<R>(),
-            Self::Polygon(polygon) => polygon.const_bytes::<R>(),
-            Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
-            Self::Quadric(_) => Quadric::const_bytes::<R>(),
-            Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
-            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
-            Self::Mesh(mesh) => mesh.const_bytes::<R>(),
-            Self::Csg(csg) => csg.const_bytes::<R>(),
-            Self::Metaballs(metaballs) => metaballs.const_bytes::<R>(),
-            Self::Instances(instances) => instances.const_bytes::<R>(),
-            Self::Sphere(_)
-            | Self::Plane(_)
-            | Self::Disc(_)
-            | Self::Rectangle(_)
-            | Self::Cylinder(_)
-            | Self::Cone(_)
-            | Self::Torus(_) => 0,
-        }
-    }
+/// Shapes that take no memory beside their place in the list of objects.
+macro_rules! takes_no_memory {
+    ($($Type:ty),+) => {
+        $(impl $Type {
+            /// [`Geometry::bytes`], usable in constants.
+            pub const fn const_bytes<R: Real>(&self) -> usize {
+                0
+            }
+        })+
+    };
 }
+
+takes_no_memory!(Sphere, Plane, Disc, Rectangle, Cylinder, Cone, Torus);
 
 /// The box around the points of a flat shape, padded by the rounding of a hit.
 fn bounds_of<R: Real>(points: impl Iterator<Item = Vec3<R>>) -> Option<Aabb<R>> {

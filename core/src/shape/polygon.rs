@@ -28,7 +28,8 @@ impl<'a> Polygon<'a> {
         Self { vertices }
     }
 
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<Vec3<R>>(self.vertices.len())
     }
 

@@ -34,7 +34,8 @@ impl<'a> ConvexPolyhedron<'a> {
         Self { planes }
     }
 
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<PreparedPlane<R>>(self.planes.len())
     }
 

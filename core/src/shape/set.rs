@@ -4,7 +4,8 @@
 /// second enum for its prepared form.
 ///
 /// A program that draws a `Scene` of the set contains the code of the shapes in the set and of no others.
-/// Shapes of your own join the set like built-in ones: see [the guide](crate::shape::guide).
+/// Shapes of your own join the set like built-in ones, if they have a `const fn const_bytes`: see [the
+/// guide](crate::shape::guide).
 ///
 /// ```
 /// use rayline::shape::{Plane, Sphere};
@@ -44,6 +45,16 @@ macro_rules! shape_set {
         }
 
         $crate::__read_set! { $Set $(<$life>)? { $($Variant($Type)),+ } }
+
+        impl $(<$life>)? $Set $(<$life>)? {
+            /// The bytes of memory that the shape takes, usable in constants: `Geometry::bytes`.
+            #[allow(dead_code)]
+            $vis const fn const_bytes<R: $crate::math::Real>(&self) -> usize {
+                match self {
+                    $(Self::$Variant(shape) => shape.const_bytes::<R>()),+
+                }
+            }
+        }
 
         impl $(<$life>)? $crate::shape::Geometry for $Set $(<$life>)? {
             type Prepared<'m, R: $crate::math::Real> = $Prepared<$($life,)? 'm, R> where Self: 'm;

@@ -1,7 +1,6 @@
 //! The set of all built-in solids.
 
 use super::{Cone, ConvexPolyhedron, Cuboid, Cylinder, Ellipsoid, Plane, Quadric, Shape, Sphere, Torus};
-use crate::math::Real;
 
 crate::shape_set! {
     /// The set of all built-in solids: the parts of a [`Csg`](super::Csg), unless you name a set of your own.
@@ -26,19 +25,6 @@ crate::shape_set! {
         Cuboid(Cuboid),
         /// A convex solid with flat faces.
         ConvexPolyhedron(ConvexPolyhedron<'a>),
-    }
-}
-
-impl Solid<'_> {
-    /// [`Geometry::bytes`](super::Geometry::bytes), usable in constants.
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
-        match self {
-            Self::Ellipsoid(_) => Ellipsoid::const_bytes::<R>(),
-            Self::Quadric(_) => Quadric::const_bytes::<R>(),
-            Self::Cuboid(cuboid) => cuboid.const_bytes::<R>(),
-            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
-            Self::Sphere(_) | Self::Plane(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Torus(_) => 0,
-        }
     }
 }
 

@@ -24,7 +24,8 @@ impl Triangle {
         Self { vertices: [a, b, c], normals: None }
     }
 
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         if self.normals.is_some() { Arena::bytes::<[Vec3<R>; 3]>(1) } else { 0 }
     }
 }

@@ -16,7 +16,8 @@ mod rays;
 use core::fmt;
 
 use rayline::math::Fixed;
-use rayline::{PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, Settings};
+use rayline::shape::Shape;
+use rayline::{Object, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, Settings};
 
 pub use boards::{BOARDS, Board};
 use counted::Counted;
@@ -95,7 +96,11 @@ struct Traced {
 impl Traced {
     fn new<R: Real>(scene: &Scene<'_>, settings: Settings) -> Result<Self, RenderError> {
         let mut memory = memory_for::<R>(scene);
-        let baked_bytes = (scene.part_bytes::<R>() - scene.part_bytes_baked::<R>()) as u64;
+        let of_mesh = |object: &Object<Shape<'_>>| match &object.shape {
+            Shape::Mesh(mesh) => mesh.const_bytes::<R>() as u64,
+            _ => 0,
+        };
+        let baked_bytes: u64 = scene.objects.iter().map(of_mesh).sum();
         let prepared_bytes = memory.len() as u64 - baked_bytes;
         let mut traced = Self { prepared_bytes, baked_bytes, worst_rays: 0, rays: 0 };
         let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;

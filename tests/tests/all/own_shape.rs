@@ -44,11 +44,17 @@ struct DishData<R> {
     half_bend: R,
 }
 
+impl Dish {
+    const fn const_bytes<R: Real>(&self) -> usize {
+        Arena::bytes::<DishData<R>>(1)
+    }
+}
+
 impl Geometry for Dish {
     type Prepared<'m, R: Real> = PreparedDish<'m, R>;
 
     fn bytes<R: Real>(&self) -> usize {
-        Arena::bytes::<DishData<R>>(1)
+        self.const_bytes::<R>()
     }
 
     fn extent(&self) -> Extent {

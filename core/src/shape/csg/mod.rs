@@ -104,7 +104,7 @@ impl<'a, S> Csg<'a, S> {
 
 impl Csg<'_> {
     /// [`Geometry::bytes`], usable in constants.
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         let (mut solids, mut bytes, mut i) = (0, 0usize, 0);
         while i < self.steps.len() {
             #[allow(clippy::indexing_slicing)]

@@ -37,6 +37,13 @@ pub struct Implicit<F> {
     pub max: Vec3,
 }
 
+impl<F: DistanceField> Implicit<F> {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
+        0
+    }
+}
+
 impl<F: DistanceField> Geometry for Implicit<F> {
     type Prepared<'m, R: Real>
         = PreparedImplicit<F::Prepared<R>, R>

@@ -123,7 +123,7 @@ impl<'a, S> Instances<'a, S> {
 
 impl Instances<'_> {
     /// [`Geometry::bytes`], usable in constants.
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
     }
 }

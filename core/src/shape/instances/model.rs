@@ -1,7 +1,6 @@
 //! The set of all built-in shapes that instances can save memory for.
 
 use super::super::{ConvexPolyhedron, Csg, Mesh, Metaballs, Polygon, Quadric, Shape};
-use crate::math::Real;
 
 crate::shape_set! {
     /// The set of models of [`Instances`](super::Instances), unless you name a set of your own: all built-in
@@ -22,20 +21,6 @@ crate::shape_set! {
         Csg(Csg<'a>),
         /// Balls that flow into each other.
         Metaballs(Metaballs<'a>),
-    }
-}
-
-impl Model<'_> {
-    /// [`Geometry::bytes`](super::Geometry::bytes), usable in constants.
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
-        match self {
-            Self::Polygon(polygon) => polygon.const_bytes::<R>(),
-            Self::Quadric(_) => Quadric::const_bytes::<R>(),
-            Self::ConvexPolyhedron(polyhedron) => polyhedron.const_bytes::<R>(),
-            Self::Mesh(mesh) => mesh.const_bytes::<R>(),
-            Self::Csg(csg) => csg.const_bytes::<R>(),
-            Self::Metaballs(metaballs) => metaballs.const_bytes::<R>(),
-        }
     }
 }
 

@@ -58,6 +58,11 @@ impl<N: Real> BakedMesh<N> {
         let bounds = Aabb { min, max };
         Self { parts: MeshData { triangles, vertices, normals, uvs, hierarchy, bounds }, scale, extent }
     }
+
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
+        0
+    }
 }
 
 impl<N: Real> Geometry for &'static BakedMesh<N> {

@@ -97,7 +97,8 @@ const fn in_boxes(triangles: usize) -> usize {
 }
 
 impl Mesh<'_> {
-    pub(super) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         let (vertices, triangles) = (self.vertices.len(), self.triangles.len());
         let normals = if self.normals.is_some() { vertices } else { 0 };
         Arena::bytes::<MeshData<'_, R>>(1)

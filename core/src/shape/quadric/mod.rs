@@ -35,7 +35,8 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    pub(super) const fn const_bytes<R: Real>() -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<BoxedQuadric<R>>(1)
     }
 }
@@ -44,7 +45,7 @@ impl Geometry for Quadric {
     type Prepared<'m, R: Real> = PreparedQuadric<'m, R>;
 
     fn bytes<R: Real>(&self) -> usize {
-        Self::const_bytes::<R>()
+        self.const_bytes::<R>()
     }
 
     fn is_solid(&self) -> bool {

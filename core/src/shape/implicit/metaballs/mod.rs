@@ -77,7 +77,8 @@ impl<'a> Metaballs<'a> {
         Self { blobs }
     }
 
-    pub(in crate::shape) const fn const_bytes<R: Real>(&self) -> usize {
+    /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
         Arena::bytes::<PreparedBlob<R>>(self.blobs.len()).saturating_add(Arena::bytes::<BlobSum<'_, R>>(1))
     }
 
