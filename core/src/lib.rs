@@ -139,8 +139,8 @@ pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Edges, Frame, Grid, Interleave, Light16, LineError, Pattern,
-    PixelSum, Progress, Progressive, Quality, Quantizer, Realtime, RealtimeBuffer, Renderer, Sample,
-    Settings, SettingsError, Tone, Transfer,
+    PixelSum, Progress, Progressive, Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer,
+    Sample, Settings, SettingsError, Tone, Transfer,
 };
 pub use sampling::{Adaptive, Reconstruction, Sampler, Sampling};
 #[cfg(feature = "serde")]

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A setting is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SettingsError {
     /// The picture has no pixels, or is too wide or too high. Use sides that are allowed.
@@ -76,6 +77,7 @@ impl core::error::Error for SettingsError {}
 
 /// A line cannot be rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum LineError {
     /// The buffer does not hold one line. Lend as many pixels as the picture is wide, or a multiple to draw
@@ -163,6 +165,7 @@ impl core::error::Error for LineError {}
 
 /// Drawing stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DrawError<E> {
     /// Nothing was drawn, because memory or lines do not fit the picture.

@@ -3,7 +3,7 @@
 use super::groups::Groups;
 use super::line::LinePainter;
 use super::painter::{LineBand, Painter, Traced};
-use super::part::Part;
+use super::region::Region;
 use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -29,19 +29,19 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        part: &Part,
+        region: &Region,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let pixels = self.0.pixels(part);
+        let pixels = self.0.pixels(region);
         let LineBand { colors, traced } = &mut self.0;
         let band = colors.get_mut(..pixels).unwrap_or_default();
-        let rays = trace_part(renderer, part, band, traced, budget_rays, probe);
+        let rays = trace_region(renderer, region, band, traced, budget_rays, probe);
         Traced { rays, is_complete: *traced >= pixels }
     }
 
-    fn band(&self, part: &Part) -> (u32, &[C]) {
-        self.0.complete(part)
+    fn band(&self, region: &Region) -> (u32, &[C]) {
+        self.0.complete(region)
     }
 
     fn sent_until(&mut self, _line: u32) {
@@ -49,28 +49,28 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     }
 }
 
-/// Traces the whole lines of a part of the picture that `pixels` hold, of which the first `traced` pixels are
+/// Traces the whole lines of a region of the picture that `pixels` hold, of which the first `traced` pixels are
 /// done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that are
 /// traced side by side. Returns the rays that it spent.
-pub(super) fn trace_part<R: Real, S: Geometry, C: DisplayColor>(
+pub(super) fn trace_region<R: Real, S: Geometry, C: DisplayColor>(
     renderer: &Renderer<'_, '_, R, S>,
-    part: &Part,
+    region: &Region,
     pixels: &mut [C],
     traced: &mut usize,
     budget_rays: u32,
     probe: &mut impl Probe<R>,
 ) -> u32 {
     if let Some(mut groups) = Groups::new(renderer, probe) {
-        return groups.trace(part, pixels, traced, budget_rays, probe);
+        return groups.trace(region, pixels, traced, budget_rays, probe);
     }
-    let width = (part.width() as usize).max(1);
+    let width = (region.width() as usize).max(1);
     let (mut down, mut x) = (*traced / width, *traced % width);
     let mut spent: u32 = 0;
     while *traced < pixels.len() {
         let end = pixels.len().min(traced.saturating_add(width - x));
         let line = pixels.get_mut(*traced..end).unwrap_or_default();
-        let mut painter = LinePainter::new(renderer, (part.top as u16).wrapping_add(down as u16));
-        let first = (part.left as u16).wrapping_add(x as u16);
+        let mut painter = LinePainter::new(renderer, (region.top as u16).wrapping_add(down as u16));
+        let first = (region.left as u16).wrapping_add(x as u16);
         let (painted, rays) = painter.paint(first, line, budget_rays.saturating_sub(spent), probe);
         *traced = traced.saturating_add(painted);
         spent = spent.saturating_add(rays);

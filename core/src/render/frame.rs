@@ -3,11 +3,10 @@
 use core::ops::Range;
 
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Dimensions, Point, Size};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::geometry::Dimensions;
 
 use super::painter::Painter;
-use super::part::Part;
+use super::region::Region;
 use super::{DrawError, LineError, Quality, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -26,13 +25,14 @@ pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> {
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
-    /// The part of the picture that the display showed when it was last asked.
-    shown: Part,
+    /// The region of the picture that the display showed when it was last asked.
+    shown: Region,
     painter: Q::Painter<'m, S>,
 }
 
 /// How far a [`Frame`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Progress {
     /// Lines that are on the display.
     pub lines_done: u32,
@@ -70,8 +70,8 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
         self.renderer
     }
 
-    /// The part of the picture that the display showed when it was last asked; the whole picture before.
-    pub(super) fn shown(&self) -> Part {
+    /// The region of the picture that the display showed when it was last asked; the whole picture before.
+    pub(super) fn shown(&self) -> Region {
         self.shown
     }
 
@@ -138,14 +138,14 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
         D: DrawTarget<Color = Q::Color>,
     {
         let (mut spent, mut is_spent) = (0u32, false);
-        while let Some(part) = self.next_part(display).filter(|_| !is_spent) {
+        while let Some(region) = self.next_region(display).filter(|_| !is_spent) {
             let left = budget_rays.saturating_sub(spent);
-            let traced = self.painter.trace(self.renderer, &part, left, probe);
+            let traced = self.painter.trace(self.renderer, &region, left, probe);
             spent = spent.saturating_add(traced.rays);
             if !traced.is_complete {
                 break;
             }
-            self.send(display, &part)?;
+            self.send(display, &region)?;
             is_spent = spent >= budget_rays;
         }
         let left = self.lines.end.saturating_sub(self.lines.start);
@@ -153,33 +153,31 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     }
 
     /// What is left to draw on this display, if anything is.
-    fn next_part(&mut self, display: &impl Dimensions) -> Option<Part> {
+    fn next_region(&mut self, display: &impl Dimensions) -> Option<Region> {
         let shown = self.renderer.whole().shown_in(&display.bounding_box());
         let (top, bottom) = (shown.top.max(self.lines.start), shown.bottom.min(self.lines.end));
-        let part = Part { top, bottom, ..shown };
+        let region = Region { top, bottom, ..shown };
         if shown != self.shown {
             self.shown = shown;
-            self.painter.restart(part.height());
+            self.painter.restart(region.height());
         }
-        if part.is_empty() {
+        if region.is_empty() {
             self.lines.start = self.lines.end;
             return None;
         }
-        Some(part)
+        Some(region)
     }
 
     /// Sends complete lines to the display.
-    fn send<D>(&mut self, display: &mut D, part: &Part) -> Result<(), DrawError<D::Error>>
+    fn send<D>(&mut self, display: &mut D, region: &Region) -> Result<(), DrawError<D::Error>>
     where
         D: DrawTarget<Color = Q::Color>,
     {
-        let Part { left, top: line, .. } = *part;
-        let (end, colors) = self.painter.band(part);
-        let size = Size::new(part.width(), end.saturating_sub(line));
-        let area = Rectangle::new(Point::new(left as i32, line as i32), size);
+        let (end, colors) = self.painter.band(region);
+        let sent = Region { bottom: end, ..*region };
         display
-            .fill_contiguous(&area, colors.iter().copied())
-            .map_err(|error| DrawError::Display { line, error })?;
+            .fill_contiguous(&sent.area(), colors.iter().copied())
+            .map_err(|error| DrawError::Display { line: region.top, error })?;
         self.lines.start = end;
         self.painter.sent_until(end);
         Ok(())

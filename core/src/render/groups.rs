@@ -3,8 +3,8 @@
 //! The rays of a square lie closer together than the rays of a row, so several lines at once take less time
 //! than the same lines one by one.
 
-use super::part::Part;
 use super::pixel::Aim;
+use super::region::Region;
 use super::{DisplayColor, Light16, Quantizer, Renderer};
 use crate::integrator::{Lane, Lanes, PixelGroup, RayBudget, WIDTH};
 use crate::limits::LINES_AT_ONCE;
@@ -29,11 +29,11 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         Some(Self { renderer, group: PixelGroup::new(renderer.scene)? })
     }
 
-    /// Renders whole lines of a part of the picture, until all are done or `budget_rays` are spent; at least
+    /// Renders whole lines of a region of the picture, until all are done or `budget_rays` are spent; at least
     /// one group. `traced` is the number of pixels that are done. Returns the rays that it spent.
     pub(super) fn trace<C: DisplayColor>(
         &mut self,
-        part: &Part,
+        region: &Region,
         lines: &mut [C],
         traced: &mut usize,
         budget_rays: u32,
@@ -44,8 +44,8 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         while lanes.push(Lane::new()).is_ok() {}
         let mut spent: u32 = 0;
         while *traced < lines.len() {
-            let group = Group::after(*traced, lines.len(), part.width() as usize);
-            spent = spent.saturating_add(self.trace_group(&group, &mut lanes, part, lines, probe));
+            let group = Group::after(*traced, lines.len(), region.width() as usize);
+            spent = spent.saturating_add(self.trace_group(&group, &mut lanes, region, lines, probe));
             *traced = traced.saturating_add(group.width * group.height);
             if spent >= budget_rays {
                 break;
@@ -60,13 +60,13 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         &mut self,
         group: &Group,
         lanes: &mut Lanes<'m, R>,
-        part: &Part,
+        region: &Region,
         lines: &mut [C],
         probe: &mut impl Probe<R>,
     ) -> u32 {
         let Renderer { settings, viewport, limits, .. } = self.renderer;
         let place = |x: usize, down: usize| {
-            ((part.left as u16).wrapping_add(x as u16), (part.top as u16).wrapping_add(down as u16))
+            ((region.left as u16).wrapping_add(x as u16), (region.top as u16).wrapping_add(down as u16))
         };
         let rays_per_pixel = settings.rays_per_pixel;
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
@@ -83,7 +83,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         let mut spent: u32 = 0;
         for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
             spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.rays_left().0));
-            if let Some(pixel) = lines.get_mut(down * part.width() as usize + x) {
+            if let Some(pixel) = lines.get_mut(down * region.width() as usize + x) {
                 let (x, y) = place(x, down);
                 let quantizer = Quantizer::new(settings, x, y);
                 *pixel = C::from_light(Light16::new(lane.light()), &quantizer);

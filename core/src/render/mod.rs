@@ -19,13 +19,13 @@ mod error;
 mod exact;
 mod frame;
 mod groups;
+mod image;
 mod interleave;
 mod line;
 mod line_candidates;
 mod outline;
 mod outlines;
 mod painter;
-mod part;
 mod pattern;
 mod pixel;
 mod pixel_sum;
@@ -33,6 +33,7 @@ mod progressive;
 mod quality;
 mod quantize;
 mod realtime;
+mod region;
 mod settings;
 mod span;
 mod tone;
@@ -42,6 +43,7 @@ pub use digest::Digest;
 pub use display_color::DisplayColor;
 pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
+pub use image::RenderedImage;
 pub use interleave::Interleave;
 pub use pattern::Pattern;
 pub use pixel_sum::PixelSum;
@@ -54,9 +56,9 @@ pub use tone::Tone;
 
 use core::ops::Range;
 
-use exact::trace_part;
+use exact::trace_region;
 use outlines::Outlines;
-use part::Part;
+use region::Region;
 
 use embedded_graphics::draw_target::DrawTarget;
 
@@ -191,9 +193,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         if last >= self.height() {
             return Err(LineError::NoSuchLine { line: last, height: self.height() });
         }
-        let part = Part { top: y, bottom: last.saturating_add(1), ..self.whole() };
+        let region = Region { top: y, bottom: last.saturating_add(1), ..self.whole() };
         let pixels = height as usize * usize::from(self.width);
-        trace_part(self, &part, lines.get_mut(..pixels).unwrap_or_default(), &mut 0, u32::MAX, probe);
+        trace_region(self, &region, lines.get_mut(..pixels).unwrap_or_default(), &mut 0, u32::MAX, probe);
         Ok(())
     }
 
@@ -206,8 +208,8 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
     }
 
     /// The whole picture.
-    fn whole(&self) -> Part {
-        Part::whole(self.width, self.height)
+    fn whole(&self) -> Region {
+        Region::whole(self.width, self.height)
     }
 
     /// The lines of a range that are to be drawn; `0..0` if there is nothing to draw.

@@ -1,6 +1,6 @@
 //! The interface between a frame and the tracing of one quality.
 
-use super::part::Part;
+use super::region::Region;
 use super::{DisplayColor, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -17,20 +17,20 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// be drawn.
     fn restart(&mut self, lines_total: u32);
 
-    /// Traces the band of lines that holds the first line of `part`, which is not empty, until it is complete
+    /// Traces the band of lines that holds the first line of `region`, which is not empty, until it is complete
     /// or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays until
     /// its lines are [sent](Self::sent_until).
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        part: &Part,
+        region: &Region,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced;
 
-    /// One or more lines of the complete band, from the first line of `part` on: the line after them, and
-    /// their pixels in the columns of `part`.
-    fn band(&self, part: &Part) -> (u32, &[Self::Color]);
+    /// One or more lines of the complete band, from the first line of `region` on: the line after them, and
+    /// their pixels in the columns of `region`.
+    fn band(&self, region: &Region) -> (u32, &[Self::Color]);
 
     /// All lines above `line` are on the display. If the current band lies above it, the band is dropped.
     fn sent_until(&mut self, line: u32);
@@ -48,22 +48,22 @@ impl<'b, C> LineBand<'b, C> {
         Self { colors, traced: 0 }
     }
 
-    /// Lines of the band at the top of this part of the picture: as many as the memory holds, and fewer at
+    /// Lines of the band at the top of this region of the picture: as many as the memory holds, and fewer at
     /// the bottom.
-    fn height(&self, part: &Part) -> u32 {
-        let most = self.colors.len() / (part.width() as usize).max(1);
-        u32::try_from(most).unwrap_or(u32::MAX).min(part.height())
+    fn height(&self, region: &Region) -> u32 {
+        let most = self.colors.len() / (region.width() as usize).max(1);
+        u32::try_from(most).unwrap_or(u32::MAX).min(region.height())
     }
 
-    /// Pixels of the band at the top of this part of the picture.
-    pub(super) fn pixels(&self, part: &Part) -> usize {
-        self.height(part) as usize * part.width() as usize
+    /// Pixels of the band at the top of this region of the picture.
+    pub(super) fn pixels(&self, region: &Region) -> usize {
+        self.height(region) as usize * region.width() as usize
     }
 
     /// [`Painter::band`].
-    pub(super) fn complete(&self, part: &Part) -> (u32, &[C]) {
-        let pixels = self.colors.get(..self.pixels(part)).unwrap_or_default();
-        (part.top.saturating_add(self.height(part)), pixels)
+    pub(super) fn complete(&self, region: &Region) -> (u32, &[C]) {
+        let pixels = self.colors.get(..self.pixels(region)).unwrap_or_default();
+        (region.top.saturating_add(self.height(region)), pixels)
     }
 }
 

@@ -5,6 +5,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Point;
 
 use super::line::LinePainter;
+use super::region::Region;
 use super::{DisplayColor, DrawError, Renderer};
 use crate::math::Real;
 use crate::shape::Geometry;
@@ -60,7 +61,8 @@ impl Pattern {
 }
 
 impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
-    /// Draws the pixels of one frame of a pattern, without a buffer: one `draw_iter` per line.
+    /// Draws the pixels of one frame of a pattern that the display shows, without a buffer: one `draw_iter`
+    /// for each line.
     ///
     /// # Errors
     /// The display's own error, with the line.
@@ -74,14 +76,19 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         D: DrawTarget,
         D::Color: DisplayColor,
     {
-        for y in 0..self.height {
+        let Region { left, right, top, bottom } = self.whole().shown_in(&display.bounding_box());
+        if left >= right {
+            return Ok(());
+        }
+        for y in top as u16..bottom as u16 {
             let (first, step) = pattern.columns(y, frame);
             if first >= step {
                 continue;
             }
             let mut painter = LinePainter::new(self, y);
-            let pixels = (first..self.width)
+            let pixels = (first..right as u16)
                 .step_by(usize::from(step))
+                .skip_while(|x| u32::from(*x) < left)
                 .map(|x| Pixel(Point::new(i32::from(x), i32::from(y)), painter.pixel(x)));
             display.draw_iter(pixels).map_err(|error| DrawError::Display { line: u32::from(y), error })?;
         }

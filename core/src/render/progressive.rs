@@ -2,9 +2,9 @@
 //! Fuchs, Grant and Spach, "Image Rendering by Adaptive Refinement", SIGGRAPH 1986).
 
 use super::painter::{LineBand, Painter, Traced};
-use super::part::Part;
 use super::pixel_sum::PixelSum;
 use super::quality::Sealed;
+use super::region::Region;
 use super::{DisplayColor, Frame, LineError, Quality, Renderer};
 use crate::math::Real;
 use crate::probe::Probe;
@@ -85,7 +85,7 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'_, 'm, R, S, Progres
 
     /// The sums of the pixels that the display shows; of all pixels before anything is drawn.
     fn sums_shown(&self) -> impl Iterator<Item = &PixelSum<R>> {
-        let Part { left, top, .. } = self.shown();
+        let Region { left, top, .. } = self.shown();
         let (columns, lines) = (self.shown().width() as usize, self.shown().height() as usize);
         let all = self.painter().sums.chunks(usize::from(self.renderer().width).max(1));
         let lines = all.skip(top as usize).take(lines);
@@ -110,16 +110,16 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        part: &Part,
+        region: &Region,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
-        let (pixels, width) = (self.band.pixels(part), (part.width() as usize).max(1));
+        let (pixels, width) = (self.band.pixels(region), (region.width() as usize).max(1));
         let mut spent: u32 = 0;
         while self.band.traced < pixels && spent < budget_rays.max(1) {
             let (down, right) = (self.band.traced / width, self.band.traced % width);
-            let x = (part.left as u16).wrapping_add(right as u16);
-            let y = (part.top as u16).wrapping_add(down as u16);
+            let x = (region.left as u16).wrapping_add(right as u16);
+            let y = (region.top as u16).wrapping_add(down as u16);
             let place = usize::from(y).saturating_mul(usize::from(renderer.width)).saturating_add(x.into());
             if let Some(sum) = self.sums.get_mut(place)
                 && let Some(color) = self.band.colors.get_mut(self.band.traced)
@@ -134,8 +134,8 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
         Traced { rays: spent, is_complete: self.band.traced >= pixels }
     }
 
-    fn band(&self, part: &Part) -> (u32, &[C]) {
-        self.band.complete(part)
+    fn band(&self, region: &Region) -> (u32, &[C]) {
+        self.band.complete(region)
     }
 
     fn sent_until(&mut self, _line: u32) {

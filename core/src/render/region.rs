@@ -1,23 +1,24 @@
-//! The part of a picture that is drawn.
+//! The region of a picture that is drawn.
 
+use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
 /// A rectangle of pixels of the picture: the columns `left..right` of the lines `top..bottom`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct Region {
     pub(super) left: u32,
     pub(super) right: u32,
     pub(super) top: u32,
     pub(super) bottom: u32,
 }
 
-impl Part {
+impl Region {
     /// A whole picture of this size.
     pub(super) fn whole(width: u16, height: u16) -> Self {
         Self { left: 0, right: width.into(), top: 0, bottom: height.into() }
     }
 
-    /// The part of this one that lies on a display with this bounding box. The picture's upper left corner
+    /// The region of this one that lies on a display with this bounding box. The picture's upper left corner
     /// is at (0, 0).
     pub(super) fn shown_in(self, display: &Rectangle) -> Self {
         let Rectangle { top_left, size } = display;
@@ -34,6 +35,12 @@ impl Part {
         self.bottom.saturating_sub(self.top)
     }
 
+    /// The same pixels as embedded-graphics names them.
+    pub(super) fn area(&self) -> Rectangle {
+        let corner = Point::new(self.left as i32, self.top as i32);
+        Rectangle::new(corner, Size::new(self.width(), self.height()))
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.left >= self.right || self.top >= self.bottom
     }
@@ -48,14 +55,13 @@ fn common((start, end): (u32, u32), other: i32, length: u32) -> (u32, u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics::geometry::{Point, Size};
 
     #[test]
     fn the_part_shown_lies_in_picture_and_display() {
-        let whole = Part::whole(40, 30);
+        let whole = Region::whole(40, 30);
         let shown = |x, y, width, height| {
-            let part = whole.shown_in(&Rectangle::new(Point::new(x, y), Size::new(width, height)));
-            (!part.is_empty()).then_some((part.left, part.right, part.top, part.bottom))
+            let region = whole.shown_in(&Rectangle::new(Point::new(x, y), Size::new(width, height)));
+            (!region.is_empty()).then_some((region.left, region.right, region.top, region.bottom))
         };
         assert_eq!(shown(0, 0, 40, 30), Some((0, 40, 0, 30)));
         assert_eq!(shown(0, 0, 320, 240), Some((0, 40, 0, 30)));

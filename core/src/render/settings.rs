@@ -12,6 +12,7 @@ use crate::sampling::{Adaptive, Sampling};
 /// let settings = Settings { bounces: 3, transfer: Transfer::Linear, ..Settings::new(320, 240) };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Settings {
     /// Width of the picture in pixels, 1 to 65535.
     pub width: u32,
@@ -95,6 +96,7 @@ impl Settings {
 
 /// The curve from light to the codes of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Transfer {
     /// The curve of IEC 61966-2-1, which displays expect.
     #[default]
@@ -106,6 +108,7 @@ pub enum Transfer {
 
 /// The rounding of light to the levels of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Dither {
     /// To the nearest level.
     #[default]

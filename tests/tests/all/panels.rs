@@ -5,15 +5,17 @@ use std::fmt::Debug;
 use std::mem::MaybeUninit;
 use std::ops::Range;
 
+use embedded_graphics::Drawable;
 use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
-use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::image::{Image, ImageDrawableExt};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE, PRISM};
 use rayline::math::Fixed;
 use rayline::{
-    DisplayColor, Dither, DrawError, PixelSum, PreparedScene, Progressive, Quality, Real, Realtime, Renderer,
-    Sample, Sampling, Scene, Settings, Transfer,
+    DisplayColor, Dither, DrawError, Pattern, PixelSum, PreparedScene, Progressive, Quality, Real, Realtime,
+    Renderer, Sample, Sampling, Scene, Settings, Transfer,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -288,5 +290,51 @@ fn boxes_that_begin_elsewhere_are_translated() {
             whole.pixels[(y * 43 + x) as usize].expect("drawn")
         });
         assert_eq!(*drawn, inside, "{point}");
+    }
+}
+
+/// An image has the bytes of `draw`, wherever it is placed, and traces only what is shown.
+#[test]
+fn images_are_drawn_where_they_are_placed() {
+    let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>()];
+    let prepared = PreparedScene::<f32, _>::new(&CLASSIC, &mut memory).expect("a legal scene");
+    let renderer = Renderer::new(&prepared, DITHERED).expect("legal settings");
+    let mut whole = Screen::<Rgb565>::blank(PICTURE);
+    renderer.draw(&mut whole, &mut [Rgb565::BLACK; 43]).expect("drawn");
+    let picture = renderer.image::<Rgb565>();
+    assert_eq!(picture.size(), PICTURE);
+    let part = Rectangle::new(Point::new(9, 4), Size::new(20, 30));
+    let sub_image = picture.sub_image(&part);
+    for area in displays() {
+        for place in [Point::zero(), Point::new(5, 3), Point::new(-8, -2), Point::new(10_000, 0)] {
+            let shown = |screen: &Screen<Rgb565>, corner: Point, of: Rectangle| {
+                for (point, drawn) in area.points().zip(&screen.pixels) {
+                    let x = i64::from(point.x) - i64::from(place.x) + i64::from(corner.x);
+                    let y = i64::from(point.y) - i64::from(place.y) + i64::from(corner.y);
+                    let inside = |value: i64, from: i32, length: u32| {
+                        (i64::from(from)..i64::from(from) + i64::from(length)).contains(&value)
+                    };
+                    let expected = (inside(x, of.top_left.x, of.size.width)
+                        && inside(y, of.top_left.y, of.size.height))
+                    .then(|| whole.pixels[(y * 43 + x) as usize].expect("drawn"));
+                    assert_eq!(*drawn, expected, "{area:?}, {place}, {point}");
+                }
+            };
+            let mut screen = Screen::<Rgb565>::over(area);
+            Image::new(&picture, place).draw(&mut screen).expect("drawn");
+            assert!(screen.windows.len() <= 1 && screen.windows.iter().all(|area| !area.is_zero_sized()));
+            shown(&screen, Point::zero(), Rectangle::new(Point::zero(), PICTURE));
+            let mut screen = Screen::<Rgb565>::over(area);
+            Image::new(&sub_image, place).draw(&mut screen).expect("drawn");
+            shown(&screen, part.top_left, part.intersection(&Rectangle::new(Point::zero(), PICTURE)));
+        }
+        // Patterns draw pixels of their own.
+        let mut screen = Screen::<Rgb565>::over(area);
+        for frame in 0..Pattern::Square.frames() {
+            renderer.draw_pattern(Pattern::Square, frame, &mut screen).expect("drawn");
+        }
+        let mut drawn = Screen::<Rgb565>::over(area);
+        renderer.draw(&mut drawn, &mut [Rgb565::BLACK; 43]).expect("drawn");
+        assert!(screen.pixels == drawn.pixels, "{area:?}");
     }
 }

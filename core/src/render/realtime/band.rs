@@ -25,7 +25,7 @@ use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
-use crate::render::part::Part;
+use crate::render::region::Region;
 use crate::render::{DisplayColor, Renderer};
 use crate::shape::{Geometry, Silhouette};
 
@@ -144,16 +144,16 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         }
     }
 
-    /// Begins the band that holds the first line of the `part` that is still to be drawn.
+    /// Begins the band that holds the first line of the `region` that is still to be drawn.
     // Kept out of line: else its stack stays in use while cells are traced (400 bytes on an M4F, 2,200 on an
     // M0).
     #[inline(never)]
-    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, part: &Part) -> Band<R> {
+    pub(super) fn begin(&mut self, renderer: &Renderer<'_, 'm, R, S>, region: &Region) -> Band<R> {
         let size = self.quality.grid.pixels();
         let first_of = |place: u32| place & !(size as u32 - 1);
-        let (top, first, end) = (first_of(part.top), first_of(part.left), part.right);
+        let (top, first, end) = (first_of(region.top), first_of(region.left), region.right);
         let bottom = (top + size as u32).min(u32::from(u16::MAX));
-        self.budget.share(size as u32, part.height());
+        self.budget.share(size as u32, region.height());
         let rows = (top as u16, bottom as u16);
         let mut thin = self.small.thin_cells(renderer.width, self.quality.grid);
         let strip = Strip::new(renderer, rows, self.quality.aim(), &mut thin);

@@ -3,6 +3,7 @@
 /// The distance of the pixels that are traced first: all but those around which no object can be seen, and
 /// those that a budget leaves out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Grid {
     /// Every second pixel of every second line.
     Two,

@@ -6,8 +6,8 @@ use super::quality::Edges;
 use crate::math::Real;
 use crate::probe::Probe;
 use crate::render::painter::{Painter, Traced};
-use crate::render::part::Part;
 use crate::render::quality::Sealed;
+use crate::render::region::Region;
 use crate::render::{DisplayColor, LineError, Quality, Renderer};
 use crate::shape::Geometry;
 
@@ -69,13 +69,13 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Realt
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,
-        part: &Part,
+        region: &Region,
         budget_rays: u32,
         probe: &mut impl Probe<R>,
     ) -> Traced {
         let mut band = match self.band {
             Some(band) => band,
-            None => self.bands.begin(renderer, part),
+            None => self.bands.begin(renderer, region),
         };
         let mut spent: u32 = 0;
         while !band.is_complete() {
@@ -90,14 +90,14 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Realt
         Traced { rays: spent, is_complete: band.is_complete() }
     }
 
-    fn band(&self, part: &Part) -> (u32, &[C]) {
-        let Some(band) = &self.band else { return (part.bottom, &[]) };
-        // The band may have pixels to the left of the part. Each line is then sent by itself.
-        let beside = part.left.saturating_sub(band.first);
-        let below = if beside == 0 { self.bottom(band) } else { part.top.saturating_add(1) };
-        let end = below.min(part.bottom);
+    fn band(&self, region: &Region) -> (u32, &[C]) {
+        let Some(band) = &self.band else { return (region.bottom, &[]) };
+        // The band may have pixels to the left of the region. Each line is then sent by itself.
+        let beside = region.left.saturating_sub(band.first);
+        let below = if beside == 0 { self.bottom(band) } else { region.top.saturating_add(1) };
+        let end = below.min(region.bottom);
         let pixels = |lines: u32| lines as usize * band.width();
-        let first = pixels(part.top.saturating_sub(band.top)) + beside as usize;
+        let first = pixels(region.top.saturating_sub(band.top)) + beside as usize;
         let last = pixels(end.saturating_sub(band.top));
         (end, self.buffer.colors.get(first..last).unwrap_or_default())
     }

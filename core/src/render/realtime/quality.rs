@@ -46,6 +46,7 @@ use crate::render::pixel::Aim;
 /// | 128×96 | 943 | 884 | 730 |
 /// | 64×48 | 991 | 1,310 | 1,182 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Realtime {
     /// The distance of the pixels that are traced first.
     pub grid: Grid,
@@ -65,6 +66,7 @@ pub struct Realtime {
 
 /// How edges are drawn in realtime quality.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Edges {
     /// In steps of a pixel: a pixel shows what its center shows.
     #[default]
