@@ -7,6 +7,7 @@ use crate::math::{Real, Vec3};
 
 /// Why a part of a scene was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Fault {
     /// A baked mesh was made for another number system, or for a scene of another extent. Bake the scene
@@ -376,7 +377,7 @@ impl fmt::Display for Fault {
             Self::WithoutFeature { feature } => {
                 return write!(
                     f,
-                    "the scene needs the feature `{feature}` of the crate rayline; build with that feature"
+                    "the scene needs the feature `{feature}` of the crate rayline; add it to `features` in Cargo.toml"
                 );
             }
             Self::IorNotPositive => "the index of refraction is less than 0.001; air is 1, glass about 1.5",
@@ -447,6 +448,7 @@ impl core::error::Error for Fault {}
 
 /// A coefficient that must lie in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Coefficient {
     /// [`Material::color`](crate::Material::color), or a color of a texture.

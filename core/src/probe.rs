@@ -6,6 +6,7 @@ use crate::prepared::Hit;
 
 /// Why a ray was traced. Shadow rays are not among these: see [`Event::Light`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RayKind {
     /// From the eye through a pixel.
     Camera,
@@ -17,6 +18,7 @@ pub enum RayKind {
 
 /// Why light was left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cut {
     /// A ray would have exceeded [`Settings::bounces`](crate::Settings).
     Bounces,
@@ -124,6 +126,7 @@ impl<R> Probe<R> for () {
 
 /// Counts rays by kind, and what was cut short.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RayCounts {
     /// Rays from the eye.
     pub camera: u64,

@@ -53,6 +53,7 @@ pub(crate) struct RayLimits<R> {
 /// The way to find the light of lamps with a size and of the sky, see [`Light::Object`](crate::Light::Object)
 /// and [`Light::Sky`](crate::Light::Sky). Other scenes are the same in both ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum AreaLights {

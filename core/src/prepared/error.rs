@@ -6,6 +6,7 @@ use crate::fault::{Fault, Inner};
 
 /// A scene was refused: which part, and why.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneError {
     /// The part that is wrong.
     pub part: Part,
@@ -15,6 +16,7 @@ pub struct SceneError {
 
 /// A part of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
     /// The camera.

@@ -40,6 +40,7 @@ pub(crate) const CENTER: i32 = 0x8000;
 /// let settings = Settings { sampling, ..Settings::new(320, 240) };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Sampling {
@@ -83,6 +84,7 @@ impl Default for Sampling {
 /// The error of a picture falls with the number of samples n: as n^-½ for [`Random`](Self::Random), faster
 /// for all others. All but [`R2`](Self::R2) need the feature `distributed`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Sampler {
@@ -114,6 +116,7 @@ pub enum Sampler {
 /// their rays met other objects, facets or shadows, or if their colors have too much contrast (Mitchell,
 /// "Generating Antialiased Images at Low Sampling Densities", 1987).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Adaptive {

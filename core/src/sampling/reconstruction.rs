@@ -5,6 +5,7 @@ use super::CENTER;
 /// The weight of the light around the center of a pixel, by which the samples become one color. All but
 /// [`Box`](Self::Box) need the feature `distributed`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Reconstruction {

@@ -80,6 +80,7 @@ pub struct SceneBuf<'a, S, const OBJECTS: usize, const MATERIALS: usize, const L
 
 /// There is no room for one more item in a [`SceneBuf`], which is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Full<T> {
     /// The item.
     pub item: T,

@@ -22,6 +22,7 @@ const VERSION: u8 = 5;
 
 /// The reason why bytes are no scene, or why a scene could not be written as bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BytesError {
     /// The bytes do not begin with the mark of a scene. Check that they come from the right file.
