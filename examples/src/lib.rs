@@ -1,0 +1,64 @@
+//! What the examples share, and what does not go into firmware: files, and a panel that stands for one.
+
+mod mock_panel;
+
+pub use mock_panel::{MockBus, MockDelay, MockPanel, MockPin};
+
+use std::error::Error;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+
+/// The file to write: the first argument of the program, or this name in `target/examples-pictures`, a folder
+/// that is made if it is not there.
+///
+/// # Errors
+/// The folder cannot be made.
+pub fn file(name: &str) -> io::Result<PathBuf> {
+    if let Some(file) = std::env::args_os().nth(1) {
+        return Ok(file.into());
+    }
+    let folder = Path::new("target").join("examples-pictures");
+    fs::create_dir_all(&folder)?;
+    Ok(folder.join(name))
+}
+
+/// Writes what a display shows into the [`file`] of this name, and says so.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn save<C: PixelColor + Into<Rgb888>>(
+    display: &SimulatorDisplay<C>,
+    output: &OutputSettings,
+    name: &str,
+) -> Result<(), Box<dyn Error>> {
+    let file = file(name)?;
+    display.to_rgb_output_image(output).save_png(&file)?;
+    let size = display.output_size(output);
+    println!("{}: a picture of {}x{} pixels", file.display(), size.width, size.height);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    /// The text from the scene on, without what the formatter changes.
+    fn program(text: &str) -> String {
+        let (_, program) = text.split_once("static SCENE").expect("a scene");
+        program.split_whitespace().collect::<String>().replace(",}", "}")
+    }
+
+    #[test]
+    fn hello_is_the_program_of_the_readme() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let [readme, hello] =
+            ["../README.md", "hello.rs"].map(|file| fs::read_to_string(folder.join(file)).expect(file));
+        let (readme, _) = readme.split_once("\n```\n\n(`Box`").expect("the end of the program");
+        assert!(program(&hello).starts_with(&program(readme)), "make README.md and examples/hello.rs alike");
+    }
+}
