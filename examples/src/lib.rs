@@ -26,7 +26,7 @@ pub fn file(name: &str) -> io::Result<PathBuf> {
     Ok(folder.join(name))
 }
 
-/// Writes what a display shows into the [`file`] of this name, and says so.
+/// Writes what a display shows into the [`file()`] of this name, and says so.
 ///
 /// # Errors
 /// The file cannot be written.
