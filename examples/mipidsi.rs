@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let panel = MockPanel::new(Size::new(WIDTH.into(), HEIGHT.into()));
     let (device, data_pin, mut delay) = (MockBus(&panel), MockPin(&panel), MockDelay);
 
-    // The bytes that the driver gathers before it sends them: some lines fit well.
+    // The driver gathers bytes in it before it sends them.
     let mut buffer = [0; 512];
     let mut display = Builder::new(ST7789, SpiInterface::new(device, data_pin, &mut buffer))
         .display_size(WIDTH, HEIGHT)
