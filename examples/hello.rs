@@ -34,7 +34,7 @@ fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D) -> Result<(), Box<dyn co
 where
     D::Error: core::fmt::Debug + 'static,
 {
-    let mut memory = Workspace::<{ prepared_bytes::<f32, Sphere>(1, 1, 1, 0) }>::new(); // objects, materials, lights
+    let mut memory = Workspace::<{ prepared_bytes!(f32, SCENE) }>::new();
     let scene = PreparedScene::<f32, _>::new(&SCENE, memory.lend())?; // the only step that can refuse a scene
     let renderer = Renderer::new(&scene, Settings::new(160, 128))?;
     renderer.draw(display, &mut [Rgb565::BLACK; 160])?; // one line at a time

@@ -61,8 +61,7 @@ fn run() -> Result<(), ()> {
         .init(&mut delay)
         .map_err(|failure| error!("the panel: {}", Debug2Format(&failure)))?;
 
-    // One object, one material, one light.
-    let mut memory = Workspace::<{ prepared_bytes::<Fixed, Sphere>(1, 1, 1, 0) }>::new();
+    let mut memory = Workspace::<{ prepared_bytes!(Fixed, SCENE) }>::new();
     let scene = PreparedScene::<Fixed, _>::new(&SCENE, memory.lend()).map_err(log)?;
     let renderer = Renderer::new(&scene, Settings::new(320, 240)).map_err(log)?;
     renderer.draw(&mut display, &mut [Rgb565::BLACK; 320]).map_err(log)?;
