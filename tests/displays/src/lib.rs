@@ -1,0 +1,11 @@
+//! Real display drivers from crates.io over recording buses: what their panels show is decoded and compared
+//! with the renderer's picture. The table in `docs/displays.md` is written from the same trials.
+
+pub mod bus;
+mod decode;
+pub mod drivers;
+pub mod entry;
+pub mod panel;
+pub mod picture;
+pub mod table;
+pub mod trial;
