@@ -175,7 +175,7 @@ impl digital::OutputPin for DataPin {
     }
 }
 
-/// Any other pin: reset, chip select, or busy, which always reads low.
+/// Any other output: reset, or chip select.
 #[derive(Clone, Copy, Debug)]
 pub struct Pin;
 
@@ -193,13 +193,24 @@ impl digital::OutputPin for Pin {
     }
 }
 
-impl digital::InputPin for Pin {
+/// The busy pin of a panel that is never busy.
+#[derive(Clone, Copy, Debug)]
+pub struct Idle {
+    /// The level of the pin.
+    pub is_high: bool,
+}
+
+impl digital::ErrorType for Idle {
+    type Error = Infallible;
+}
+
+impl digital::InputPin for Idle {
     fn is_high(&mut self) -> Result<bool, Infallible> {
-        Ok(false)
+        Ok(self.is_high)
     }
 
     fn is_low(&mut self) -> Result<bool, Infallible> {
-        Ok(true)
+        Ok(!self.is_high)
     }
 }
 

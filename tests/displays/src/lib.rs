@@ -5,6 +5,7 @@ pub mod bus;
 mod decode;
 pub mod drivers;
 pub mod entry;
+mod ink;
 pub mod panel;
 pub mod picture;
 pub mod table;

@@ -30,7 +30,7 @@ impl Picture {
     /// A picture of this size. It is dithered, so that colors of one bit show more than outlines.
     pub fn new(size: Size) -> Self {
         let settings =
-            Settings { bounces: 2, dither: Dither::Ordered, ..Settings::new(size.width, size.height) };
+            Settings { bounces: 0, dither: Dither::Ordered, ..Settings::new(size.width, size.height) };
         let renderer = Renderer::new(&SCENE, settings).expect("legal settings");
         Self { renderer, settings, wrong: None }
     }

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use embedded_hal_02::blocking::{delay, i2c, spi};
 use embedded_hal_02::digital::v2::{InputPin, OutputPin};
 
-use super::{Bus, DataPin, Delay, Pin, Unplugged};
+use super::{Bus, DataPin, Delay, Idle, Pin, Unplugged};
 
 impl spi::Write<u8> for Bus {
     type Error = Unplugged;
@@ -58,15 +58,15 @@ impl OutputPin for Pin {
     }
 }
 
-impl InputPin for Pin {
+impl InputPin for Idle {
     type Error = Infallible;
 
     fn is_high(&self) -> Result<bool, Infallible> {
-        Ok(false)
+        Ok(self.is_high)
     }
 
     fn is_low(&self) -> Result<bool, Infallible> {
-        Ok(true)
+        Ok(!self.is_high)
     }
 }
 

@@ -1,5 +1,6 @@
 //! One file for each driver crate: how it is set up, and the code that its user writes.
 
+mod epd_waveshare;
 mod gc9a01_rs;
 mod ili9341;
 mod mipidsi;
@@ -8,6 +9,8 @@ mod sh1106;
 mod ssd1306;
 mod ssd1351;
 mod st7735_lcd;
+mod uc8151;
+mod weact_studio_epd;
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::pixelcolor::raw::RawData;
@@ -41,6 +44,9 @@ entries! {
     ssd1306
     sh1106
     oled_async
+    uc8151
+    weact_studio_epd
+    epd_waveshare
 }
 
 /// The bits of a color, as embedded-graphics numbers them.
