@@ -37,9 +37,8 @@ pub fn write(entries: &[Entry]) -> io::Result<()> {
 
 /// The table, a row for each panel, and below it what to watch for.
 pub fn table(entries: &[Entry]) -> String {
-    let mut text = String::from(
-        "\n| crate | version | panel | orientations | lines | windows |\n| --- | --- | --- | --: | --: | --: |\n",
-    );
+    let mut text = String::from("\n| crate | version | panel | orientations | lines | windows |\n");
+    text += "| --- | --- | --- | --: | --: | --: |\n";
     for entry in entries {
         let mut first = format!("{} | {}", entry.name, version(entry.name));
         let mut rest = &entry.trials[..];

@@ -1,5 +1,5 @@
-//! Controllers of e-paper with planes of one bit a pixel: the UC81xx and the SSD16xx. The glass changes when it
-//! is refreshed, not when a plane is written.
+//! Controllers of e-paper with planes of one bit a pixel: the UC81xx and the SSD16xx. The glass changes when
+//! it is refreshed, not when a plane is written.
 
 use embedded_graphics::geometry::{Point, Size};
 

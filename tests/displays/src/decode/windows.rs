@@ -16,6 +16,10 @@ pub struct Windows {
     glass: Rectangle,
     /// Whether the glass shows the memory from right to left.
     is_mirrored: bool,
+    /// Whether the glass has blue where the controller supposes red.
+    is_bgr: bool,
+    /// Whether the glass is dark where the controller supposes light.
+    is_negative: bool,
 }
 
 /// The codes of commands.
@@ -29,8 +33,10 @@ struct Commands {
     /// The command that says in which directions the memory is filled.
     directions: u8,
     directions_of: fn(u8) -> Directions,
-    /// The command that says how many bytes a pixel has, and the bytes that it has before.
+    /// The command that says how many bytes a pixel has.
     pixel_format: u8,
+    /// The commands that show colors as they are, and inverted.
+    inversion: (u8, u8),
 }
 
 /// In which directions the memory is filled.
@@ -42,6 +48,8 @@ struct Directions {
     is_downward: bool,
     is_right_to_left: bool,
     is_bottom_to_top: bool,
+    /// Whether blue is the first color.
+    is_bgr: bool,
 }
 
 const MIPI: Commands = Commands {
@@ -55,8 +63,10 @@ const MIPI: Commands = Commands {
         is_right_to_left: byte & 0x40 != 0,
         is_swapped: byte & 0x20 != 0,
         is_downward: false,
+        is_bgr: byte & 8 != 0,
     },
     pixel_format: 0x3A,
+    inversion: (0x20, 0x21),
 };
 
 const SSD1351: Commands = Commands {
@@ -71,9 +81,12 @@ const SSD1351: Commands = Commands {
         // The glass hangs upside down: the scan is reversed where the bit is 0.
         is_bottom_to_top: byte & 0x10 == 0,
         is_swapped: false,
+        // The glass has the order that drivers choose.
+        is_bgr: byte & 4 == 0,
     },
     // No command: the SSD1351 has two bytes for a pixel.
     pixel_format: 0,
+    inversion: (0xA6, 0xA7),
 };
 
 /// What the controller has received so far.
@@ -89,19 +102,24 @@ struct State {
     data: Vec<u8>,
     /// Pixels of the window that were written.
     written: usize,
+    /// Whether the controller inverts what it shows.
+    is_inverted: bool,
 }
 
 impl Windows {
     /// A controller that takes MIPI DCS, with glass over all its memory.
     pub fn mipi(width: u32, height: u32) -> Self {
-        let memory = Size::new(width, height);
-        Self { commands: MIPI, memory, glass: Rectangle::new(Point::zero(), memory), is_mirrored: false }
+        Self::new(MIPI, Size::new(width, height))
     }
 
     /// An SSD1351 with glass of 128 columns and this many rows.
     pub fn ssd1351(rows: u32) -> Self {
-        let memory = Size::new(128, rows);
-        Self { commands: SSD1351, memory, glass: Rectangle::new(Point::zero(), memory), is_mirrored: false }
+        Self::new(SSD1351, Size::new(128, rows))
+    }
+
+    fn new(commands: Commands, memory: Size) -> Self {
+        let glass = Rectangle::new(Point::zero(), memory);
+        Self { commands, memory, glass, is_mirrored: false, is_bgr: false, is_negative: false }
     }
 
     /// The same controller with glass over a part of its memory.
@@ -112,6 +130,16 @@ impl Windows {
     /// The same controller with glass that shows the memory from right to left.
     pub fn mirrored(self) -> Self {
         Self { is_mirrored: true, ..self }
+    }
+
+    /// The same controller with glass that has blue where the controller supposes red.
+    pub fn bgr(self) -> Self {
+        Self { is_bgr: true, ..self }
+    }
+
+    /// The same controller with glass that is dark where the controller supposes light.
+    pub fn negative(self) -> Self {
+        Self { is_negative: true, ..self }
     }
 
     /// What the glass shows.
@@ -126,6 +154,7 @@ impl Windows {
             command: 0,
             data: vec![],
             written: 0,
+            is_inverted: false,
         };
         for transfer in sent {
             for byte in &transfer.bytes {
@@ -140,20 +169,23 @@ impl State {
     fn command(&mut self, command: u8) {
         self.command = command;
         self.data.clear();
-        if command == self.controller.commands.write {
+        let Commands { write, inversion, .. } = self.controller.commands;
+        if command == write {
             self.written = 0;
             self.panel.windows += 1;
+        } else if command == inversion.0 || command == inversion.1 {
+            self.is_inverted = command == inversion.1;
         }
     }
 
     fn data(&mut self, byte: u8) {
-        let Commands { columns, rows, write, address_bytes, directions, directions_of, pixel_format } =
+        let Commands { columns, rows, write, address_bytes, directions, directions_of, pixel_format, .. } =
             self.controller.commands;
         self.data.push(byte);
         let command = self.command;
         if command == write {
             if self.data.len() == self.bytes_per_pixel {
-                let code = code(&self.data);
+                let code = self.code();
                 self.data.clear();
                 self.pixel(code);
             }
@@ -203,12 +235,20 @@ impl State {
         assert!(self.controller.glass.contains(at), "{at} is not behind glass");
         self.panel.write(at - top_left, code);
     }
-}
 
-/// Two bytes of 5, 6 and 5 bits as they are; three bytes with 6 bits each without the bits that do not count.
-fn code(bytes: &[u8]) -> u32 {
-    match bytes {
-        [high, low] => u32::from(*high) << 8 | u32::from(*low),
-        _ => bytes.iter().fold(0, |code, byte| code << 6 | u32::from(byte >> 2)),
+    /// The code of the pixel in `data`, as the glass shows it: bits of red, green and blue.
+    fn code(&self) -> u32 {
+        // The lower two bits of three bytes do not count.
+        let (bits, mut channels) = match self.data[..] {
+            [high, low] => ([5, 6, 5], [high >> 3, (high & 7) << 3 | low >> 5, low & 0x1F]),
+            _ => ([6; 3], [self.data[0] >> 2, self.data[1] >> 2, self.data[2] >> 2]),
+        };
+        if self.directions.is_bgr != self.controller.is_bgr {
+            channels.reverse();
+        }
+        if self.is_inverted != self.controller.is_negative {
+            channels = [0, 1, 2].map(|channel| channels[channel] ^ ((1 << bits[channel]) - 1));
+        }
+        bits.iter().zip(channels).fold(0, |code, (bits, channel)| code << bits | u32::from(channel))
     }
 }

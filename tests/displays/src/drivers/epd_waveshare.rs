@@ -32,8 +32,8 @@ pub(super) fn entry() -> Entry {
     Entry {
         name: "epd-waveshare",
         glue: 3 + lines_of_code(include_str!("../ink.rs")),
-        note: "`BinaryColor::On` is black: draw on `color_converted::<Ink>()`, as above; after an update that \
-               failed, call `wake_up` before the next one, which may else begin anywhere",
+        note: "`BinaryColor::On` is black: draw on `color_converted::<Ink>()`, as above; after an update \
+               that failed, call `wake_up` before the next one, which may else begin anywhere",
         trials,
     }
 }

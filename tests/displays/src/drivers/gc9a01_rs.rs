@@ -22,7 +22,7 @@ pub(super) fn entry() -> Entry {
     Entry {
         name: "gc9a01-rs",
         glue: 2,
-        note: "after a `flush` that failed, draw again: it forgets what it did not send",
+        note: "after a `flush` that failed, draw again: the driver has forgotten what it did not send",
         trials: turns.into_iter().map(|(rotation, quarters)| trial(rotation, Turn::by(quarters))).collect(),
     }
 }
@@ -38,6 +38,6 @@ fn trial(rotation: DisplayRotation, turn: Turn) -> Trial {
             display.flush().map_err(|_| Fault::Redraw)
         })
     };
-    let decode = |sent: &[_]| Windows::mipi(240, 240).decode(sent);
+    let decode = |sent: &[_]| Windows::mipi(240, 240).bgr().negative().decode(sent);
     Trial::new("GC9A01 240x240", Size::new(240, 240), connect, decode, super::raw::<Rgb565>).turned(turn)
 }

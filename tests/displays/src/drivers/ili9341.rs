@@ -37,6 +37,6 @@ fn trial(orientation: fn() -> Orientation, turn: Turn) -> Trial {
             .expect("the bus does not fail yet");
         Box::new(move |picture, lines| Ok(picture.draw(&mut display, lines)?))
     };
-    let decode = |sent: &[_]| Windows::mipi(240, 320).mirrored().decode(sent);
+    let decode = |sent: &[_]| Windows::mipi(240, 320).mirrored().bgr().decode(sent);
     Trial::new("ILI9341 240x320", Size::new(240, 320), connect, decode, super::raw::<Rgb565>).turned(turn)
 }

@@ -31,7 +31,8 @@ pub(super) fn entry() -> Entry {
     Entry {
         name: "mipidsi",
         glue: 1,
-        note: "colors swapped: `ColorOrder::Bgr`; a negative: `ColorInversion::Inverted`",
+        note: "if red and blue are swapped, `ColorOrder::Bgr`; if the picture is a negative, \
+               `ColorInversion::Inverted`",
         trials,
     }
 }
@@ -60,7 +61,10 @@ where
     let glass = Size::new(width.into(), height.into());
     let corner = Point::new(offset.0.into(), offset.1.into());
     let memory = M::FRAMEBUFFER_SIZE;
-    let controller = Windows::mipi(memory.0.into(), memory.1.into()).behind(Rectangle::new(corner, glass));
+    let controller = Windows::mipi(memory.0.into(), memory.1.into())
+        .bgr()
+        .negative()
+        .behind(Rectangle::new(corner, glass));
     let connect = move |bus: &Bus| -> Draw {
         let interface = SpiInterface::new(bus.clone(), bus.data_pin(), vec![0; 512].leak());
         let rotation = Rotation::try_from_degree(i32::from(turn.quarters) * 90).expect("a quarter");

@@ -20,7 +20,7 @@ pub(super) fn entry() -> Entry {
     Entry {
         name: "ssd1306",
         glue: 2,
-        note: "after a `flush` that failed, draw again: it forgets what it did not send",
+        note: "after a `flush` that failed, draw again: the driver has forgotten what it did not send",
         trials,
     }
 }

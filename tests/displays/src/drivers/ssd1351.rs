@@ -27,7 +27,7 @@ pub(super) fn entry() -> Entry {
     Entry {
         name: "ssd1351",
         glue: 1,
-        note: "panics when the bus fails; 128x96 turned by 90° has the box of the unturned panel",
+        note: "it panics when the bus fails; 128x96 turned by 90° has the box of the unturned panel",
         trials: square.chain([low]).collect(),
     }
 }
