@@ -27,7 +27,7 @@ pub(super) fn entry() -> Entry {
         name: "weact-studio-epd",
         glue: 2,
         note: "draw on `color_converted::<BinaryColor>()`; the box of 2.13\" has 128 columns, and 122 can be \
-               seen: turned, they begin at 6",
+               seen: turned by 90° or 180°, they begin at 6",
         trials,
     }
 }
