@@ -377,7 +377,8 @@ impl fmt::Display for Fault {
             Self::WithoutFeature { feature } => {
                 return write!(
                     f,
-                    "the scene needs the feature `{feature}` of the crate rayline; add it to `features` in Cargo.toml"
+                    "the scene needs the feature `{feature}` of the crate rayline; add it to `features` in \
+                     Cargo.toml"
                 );
             }
             Self::IorNotPositive => "the index of refraction is less than 0.001; air is 1, glass about 1.5",

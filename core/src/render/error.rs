@@ -129,13 +129,15 @@ impl fmt::Display for LineError {
             Self::BufferLength { given, width } => {
                 write!(
                     f,
-                    "a buffer of {given} pixels does not hold a line of {width}; lend {width}, or a multiple to draw several"
+                    "a buffer of {given} pixels does not hold a line of {width}; lend {width}, or a multiple to \
+                     draw several"
                 )
             }
             Self::BandLength { given, needed } => {
                 write!(
                     f,
-                    "a buffer of {given} pixels does not hold a band of lines; lend {needed}: `Realtime::colors`"
+                    "a buffer of {given} pixels does not hold a band of lines; lend {needed}: \
+                     `Realtime::colors`"
                 )
             }
             Self::SampleCount { given, needed } => {

@@ -49,8 +49,8 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
     }
 }
 
-/// Traces the whole lines of a region of the picture that `pixels` hold, of which the first `traced` pixels are
-/// done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that are
+/// Traces the whole lines of a region of the picture that `pixels` hold, of which the first `traced` pixels
+/// are done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that are
 /// traced side by side. Returns the rays that it spent.
 pub(super) fn trace_region<R: Real, S: Geometry, C: DisplayColor>(
     renderer: &Renderer<'_, '_, R, S>,

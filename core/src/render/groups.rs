@@ -29,8 +29,8 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         Some(Self { renderer, group: PixelGroup::new(renderer.scene)? })
     }
 
-    /// Renders whole lines of a region of the picture, until all are done or `budget_rays` are spent; at least
-    /// one group. `traced` is the number of pixels that are done. Returns the rays that it spent.
+    /// Renders whole lines of a region of the picture, until all are done or `budget_rays` are spent; at
+    /// least one group. `traced` is the number of pixels that are done. Returns the rays that it spent.
     pub(super) fn trace<C: DisplayColor>(
         &mut self,
         region: &Region,

@@ -17,8 +17,8 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     /// be drawn.
     fn restart(&mut self, lines_total: u32);
 
-    /// Traces the band of lines that holds the first line of `region`, which is not empty, until it is complete
-    /// or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays until
+    /// Traces the band of lines that holds the first line of `region`, which is not empty, until it is
+    /// complete or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays until
     /// its lines are [sent](Self::sent_until).
     fn trace(
         &mut self,

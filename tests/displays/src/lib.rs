@@ -1,5 +1,5 @@
-//! Real display drivers from crates.io over recording buses: what their panels show is decoded and compared
-//! with the renderer's picture. The table in `docs/displays.md` is written from the same trials.
+//! Real display drivers over recording buses: what their panels show is decoded and compared with the
+//! renderer's picture. The table in `docs/displays.md` is written from the same trials.
 
 pub mod bus;
 mod decode;
