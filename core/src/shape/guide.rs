@@ -24,9 +24,9 @@
 //! }
 //!
 //! impl Bowl {
-//!     /// The bowl takes no memory beside its place in the list of objects: see below.
+//!     /// The bowl stores nothing beside its place in the list of objects: see below.
 //!     pub const fn const_bytes<R: Real>(&self) -> usize {
-//!         0
+//!         Arena::bytes::<R>(0)
 //!     }
 //! }
 //!
