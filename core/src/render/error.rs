@@ -129,8 +129,8 @@ impl fmt::Display for LineError {
             Self::BufferLength { given, width } => {
                 write!(
                     f,
-                    "a buffer of {given} pixels does not hold a line of {width}; lend {width}, or a multiple to \
-                     draw several"
+                    "a buffer of {given} pixels does not hold a line of {width}; lend {width}, or a \
+                     multiple to draw several"
                 )
             }
             Self::BandLength { given, needed } => {

@@ -50,8 +50,8 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Exact
 }
 
 /// Traces the whole lines of a region of the picture that `pixels` hold, of which the first `traced` pixels
-/// are done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that are
-/// traced side by side. Returns the rays that it spent.
+/// are done, until all are done or `budget_rays` are spent; at least one pixel, or one group of pixels that
+/// are traced side by side. Returns the rays that it spent.
 pub(super) fn trace_region<R: Real, S: Geometry, C: DisplayColor>(
     renderer: &Renderer<'_, '_, R, S>,
     region: &Region,
@@ -69,9 +69,9 @@ pub(super) fn trace_region<R: Real, S: Geometry, C: DisplayColor>(
     while *traced < pixels.len() {
         let end = pixels.len().min(traced.saturating_add(width - x));
         let line = pixels.get_mut(*traced..end).unwrap_or_default();
-        let mut painter = LinePainter::new(renderer, (region.top as u16).wrapping_add(down as u16));
-        let first = (region.left as u16).wrapping_add(x as u16);
-        let (painted, rays) = painter.paint(first, line, budget_rays.saturating_sub(spent), probe);
+        let (column, y) = region.pixel(x, down);
+        let mut painter = LinePainter::new(renderer, y);
+        let (painted, rays) = painter.paint(column, line, budget_rays.saturating_sub(spent), probe);
         *traced = traced.saturating_add(painted);
         spent = spent.saturating_add(rays);
         if painted == 0 || spent >= budget_rays {

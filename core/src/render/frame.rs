@@ -20,14 +20,14 @@ use crate::shape::Geometry;
 /// coarser.
 #[derive(Debug)]
 pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> {
-    renderer: &'r Renderer<'r, 'm, R, S>,
+    pub(super) renderer: &'r Renderer<'r, 'm, R, S>,
     /// The lines that are not yet on the display.
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
-    /// The region of the picture that the display showed when it was last asked.
-    shown: Region,
-    painter: Q::Painter<'m, S>,
+    /// The region of the picture that the display showed when it was last asked; the whole picture before.
+    pub(super) shown: Region,
+    pub(super) painter: Q::Painter<'m, S>,
 }
 
 /// How far a [`Frame`] is.
@@ -58,21 +58,6 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
         let mut frame = Self { renderer, lines, total, shown, painter: quality.painter(renderer) };
         frame.painter.restart(total);
         frame
-    }
-
-    /// The painter.
-    pub(super) fn painter(&self) -> &Q::Painter<'m, S> {
-        &self.painter
-    }
-
-    /// The renderer.
-    pub(super) fn renderer(&self) -> &'r Renderer<'r, 'm, R, S> {
-        self.renderer
-    }
-
-    /// The region of the picture that the display showed when it was last asked; the whole picture before.
-    pub(super) fn shown(&self) -> Region {
-        self.shown
     }
 
     /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not
@@ -152,7 +137,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
         Ok(Progress { lines_done: self.total.saturating_sub(left), lines_total: self.total, rays: spent })
     }
 
-    /// What is left to draw on this display, if anything is.
+    /// The pixels that this display shows of the lines that are left; `None` if it shows none.
     fn next_region(&mut self, display: &impl Dimensions) -> Option<Region> {
         let shown = self.renderer.whole().shown_in(&display.bounding_box());
         let (top, bottom) = (shown.top.max(self.lines.start), shown.bottom.min(self.lines.end));

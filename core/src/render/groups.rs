@@ -65,13 +65,10 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         probe: &mut impl Probe<R>,
     ) -> u32 {
         let Renderer { settings, viewport, limits, .. } = self.renderer;
-        let place = |x: usize, down: usize| {
-            ((region.left as u16).wrapping_add(x as u16), (region.top as u16).wrapping_add(down as u16))
-        };
         let rays_per_pixel = settings.rays_per_pixel;
         let lanes = lanes.get_mut(..group.width * group.height).unwrap_or_default();
         for (lane, (x, down)) in lanes.iter_mut().zip(group.pixels()) {
-            let (x, y) = place(x, down);
+            let (x, y) = region.pixel(x, down);
             let ray = viewport.ray(
                 viewport.across((x, CENTER)),
                 self.renderer.row(y, Aim::Area),
@@ -84,7 +81,7 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
             spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.rays_left().0));
             if let Some(pixel) = lines.get_mut(down * region.width() as usize + x) {
-                let (x, y) = place(x, down);
+                let (x, y) = region.pixel(x, down);
                 let quantizer = Quantizer::new(settings, x, y);
                 *pixel = C::from_light(Light16::new(lane.light()), &quantizer);
             }

@@ -240,10 +240,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         D: DrawTarget,
         Q: Quality<R, Color = D::Color>,
     {
-        let lines = self.lines_of(0..self.height())?;
         quality.check(self)?;
         // A frame is large: in a `Result`, it would be copied.
-        Frame::new(self, lines, quality).draw(display)
+        Frame::new(self, 0..self.height(), quality).draw(display)
     }
 
     /// Begins to draw some lines of the picture, each where it belongs. [`Frame::draw`] draws them at once,

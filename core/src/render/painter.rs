@@ -18,8 +18,8 @@ pub trait Painter<'m, R: Real, S: Geometry + 'm> {
     fn restart(&mut self, lines_total: u32);
 
     /// Traces the band of lines that holds the first line of `region`, which is not empty, until it is
-    /// complete or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays until
-    /// its lines are [sent](Self::sent_until).
+    /// complete or `budget_rays` are spent. An incomplete band gets one unit of work or more. The band stays
+    /// until its lines are [sent](Self::sent_until).
     fn trace(
         &mut self,
         renderer: &Renderer<'_, 'm, R, S>,

@@ -76,10 +76,11 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         D: DrawTarget,
         D::Color: DisplayColor,
     {
-        let Region { left, right, top, bottom } = self.whole().shown_in(&display.bounding_box());
-        if left >= right {
+        let region = self.whole().shown_in(&display.bounding_box());
+        if region.is_empty() {
             return Ok(());
         }
+        let Region { left, right, top, bottom } = region;
         for y in top as u16..bottom as u16 {
             let (first, step) = pattern.columns(y, frame);
             if first >= step {

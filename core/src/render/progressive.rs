@@ -85,11 +85,10 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Frame<'_, 'm, R, S, Progres
 
     /// The sums of the pixels that the display shows; of all pixels before anything is drawn.
     fn sums_shown(&self) -> impl Iterator<Item = &PixelSum<R>> {
-        let Region { left, top, .. } = self.shown();
-        let (columns, lines) = (self.shown().width() as usize, self.shown().height() as usize);
-        let all = self.painter().sums.chunks(usize::from(self.renderer().width).max(1));
-        let lines = all.skip(top as usize).take(lines);
-        lines.flat_map(move |line| line.iter().skip(left as usize).take(columns))
+        let Region { left, right, top, bottom } = self.shown;
+        let all = self.painter.sums.chunks(usize::from(self.renderer.width).max(1));
+        let lines = all.take(bottom as usize).skip(top as usize);
+        lines.flat_map(move |line| line.iter().take(right as usize).skip(left as usize))
     }
 }
 
@@ -117,9 +116,7 @@ impl<'m, R: Real, S: Geometry + 'm, C: DisplayColor> Painter<'m, R, S> for Progr
         let (pixels, width) = (self.band.pixels(region), (region.width() as usize).max(1));
         let mut spent: u32 = 0;
         while self.band.traced < pixels && spent < budget_rays.max(1) {
-            let (down, right) = (self.band.traced / width, self.band.traced % width);
-            let x = (region.left as u16).wrapping_add(right as u16);
-            let y = (region.top as u16).wrapping_add(down as u16);
+            let (x, y) = region.pixel(self.band.traced % width, self.band.traced / width);
             let place = usize::from(y).saturating_mul(usize::from(renderer.width)).saturating_add(x.into());
             if let Some(sum) = self.sums.get_mut(place)
                 && let Some(color) = self.band.colors.get_mut(self.band.traced)

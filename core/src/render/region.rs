@@ -35,10 +35,16 @@ impl Region {
         self.bottom.saturating_sub(self.top)
     }
 
-    /// The same pixels as embedded-graphics names them.
+    /// The pixels in the terms of embedded-graphics.
     pub(super) fn area(&self) -> Rectangle {
         let corner = Point::new(self.left as i32, self.top as i32);
         Rectangle::new(corner, Size::new(self.width(), self.height()))
+    }
+
+    /// Column and line of a pixel, which lies so many columns to the right of the upper left one, and so many
+    /// lines below it.
+    pub(super) fn pixel(&self, right: usize, down: usize) -> (u16, u16) {
+        ((self.left as u16).wrapping_add(right as u16), (self.top as u16).wrapping_add(down as u16))
     }
 
     pub(super) fn is_empty(&self) -> bool {

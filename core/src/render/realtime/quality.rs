@@ -136,9 +136,6 @@ impl Realtime {
 
     /// The number of samples to lend for a picture of this width: one line, up to the end of its last cell.
     pub const fn samples(&self, width: u16) -> usize {
-        if width == 0 {
-            return 0;
-        }
         (width as usize).div_ceil(self.grid.pixels()) * self.grid.pixels() + 1
     }
 }
