@@ -1,5 +1,7 @@
 //! The boards: for each, the program that is built for it, and its emulator.
 
+use anyhow::{Context, Result};
+
 use crate::picture::{Mode, Size};
 
 /// A board, with its program and its emulator.
@@ -23,6 +25,14 @@ pub(crate) struct Board {
 }
 
 impl Board {
+    /// The board of this name.
+    ///
+    /// # Errors
+    /// No board has the name.
+    pub(crate) fn named(name: &str) -> Result<&'static Self> {
+        BOARDS.iter().find(|board| board.name == name).with_context(|| format!("there is no board {name}"))
+    }
+
     /// Whether the board's program can draw in a mode.
     ///
     /// # Errors

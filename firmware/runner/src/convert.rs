@@ -1,8 +1,10 @@
-//! Conversion of scene files into the bytes that programs read.
+//! Scenes as the bytes that programs read.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use rayline::Scene;
 
 use crate::toolchain;
 
@@ -19,4 +21,10 @@ pub(crate) fn to_bytes(scenes: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>
         Ok(bytes)
     };
     scenes.iter().map(convert).collect()
+}
+
+/// Writes a scene of this program into a file.
+pub(crate) fn write(scene: &Scene<'_>, file: &Path) -> Result<()> {
+    let mut room = vec![0; 1 << 20];
+    fs::write(file, scene.to_bytes(&mut room)?).with_context(|| file.display().to_string())
 }

@@ -39,7 +39,6 @@ use crate::picture::Mode;
 use crate::record::Record;
 use crate::request::Request;
 use crate::session::Session;
-use crate::toolchain::Compilation;
 
 fn main() -> ExitCode {
     match run(&Arguments::parse()) {
@@ -63,14 +62,14 @@ fn run(arguments: &Arguments) -> Result<bool> {
         return Ok(true);
     }
     if let Some(file) = &arguments.effects {
-        return bench::effects::run(file, arguments.timeout());
+        return bench::effects::run(file, arguments.timeout()).map(|()| true);
     }
     if let Some(file) = &arguments.sizes {
-        return bench::sizes::run(file, arguments.timeout());
+        return bench::sizes::run(file, arguments.timeout()).map(|()| true);
     }
     let request = request(arguments)?;
     if let Some(name) = &arguments.profile {
-        return profile(find(name)?, &request, arguments);
+        return profile(Board::named(name)?, &request, arguments);
     }
     let boards = chosen(arguments)?;
     if !arguments.boards.is_empty() {
@@ -103,7 +102,8 @@ fn bench(arguments: &Arguments) -> Result<bool> {
         (_, true) => Action::Check,
         _ => Action::Show,
     };
-    let boards: Vec<&Board> = arguments.boards.iter().map(|name| find(name)).collect::<Result<_>>()?;
+    let boards: Vec<&Board> =
+        arguments.boards.iter().map(|name| Board::named(name)).collect::<Result<_>>()?;
     let report = arguments.report.as_deref();
     if report.is_some() && !boards.is_empty() {
         bail!("--bench --report measures all boards: leave out their names");
@@ -131,11 +131,8 @@ fn render(boards: &[&'static Board], request: &Request, arguments: &Arguments) -
     let mut records = Vec::new();
     for board in boards {
         let session = Session {
-            board,
-            picture: request.on(board),
-            compilation: Compilation::FAST,
             picture_file: arguments.picture.as_ref().map(|file| png::file_for(file, board, boards.len())),
-            timeout: arguments.timeout(),
+            ..Session::new(board, request.on(board), arguments.timeout())
         };
         records.push(session.run());
     }
@@ -156,14 +153,10 @@ fn chosen(arguments: &Arguments) -> Result<Vec<&'static Board>> {
     match (&*arguments.boards, &arguments.gallery) {
         ([], None) => Ok(BOARDS.iter().filter(|board| !board.stands_in).collect()),
         ([], Some(_)) => Ok(BOARDS.iter().filter(|board| gallery::can_run(board)).collect()),
-        (names, _) => names.iter().map(|name| find(name)).collect(),
+        (names, _) => names.iter().map(|name| Board::named(name)).collect(),
     }
 }
 
 fn ensure_draws(board: &Board, mode: Mode) -> Result<()> {
     board.draws(mode).map_err(|reason| anyhow!("{}: {reason}", board.name))
-}
-
-fn find(name: &str) -> Result<&'static Board> {
-    BOARDS.iter().find(|board| board.name == name).with_context(|| format!("there is no board {name}"))
 }

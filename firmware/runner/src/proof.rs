@@ -8,10 +8,7 @@ use crate::board::Board;
 use crate::picture::{Mode, Picture};
 use crate::program::Program;
 use crate::request::Request;
-use crate::toolchain::{Built, Compilation, PANIC, Toolchain};
-
-/// The levels of optimization. A compiler may keep a panic at one level that it removes at another one.
-const LEVELS: [&str; 3] = ["3", "s", "z"];
+use crate::toolchain::{Built, Compilation, LEVELS, PANIC, Toolchain};
 
 /// The features of the core that are on by default, and `distributed`.
 const ALL: &[&str] = &["candidates", "distributed", "hierarchy", "optics", "textures"];
@@ -38,6 +35,7 @@ fn prove_on(board: &Board, request: &Request, toolchain: &Toolchain) -> Result<(
     let read = |file: &Path| Program::read(file, board.program);
     let levels = LEVELS.join(", ");
     let check = |picture: &Picture, features: &'static [&'static str]| -> Result<()> {
+        // A compiler may keep a panic at one level that it removes at another one.
         for level in LEVELS {
             eprintln!("{name}: building at level {level}");
             let program = toolchain.program(board, picture, Compilation { level, features });

@@ -42,6 +42,13 @@ impl BuiltProgram {
     }
 }
 
+impl<'a> Session<'a> {
+    /// With a program that is compiled for speed, and without a file for its picture.
+    pub(crate) fn new(board: &'a Board, picture: Picture, timeout: Duration) -> Self {
+        Self { board, picture, compilation: Compilation::FAST, picture_file: None, timeout }
+    }
+}
+
 impl Session<'_> {
     /// Builds and runs the program, and prints the progress.
     pub(crate) fn run(&self) -> Record {

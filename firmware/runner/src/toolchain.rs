@@ -55,6 +55,9 @@ impl Built {
     }
 }
 
+/// The levels of optimization that programs are built at.
+pub(crate) const LEVELS: [&str; 3] = ["3", "s", "z"];
+
 /// How a program is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Compilation {

@@ -4,20 +4,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use rayline::shape::{Geometry, Luminaire, Shape};
 use rayline::{Camera, Light, LinearRgb, Material, Optics, Scene};
 
 use super::entries::{LARGE_M0, M3, M4F};
 use super::measured::Measured;
-use super::{compiler, gallery, measure};
-use crate::board::BOARDS;
+use super::{gallery, measure_all, write_page};
+use crate::board::Board;
 use crate::convert;
 use crate::picture::{Mode, Number, Size};
 use crate::request::Request;
 use crate::session::Session;
 use crate::table::{Align, Table, with_commas};
-use crate::toolchain::Compilation;
 
 /// Size of the pictures.
 const SIZE: Size = Size { width: 160, height: 120 };
@@ -106,7 +105,7 @@ fn programs() -> Vec<(&'static str, Way, usize)> {
 }
 
 /// Measures all effects, and writes the page.
-pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
+pub(crate) fn run(file: &Path, timeout: Duration) -> Result<()> {
     let folder = tempfile::tempdir()?;
     let programs = programs();
     let scenes: Vec<PathBuf> = (EFFECTS.iter().filter(|effect| effect.scene != CLASSIC))
@@ -118,24 +117,17 @@ pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
     let mut sessions = Vec::new();
     for &(scene, way, on) in &programs {
         let (_, board, number) = ON.get(on).copied().context("there is no such board")?;
-        let board = BOARDS.iter().find(|known| known.name == board).context("there is no such board")?;
+        let board = Board::named(board)?;
         let plain = if way == Way::Plain { PLAIN } else { "" };
         let bytes = folder.path().join(format!("{scene}{plain}.rayline"));
         let file = bytes.to_str().context("a path that is not UTF-8")?;
         let source = if scene == CLASSIC { CLASSIC } else { file };
         let (size, mode, closed_form) = (Some(SIZE), way.mode(), way == Way::ClosedForm);
         let request = Request { size, number, mode, closed_form, ..Request::new(source)? };
-        let (picture, compilation) = (request.on(board), Compilation::FAST);
-        sessions.push(Session { board, picture, compilation, picture_file: None, timeout });
+        sessions.push(Session::new(board, request.on(board), timeout));
     }
-    let records = measure(&sessions, folder.path())?;
-    let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
-    ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
-    let table = table(&programs, &measured);
-    println!("{table}");
-    let page = format!("{HEAD}\nThe compiler is {}.\n\n{table}", compiler()?);
-    fs::write(file, page).with_context(|| file.display().to_string())?;
-    Ok(true)
+    let measured = measure_all(&sessions, folder.path())?;
+    write_page(file, HEAD, &table(&programs, &measured))
 }
 
 /// The table, of the figures of these programs.
@@ -193,9 +185,6 @@ fn plain(file: &Path) -> Result<()> {
     let lights: Vec<Light> = scene.lights.iter().map(point).collect();
     let camera = Camera { lens: None, ..scene.camera };
     let plain = Scene { camera, materials: &materials, lights: &lights, motions: &[], ..scene };
-    let mut room = vec![0; bytes.len() * 2 + 1024];
-    let written = plain.to_bytes(&mut room)?;
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    fs::write(file.with_file_name(format!("{stem}{PLAIN}.rayline")), written)?;
-    Ok(())
+    convert::write(&plain, &file.with_file_name(format!("{stem}{PLAIN}.rayline")))
 }

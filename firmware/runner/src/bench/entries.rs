@@ -9,7 +9,6 @@ use crate::board::{BOARDS, Board};
 use crate::picture::{Mode, Number, Size};
 use crate::request::Request;
 use crate::session::Session;
-use crate::toolchain::Compilation;
 
 pub(super) const M4F: &str = "mps2-an386";
 const M7: &str = "mps2-an500";
@@ -119,10 +118,8 @@ impl Entry {
         let source =
             if scene == TEAPOT { teapot.to_str().context("a path that is not UTF-8")? } else { scene };
         let request = Request { size, number, mode, small, ..Request::new(source)? };
-        let board = BOARDS.iter().find(|known| known.name == board);
-        let board = board.with_context(|| format!("there is no board {}", self.board))?;
-        let (picture, compilation) = (request.on(board), Compilation::FAST);
-        Ok(Session { board, picture, compilation, picture_file: None, timeout })
+        let board = Board::named(board)?;
+        Ok(Session::new(board, request.on(board), timeout))
     }
 }
 

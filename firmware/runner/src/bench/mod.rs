@@ -10,6 +10,7 @@ mod report;
 pub(crate) mod sizes;
 mod tables;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::thread;
@@ -17,10 +18,11 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, anyhow, ensure};
 
-use crate::board::{BOARDS, Board};
+use crate::board::Board;
 use crate::convert;
 use crate::record::Record;
 use crate::session::Session;
+use crate::table::Table;
 use crate::toolchain::Toolchain;
 use committed::Committed;
 use entries::{Entry, M4F, TEAPOT, entries};
@@ -127,6 +129,20 @@ fn measure(sessions: &[Session<'_>], folder: &Path) -> Result<Vec<Record>> {
     })
 }
 
+/// Measures programs, which must all run and draw the right pictures.
+fn measure_all(sessions: &[Session<'_>], folder: &Path) -> Result<Vec<Measured>> {
+    let measured: Vec<Measured> = measure(sessions, folder)?.iter().filter_map(Measured::of).collect();
+    ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
+    Ok(measured)
+}
+
+/// Prints a table, and writes it as a page of its own.
+fn write_page(file: &Path, head: &str, table: &Table) -> Result<()> {
+    println!("{table}");
+    let page = format!("{head}\nThe compiler is {}.\n\n{table}", compiler()?);
+    fs::write(file, page).with_context(|| file.display().to_string())
+}
+
 /// The folder of the gallery's scenes.
 fn gallery() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/gallery")
@@ -134,6 +150,5 @@ fn gallery() -> PathBuf {
 
 /// The compiler of the programs, which is the same for all boards.
 fn compiler() -> Result<String> {
-    let board = BOARDS.iter().find(|board| board.name == M4F).context("there is no board for the bench")?;
-    Toolchain::find(board.target).map_err(|reason| anyhow!(reason))?.name()
+    Toolchain::find(Board::named(M4F)?.target).map_err(|reason| anyhow!(reason))?.name()
 }

@@ -4,20 +4,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
+use rayline::builtin::SPHERES;
 use rayline::shape::{Geometry, Shape, Sphere};
-use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Scene, Vec3};
+use rayline::{Object, Scene, Vec3};
 
 use super::entries::{LARGE_M0, M3, M4F};
 use super::measured::Measured;
-use super::{compiler, gallery, measure};
-use crate::board::BOARDS;
+use super::{gallery, measure_all, write_page};
+use crate::board::Board;
 use crate::convert;
 use crate::picture::{Number, Size};
 use crate::request::Request;
 use crate::session::Session;
 use crate::table::{Align, Table, with_commas};
-use crate::toolchain::Compilation;
+use crate::toolchain::{Compilation, LEVELS};
 
 /// Size of the pictures.
 const SIZE: Size = Size { width: 32, height: 24 };
@@ -30,9 +31,6 @@ const ON: [(&str, &str, Number); 4] = [
     ("RISC-V", "riscv32", Number::Fixed),
 ];
 
-/// The levels of optimization.
-const LEVELS: [&str; 3] = ["3", "s", "z"];
-
 /// The sets of features: their name, whether those that only make pictures faster are left out, and those
 /// that the scenes do not need.
 const FEATURES: [(&str, bool, &[&str]); 3] = [
@@ -42,27 +40,10 @@ const FEATURES: [(&str, bool, &[&str]); 3] = [
 ];
 
 /// The scenes: their names, and the names of their files.
-const SCENES: [(&str, &str); 2] = [("README's sphere", "sphere"), ("all shapes of files", "all-shapes")];
+const SCENES: [(&str, &str); 2] = [("one sphere", "sphere"), ("all shapes of files", "all-shapes")];
 
-/// README's scene.
-const SPHERE: Scene<'_> = Scene {
-    camera: Camera {
-        eye: Vec3::new(0.0, 0.0, 4.0),
-        target: Vec3::ZERO,
-        up: Vec3::new(0.0, 1.0, 0.0),
-        vertical_fov: 40f32.to_radians(),
-        lens: None,
-    },
-    background: Background::Solid(LinearRgb::new(0.0, 0.02, 0.05)),
-    objects: &[Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)],
-    materials: &[Material {
-        specular: 0.4,
-        shininess: 30.0,
-        ..Material::matte(LinearRgb::new(0.8, 0.2, 0.1))
-    }],
-    lights: &[Light::Point { position: Vec3::new(-3.0, 4.0, 5.0), color: LinearRgb::WHITE }],
-    motions: &[],
-};
+/// The only shape of the smallest program.
+const SPHERE: Shape<'static> = Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.8, 0.0), 0.8));
 
 const HEAD: &str = "\
 # The sizes of programs
@@ -71,14 +52,17 @@ A command writes this page; do not edit it: `cargo boards --sizes docs/sizes.md`
 
 Bytes of flash and of stack of a program that draws one exact picture and links only the shapes of its scene:
 by the features of the crate `rayline`, and by the profile's `opt-level`, with `lto = \"fat\"` and one codegen
-unit. Flash includes the scene, start-up code and output of the program, without a driver: about 3 KB.
+unit. Flash includes the scene, and the start-up code and output of the program, but no driver of a display.
 ";
 
 /// Measures all programs, and writes the page.
-pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
+pub(crate) fn run(file: &Path, timeout: Duration) -> Result<()> {
     let folder = tempfile::tempdir()?;
-    write(&SPHERE, &folder.path().join("sphere.rayline"))?;
-    write_all_shapes(&folder.path().join("all-shapes.rayline"))?;
+    for ((_, name), shapes) in SCENES.into_iter().zip([vec![SPHERE], all_shapes()?]) {
+        let objects: Vec<_> = shapes.into_iter().map(|shape| Object::new(shape, 1)).collect();
+        let scene = Scene { objects: &objects, ..SPHERES };
+        convert::write(&scene, &folder.path().join(name).with_extension("rayline"))?;
+    }
     let mut sessions = Vec::new();
     for (_, scene) in SCENES {
         let scene = folder.path().join(scene).with_extension("rayline");
@@ -86,23 +70,17 @@ pub(crate) fn run(file: &Path, timeout: Duration) -> Result<bool> {
         for (_, small, features) in FEATURES {
             for level in LEVELS {
                 for (_, board, number) in ON {
-                    let board = BOARDS.iter().find(|known| known.name == board);
-                    let board = board.context("there is no such board")?;
+                    let board = Board::named(board)?;
                     let request = Request { size: Some(SIZE), number, small, ..Request::new(scene)? };
-                    let (picture, compilation) = (request.on(board), Compilation { level, features });
-                    sessions.push(Session { board, picture, compilation, picture_file: None, timeout });
+                    let compilation = Compilation { level, features };
+                    let session = Session::new(board, request.on(board), timeout);
+                    sessions.push(Session { compilation, ..session });
                 }
             }
         }
     }
-    let records = measure(&sessions, folder.path())?;
-    let measured: Vec<Measured> = records.iter().filter_map(Measured::of).collect();
-    ensure!(measured.len() == sessions.len(), "not every program ran, or a picture differs");
-    let table = table(&measured);
-    println!("{table}");
-    let page = format!("{HEAD}\nThe compiler is {}.\n\n{table}", compiler()?);
-    fs::write(file, page).with_context(|| file.display().to_string())?;
-    Ok(true)
+    let measured = measure_all(&sessions, folder.path())?;
+    write_page(file, HEAD, &table(&measured))
 }
 
 /// The table, of the figures of all programs in the order in which they were built.
@@ -127,14 +105,8 @@ fn table(measured: &[Measured]) -> Table {
     table
 }
 
-fn write(scene: &Scene<'_>, file: &Path) -> Result<()> {
-    let mut room = vec![0; 1 << 20];
-    fs::write(file, scene.to_bytes(&mut room)?).with_context(|| file.display().to_string())
-}
-
-/// Writes a scene with one object of each kind of shape that the gallery has: the one that takes least
-/// memory.
-fn write_all_shapes(file: &Path) -> Result<()> {
+/// One shape of each kind that the gallery has: the one that takes least memory.
+fn all_shapes() -> Result<Vec<Shape<'static>>> {
     let folder = tempfile::tempdir()?;
     let mut scenes: Vec<PathBuf> = fs::read_dir(gallery())?
         .map(|entry| Ok(entry?.path()))
@@ -155,6 +127,5 @@ fn write_all_shapes(file: &Path) -> Result<()> {
             }
         }
     }
-    let objects: Vec<Object<Shape<'_>>> = shapes.into_iter().map(|shape| Object::new(shape, 0)).collect();
-    write(&Scene { objects: &objects, ..SPHERE }, file)
+    Ok(shapes)
 }

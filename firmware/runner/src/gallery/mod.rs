@@ -110,7 +110,7 @@ impl Tour<'_> {
     /// Draws the scenes, and prints the progress.
     fn run(&self) -> TourOutcome {
         let Self { board, picture, timeout, .. } = *self;
-        let session = Session { board, picture, compilation: Compilation::FAST, picture_file: None, timeout };
+        let session = Session::new(board, picture, timeout);
         let outcome = match session.toolchain() {
             _ if picture.small && picture.mode != Mode::Exact => TourOutcome::Skipped(
                 "its flash is too small for all shapes and realtime quality: use --mode exact".into(),

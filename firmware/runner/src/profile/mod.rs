@@ -21,7 +21,6 @@ use object::{Object, ObjectSection};
 use crate::board::{Board, EmulatorKind};
 use crate::picture::{Picture, Size};
 use crate::session::Session;
-use crate::toolchain::Compilation;
 use crate::{emulator, qemu};
 use costs::Costs;
 use line_tables::LineTables;
@@ -34,7 +33,7 @@ pub(crate) const SIZE: Size = Size { width: 80, height: 60 };
 
 /// Builds a board's program with line tables, traces it, and prints the profile.
 pub(crate) fn run(board: &'static Board, picture: Picture, timeout: Duration) -> Result<()> {
-    let session = Session { board, picture, compilation: Compilation::FAST, picture_file: None, timeout };
+    let session = Session::new(board, picture, timeout);
     let toolchain = session.toolchain().map_err(|reason| anyhow!("{}: {reason}", board.name))?;
     eprintln!("{}: building {picture} with line tables (the first time takes a minute)", board.name);
     let file = toolchain.program_with_lines(board, &picture)?;
