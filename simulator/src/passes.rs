@@ -67,8 +67,7 @@ fn draw<R: Real>(
     sums: &mut [PixelSum<R>],
     picture: &mut Picture,
 ) {
-    // The length of a chunk must not be 0, even if a picture has no columns.
-    let width = (picture.width as usize).max(1);
+    let width = picture.width as usize;
     let lines = sums.par_chunks_mut(width).zip(picture.rgb.par_chunks_mut(width * 3)).enumerate();
     let rays = lines.map(|(y, (sums, rgb))| {
         let mut rays = RayCounts::default();

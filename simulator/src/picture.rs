@@ -176,15 +176,14 @@ impl<R: Real> Lines<'_, '_, R> {
                 Show::Colors => self.colors(y, lights, rgb)?,
                 Show::Samples => self.sample_counts(y, rgb),
             };
-            (0..lights.len() / width.max(1)).for_each(|_| (self.line_done)());
+            (0..lights.len() / width).for_each(|_| (self.line_done)());
             Ok(rays)
         };
         let sum = |mut a: RayCounts, b| {
             a += b;
             Ok(a)
         };
-        // The length of a chunk must not be 0, even if a picture has no columns and so no bytes.
-        rgb.par_chunks_mut((width * LINES_AT_ONCE * 3).max(1))
+        rgb.par_chunks_mut(width * LINES_AT_ONCE * 3)
             .enumerate()
             .map_init(blank_lines, lines)
             .try_reduce(RayCounts::default, sum)

@@ -65,11 +65,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
             a += b;
             Ok(a)
         };
-        // The length of a chunk must not be 0, even if a picture has no columns and so no bytes.
-        rgb.par_chunks_mut((line_bytes * part).max(1))
-            .enumerate()
-            .map(draw)
-            .try_reduce(RayCounts::default, sum)
+        rgb.par_chunks_mut(line_bytes * part).enumerate().map(draw).try_reduce(RayCounts::default, sum)
     }
 }
 
@@ -85,8 +81,8 @@ struct Canvas<'c, C> {
 
 impl<C> OriginDimensions for Canvas<'_, C> {
     fn size(&self) -> Size {
-        let line_bytes = (self.width as usize * 3).max(1);
-        Size::new(self.width, self.first + (self.rgb.len() / line_bytes) as u32)
+        let lines = self.rgb.len() / (self.width as usize * 3);
+        Size::new(self.width, self.first + lines as u32)
     }
 }
 
