@@ -7,8 +7,8 @@ use embedded_graphics::draw_target::DrawTargetExt;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::raw::RawU1;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb888, RgbColor};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, PixelColor, Rgb888, RgbColor};
+use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE};
 use rayline::limits::LINES_AT_ONCE;
 use rayline::shape::{Polygon, Shape, Sphere};
@@ -31,7 +31,7 @@ const SMALL: Settings = Settings { bounces: 3, ..Settings::new(37, 23) };
 /// The whole picture, line by line.
 fn picture(renderer: &Renderer<f32>) -> Vec<Rgb888> {
     let mut pixels = vec![Rgb888::BLACK; (renderer.width() * renderer.height()) as usize];
-    for (y, line) in (0..).zip(pixels.chunks_mut(renderer.width().max(1) as usize)) {
+    for (y, line) in (0..).zip(pixels.chunks_mut(renderer.width() as usize)) {
         renderer.line(y, line).expect("a line");
     }
     pixels
@@ -509,6 +509,28 @@ fn a_small_picture_in_gray() {
                 "000000000000000000000000",
             ]);
         });
+    });
+}
+
+#[test]
+fn a_display_may_be_smaller_than_the_picture_or_moved() {
+    with_renderer(&CLASSIC, Settings::new(16, 16), |renderer| {
+        let mut whole = MockDisplay::<Gray8>::new();
+        renderer.draw(&mut whole, &mut [Gray8::new(0); 16]).expect("drawn");
+        let mut part = MockDisplay::<Gray8>::new();
+        renderer
+            .draw(
+                &mut part.clipped(&Rectangle::new(Point::zero(), Size::new(5, 9))),
+                &mut [Gray8::new(0); 16],
+            )
+            .expect("drawn");
+        assert_eq!(part.affected_area(), Rectangle::new(Point::zero(), Size::new(5, 9)));
+        let mut moved = MockDisplay::<Gray8>::new();
+        renderer.draw(&mut moved.translated(Point::new(3, 7)), &mut [Gray8::new(0); 16]).expect("drawn");
+        for point in part.affected_area().points() {
+            assert_eq!(part.get_pixel(point), whole.get_pixel(point));
+            assert_eq!(moved.get_pixel(point + Point::new(3, 7)), whole.get_pixel(point));
+        }
     });
 }
 

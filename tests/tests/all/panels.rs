@@ -6,16 +6,17 @@ use std::mem::MaybeUninit;
 use std::ops::Range;
 
 use embedded_graphics::Drawable;
-use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
+use embedded_graphics::draw_target::DrawTargetExt;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::image::{Image, ImageDrawableExt};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::builtin::{CLASSIC, FLAKE, PRISM};
 use rayline::math::Fixed;
+use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Dither, DrawError, Pattern, PixelSum, PreparedScene, Progressive, Quality, Real, Realtime,
-    Renderer, Sample, Sampling, Scene, Settings, Transfer,
+    DisplayColor, Dither, DrawError, Frame, Pattern, PixelSum, PreparedScene, Progressive, Quality, Real,
+    Realtime, Renderer, Sample, Sampling, Scene, Settings, Transfer,
 };
 use rayline_tests::{Screen, Unplugged};
 
@@ -38,7 +39,7 @@ fn displays() -> Vec<Rectangle> {
         // The picture's corner lies inside the display.
         (-5, -9, 30, 30),
         (-5, -9, 300, 300),
-        // They have nothing in common.
+        // Picture and display have nothing in common.
         (43, 0, 10, 10),
         (0, 29, 10, 10),
         (-10, 0, 10, 10),
@@ -48,36 +49,28 @@ fn displays() -> Vec<Rectangle> {
     boxes.map(|(x, y, width, height)| Rectangle::new(Point::new(x, y), Size::new(width, height))).into()
 }
 
-/// A way to draw with a renderer: some lines of the picture, with a budget of rays for each step.
-trait Draw<R: Real> {
-    type Color: DisplayColor + Debug;
-
-    /// How often each line is drawn.
-    fn passes(&self) -> u32 {
-        1
-    }
-
-    /// Draws some lines and returns the rays that they took.
-    fn draw<D: DrawTarget<Color = Self::Color>>(
-        &self,
-        renderer: &Renderer<R>,
-        display: &mut D,
-        lines: Range<u32>,
-        budget_rays: u32,
-    ) -> Result<u32, DrawError<D::Error>>;
+/// Lines of a picture, and a budget of rays for each step in which they are drawn.
+#[derive(Clone, Debug)]
+struct Task {
+    lines: Range<u32>,
+    budget_rays: u32,
 }
 
-/// Draws lines in steps.
-fn in_steps<R: Real, D: DrawTarget, Q: Quality<R, Color = D::Color>>(
-    renderer: &Renderer<R>,
-    display: &mut D,
-    (lines, budget_rays): (Range<u32>, u32),
-    quality: Q,
-) -> Result<u32, DrawError<D::Error>> {
-    let mut frame = renderer.frame(lines.clone(), quality)?;
+/// The rays that a task took, or the error of the display.
+type Drawn = Result<u32, DrawError<Unplugged>>;
+
+/// Draws the lines of a frame in steps.
+fn in_steps<R: Real, C, Q: Quality<R, Color = C>>(
+    frame: &mut Frame<'_, '_, R, Shape<'_>, Q>,
+    screen: &mut Screen<C>,
+    Task { lines, budget_rays }: &Task,
+) -> Drawn
+where
+    C: DisplayColor,
+{
     let mut rays = 0;
     loop {
-        let progress = frame.step(display, budget_rays)?;
+        let progress = frame.step(screen, *budget_rays)?;
         rays += progress.rays;
         if progress.is_done() {
             assert_eq!(progress.lines_total, lines.len() as u32);
@@ -87,92 +80,59 @@ fn in_steps<R: Real, D: DrawTarget, Q: Quality<R, Color = D::Color>>(
 }
 
 /// Exact quality, with this many pixels of memory.
-struct Exact(usize);
-
-impl<R: Real> Draw<R> for Exact {
-    type Color = Rgb565;
-
-    fn draw<D: DrawTarget<Color = Rgb565>>(
-        &self,
-        renderer: &Renderer<R>,
-        display: &mut D,
-        lines: Range<u32>,
-        budget_rays: u32,
-    ) -> Result<u32, DrawError<D::Error>> {
-        in_steps(renderer, display, (lines, budget_rays), &mut vec![Rgb565::BLACK; self.0][..])
+fn exact<R: Real>(pixels: usize) -> impl Fn(&Renderer<R>, &mut Screen<Rgb565>, &Task) -> Drawn {
+    move |renderer, screen, task| {
+        let mut memory = vec![Rgb565::BLACK; pixels];
+        in_steps(&mut renderer.frame(task.lines.clone(), &mut memory[..])?, screen, task)
     }
 }
 
-/// Realtime quality, dithered to black and white.
-struct InRealtime(Realtime);
-
-impl<R: Real> Draw<R> for InRealtime {
-    type Color = BinaryColor;
-
-    fn draw<D: DrawTarget<Color = BinaryColor>>(
-        &self,
-        renderer: &Renderer<R>,
-        display: &mut D,
-        lines: Range<u32>,
-        budget_rays: u32,
-    ) -> Result<u32, DrawError<D::Error>> {
-        let width = renderer.width() as u16;
-        // Memory for a larger picture.
-        let mut colors = vec![BinaryColor::Off; self.0.colors(width + 9)];
-        let mut samples = vec![Sample::BLANK; self.0.samples(width + 9)];
-        in_steps(renderer, display, (lines, budget_rays), self.0.lend(&mut colors, &mut samples))
+/// Realtime quality in black and white, with memory for a larger picture.
+fn realtime<R: Real>(quality: Realtime) -> impl Fn(&Renderer<R>, &mut Screen<BinaryColor>, &Task) -> Drawn {
+    move |renderer, screen, task| {
+        let width = renderer.width() as u16 + 9;
+        let mut colors = vec![BinaryColor::Off; quality.colors(width)];
+        let mut samples = vec![Sample::BLANK; quality.samples(width)];
+        let memory = quality.lend(&mut colors, &mut samples);
+        in_steps(&mut renderer.frame(task.lines.clone(), memory)?, screen, task)
     }
 }
 
-/// One sample of each pixel after the other: the number of samples.
-struct InPasses(u16);
-
-impl<R: Real> Draw<R> for InPasses {
-    type Color = Rgb565;
-
-    fn passes(&self) -> u32 {
-        self.0.into()
-    }
-
-    fn draw<D: DrawTarget<Color = Rgb565>>(
-        &self,
-        renderer: &Renderer<R>,
-        display: &mut D,
-        lines: Range<u32>,
-        budget_rays: u32,
-    ) -> Result<u32, DrawError<D::Error>> {
+/// One sample of each pixel after the other.
+fn progressive<R: Real>(passes: u32) -> impl Fn(&Renderer<R>, &mut Screen<Rgb565>, &Task) -> Drawn {
+    move |renderer, screen, task| {
         let (mut line, mut sums) = ([Rgb565::BLACK; 50], vec![PixelSum::EMPTY; 43 * 29]);
-        let mut frame = renderer.frame(lines.clone(), Progressive::lend(&mut line, &mut sums))?;
+        let mut frame = renderer.frame(task.lines.clone(), Progressive::lend(&mut line, &mut sums))?;
         let mut rays = 0;
-        let all = lines == (0..renderer.height());
-        for _ in 0..self.0 {
-            frame.set_lines(lines.clone())?;
-            loop {
-                let progress = frame.step(display, budget_rays)?;
-                rays += progress.rays;
-                if progress.is_done() {
-                    break;
-                }
-            }
+        for _ in 0..passes {
+            frame.set_lines(task.lines.clone())?;
+            rays += in_steps(&mut frame, screen, task)?;
         }
-        assert!(frame.is_refined() || !all);
+        assert!(frame.is_refined() || task.lines != (0..renderer.height()));
         Ok(rays)
     }
 }
 
-/// Draws on displays of all sizes.
-fn assert_common_part<R: Real, Q: Draw<R>>(scene: &Scene, settings: Settings, quality: &Q) {
+/// Draws on displays of all sizes, each line in this many `passes`.
+fn assert_common_part<R: Real, C: DisplayColor + Debug>(
+    scene: &Scene,
+    settings: Settings,
+    passes: u32,
+    draw: impl Fn(&Renderer<R>, &mut Screen<C>, &Task) -> Drawn,
+) {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R>::new(scene, &mut memory).expect("a legal scene");
     let renderer = Renderer::new(&prepared, settings).expect("legal settings");
-    let mut whole = Screen::<Q::Color>::blank(PICTURE);
-    let all_rays = quality.draw(&renderer, &mut whole, 0..29, u32::MAX).expect("drawn");
+    let mut whole = Screen::<C>::blank(PICTURE);
+    let all = Task { lines: 0..29, budget_rays: u32::MAX };
+    let all_rays = draw(&renderer, &mut whole, &all).expect("drawn");
     let whole_area = Rectangle::new(Point::zero(), PICTURE);
     let color = |point: Point| whole.pixels[(point.y * 43 + point.x) as usize].expect("drawn");
+    let tasks = [all, Task { lines: 5..20, budget_rays: 11 }, Task { lines: 0..29, budget_rays: 1 }];
     for area in displays() {
-        for (lines, budget) in [(0..29, u32::MAX), (5..20, 11), (0..29, 1)] {
-            let mut screen = Screen::<Q::Color>::over(area);
-            let rays = quality.draw(&renderer, &mut screen, lines.clone(), budget).expect("drawn");
+        for task in &tasks {
+            let (mut screen, lines) = (Screen::<C>::over(area), &task.lines);
+            let rays = draw(&renderer, &mut screen, task).expect("drawn");
             let asked = Rectangle::new(Point::new(0, lines.start as i32), Size::new(43, lines.len() as u32));
             let common = area.intersection(&asked).intersection(&whole_area);
             for (point, drawn) in area.points().zip(&screen.pixels) {
@@ -181,7 +141,7 @@ fn assert_common_part<R: Real, Q: Draw<R>>(scene: &Scene, settings: Settings, qu
             }
             let sent: u32 = screen.windows.iter().map(|window| window.size.width * window.size.height).sum();
             let pixels = common.size.width * common.size.height;
-            assert_eq!(sent, pixels * quality.passes(), "{area:?}, {lines:?}");
+            assert_eq!(sent, pixels * passes, "{area:?}, {lines:?}");
             assert!(screen.windows.iter().all(|window| window.size != Size::zero()));
             if common.is_zero_sized() {
                 assert_eq!((rays, screen.windows.len()), (0, 0), "{area:?}, {lines:?}");
@@ -193,13 +153,14 @@ fn assert_common_part<R: Real, Q: Draw<R>>(scene: &Scene, settings: Settings, qu
         }
         // A display that fails: drawn again from the line of the error, or all passes from the first line.
         for pixels in [0, 1, 50, 200] {
-            let mut screen = Screen::<Q::Color>::over(area);
+            let mut screen = Screen::<C>::over(area);
             screen.pixels_until_failure = Some(pixels);
-            let Err(error) = quality.draw(&renderer, &mut screen, 0..29, 7) else { continue };
+            let task = Task { lines: 0..29, budget_rays: 7 };
+            let Err(error) = draw(&renderer, &mut screen, &task) else { continue };
             let DrawError::Display { line, error: Unplugged } = error else { panic!("{error}") };
             screen.pixels_until_failure = None;
-            let line = if quality.passes() == 1 { line } else { 0 };
-            quality.draw(&renderer, &mut screen, line..29, 7).expect("drawn");
+            let line = if passes == 1 { line } else { 0 };
+            draw(&renderer, &mut screen, &Task { lines: line..29, ..task }).expect("drawn");
             for (point, drawn) in area.points().zip(&screen.pixels) {
                 assert_eq!(*drawn, whole_area.contains(point).then(|| color(point)), "{area:?}, {point}");
             }
@@ -214,31 +175,31 @@ const DITHERED: Settings = Settings { dither: Dither::Ordered, transfer: Transfe
 #[test]
 fn exact_quality_draws_the_common_part() {
     for pixels in [43, 43 * 3, 320] {
-        assert_common_part::<f32, _>(&CLASSIC, SETTINGS, &Exact(pixels));
+        assert_common_part::<f32, _>(&CLASSIC, SETTINGS, 1, exact(pixels));
     }
-    assert_common_part::<Fixed, _>(&CLASSIC, DITHERED, &Exact(60));
+    assert_common_part::<Fixed, _>(&CLASSIC, DITHERED, 1, exact(60));
     // Groups of pixels.
-    assert_common_part::<f32, _>(&FLAKE, SETTINGS, &Exact(43));
-    assert_common_part::<f32, _>(&FLAKE, DITHERED, &Exact(43 * 8));
+    assert_common_part::<f32, _>(&FLAKE, SETTINGS, 1, exact(43));
+    assert_common_part::<f32, _>(&FLAKE, DITHERED, 1, exact(43 * 8));
     let samples = Settings { sampling: Sampling::new(4), ..SETTINGS };
-    assert_common_part::<f32, _>(&PRISM, samples, &Exact(43));
+    assert_common_part::<f32, _>(&PRISM, samples, 1, exact(43));
 }
 
 #[test]
 fn realtime_quality_draws_the_common_part() {
     for scene in [&CLASSIC, &FLAKE, &PRISM] {
         for quality in [Realtime::new(), Realtime::fine()] {
-            assert_common_part::<f32, _>(scene, DITHERED, &InRealtime(quality));
-            assert_common_part::<Fixed, _>(scene, DITHERED, &InRealtime(quality));
+            assert_common_part::<f32, _>(scene, DITHERED, 1, realtime(quality));
+            assert_common_part::<Fixed, _>(scene, DITHERED, 1, realtime(quality));
         }
     }
-    assert_common_part::<f32, _>(&CLASSIC, DITHERED, &InRealtime(Realtime::new().smooth()));
+    assert_common_part::<f32, _>(&CLASSIC, DITHERED, 1, realtime(Realtime::new().smooth()));
 }
 
 #[test]
 fn passes_draw_the_common_part() {
     let samples = Settings { sampling: Sampling::new(4), ..SETTINGS };
-    assert_common_part::<f32, _>(&CLASSIC, samples, &InPasses(4));
+    assert_common_part::<f32, _>(&CLASSIC, samples, 4, progressive(4));
 }
 
 /// Between two steps, the display turns.
