@@ -18,6 +18,13 @@ pub struct Transfer {
     pub bytes: Vec<u8>,
 }
 
+impl Transfer {
+    /// The bytes of transfers, one by one, and whether each is data.
+    pub fn each(sent: &[Self]) -> impl Iterator<Item = (bool, u8)> {
+        sent.iter().flat_map(|transfer| transfer.bytes.iter().map(|byte| (transfer.is_data, *byte)))
+    }
+}
+
 /// The error of the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unplugged;

@@ -8,7 +8,7 @@ pub struct Entry {
     pub name: &'static str,
     /// Lines that a user writes to draw a picture, beyond those that set the driver up.
     pub glue: usize,
-    /// What to watch for; empty if nothing.
+    /// A warning for users; empty if there is none.
     pub note: &'static str,
     /// Its panels, in all orientations.
     pub trials: Vec<Trial>,

@@ -1,4 +1,4 @@
-//! What a panel shows.
+//! The pixels that a panel shows.
 
 use embedded_graphics::geometry::{Point, Size};
 
@@ -50,6 +50,12 @@ pub struct Turn {
 impl Turn {
     /// Not turned.
     pub const NONE: Self = Self::by(0);
+
+    /// All eight turns.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let by_quarters = |is_mirrored| (0..4).map(move |quarters| Self { quarters, is_mirrored });
+        [false, true].into_iter().flat_map(by_quarters)
+    }
 
     /// Turned by this many quarters, clockwise.
     pub const fn by(quarters: u8) -> Self {

@@ -35,7 +35,7 @@ impl Picture {
         Self { renderer, settings, wrong: None }
     }
 
-    /// The same picture with one wrong pixel.
+    /// This picture with one wrong pixel.
     pub fn with_wrong_pixel(&self, at: Point) -> Self {
         Self { wrong: Some(at), ..self.clone() }
     }

@@ -1,4 +1,4 @@
-//! What every driver must do: the test body that all of them share.
+//! The test body that all drivers share.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,7 +18,7 @@ type Connect = dyn Fn(&Bus) -> Draw;
 type Decode = dyn Fn(&[Transfer]) -> Panel;
 type Codes = dyn Fn(&Picture) -> Vec<u32>;
 
-/// What is left to do when the bus failed.
+/// The work that is left when the bus failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// All lines before this one are on the panel: draw from there.
@@ -35,12 +35,12 @@ impl From<u32> for Fault {
     }
 }
 
-/// What a driver does when the bus fails.
+/// The reaction of a driver when the bus fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnFault {
-    /// It returns an error.
+    /// The driver returns an error.
     Returns,
-    /// It panics.
+    /// The driver panics.
     Panics,
 }
 
@@ -91,12 +91,12 @@ impl Trial {
         }
     }
 
-    /// The same panel, turned by the driver.
+    /// This panel, turned by the driver.
     pub fn turned(self, turn: Turn) -> Self {
         Self { turn, ..self }
     }
 
-    /// The same panel, by a driver that panics when the bus fails.
+    /// This panel, by a driver that panics when the bus fails.
     pub fn panics_on_fault(self) -> Self {
         Self { on_fault: OnFault::Panics, ..self }
     }

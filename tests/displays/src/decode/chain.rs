@@ -5,7 +5,7 @@ use embedded_graphics::geometry::{Point, Size};
 use crate::bus::Transfer;
 use crate::panel::Panel;
 
-/// What matrices show that stand beside each other, from the one whose bytes are sent first.
+/// The pixels of matrices that stand beside each other, from the one whose bytes are sent first.
 pub fn decode(matrices: u32, sent: &[Transfer]) -> Panel {
     let mut panel = Panel::blank(Size::new(matrices * 8, 8));
     for Transfer { bytes, .. } in sent {

@@ -17,7 +17,7 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// What the panel shows.
+    /// The pixels that the panel shows.
     pub fn decode(self, sent: &[Transfer]) -> Panel {
         let Self { size, bits } = self;
         let line = (size.width * bits).div_ceil(8);

@@ -18,7 +18,7 @@ pub struct Pages {
     pub goes_on: bool,
 }
 
-/// What the controller has received so far.
+/// The state of the controller after the bytes that it received.
 struct State {
     controller: Pages,
     panel: Panel,
@@ -33,7 +33,7 @@ struct State {
 }
 
 impl Pages {
-    /// What the glass shows: 1 for a pixel that shines.
+    /// The pixels that the glass shows: 1 for one that shines.
     pub fn decode(self, sent: &[Transfer]) -> Panel {
         let mut state = State {
             controller: self,

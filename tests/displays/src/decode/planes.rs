@@ -28,21 +28,21 @@ pub enum Family {
     Ssd16xx,
 }
 
-/// What a byte of data belongs to.
+/// A register of the controller, to which bytes of data belong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Register {
     /// The plane that is shown in black and white.
     Plane,
     /// The plane of the old picture, or of the third color.
     OtherPlane,
-    /// What the UC81xx shows for a bit.
+    /// The colors that the UC81xx shows for bits.
     Polarity,
     EntryMode,
     Columns,
     Rows,
     Column,
     Row,
-    /// One that does not change what is shown.
+    /// A register that does not change the glass.
     Other,
 }
 
@@ -63,7 +63,7 @@ struct State {
 }
 
 impl Planes {
-    /// What the glass shows: 1 for a white pixel.
+    /// The pixels that the glass shows: 1 for white.
     pub fn decode(self, sent: &[Transfer]) -> Panel {
         let rows = if self.is_transposed { self.glass.width } else { self.glass.height } as usize;
         let bytes = self.columns as usize / 8;
@@ -79,10 +79,8 @@ impl Planes {
             row: 0,
             white: 1,
         };
-        for Transfer { is_data, bytes } in sent {
-            for byte in bytes {
-                if *is_data { state.data(*byte) } else { state.command(*byte) }
-            }
+        for (is_data, byte) in Transfer::each(sent) {
+            if is_data { state.data(byte) } else { state.command(byte) }
         }
         state.panel
     }

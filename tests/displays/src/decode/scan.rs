@@ -40,14 +40,7 @@ impl Scan {
                 shifted[width as usize - 1] = word >> COLORS & 0x3F;
                 if word & ENABLE != 0 && is_counted && !has_shone {
                     has_shone = true;
-                    let row = u32::from(word & ADDRESS);
-                    for (x, bits) in latched.iter().enumerate() {
-                        for (y, rgb) in [(row, bits & 7), (row + height / 2, bits >> 3)] {
-                            let levels =
-                                [0, 1, 2].map(|channel| u32::from(rgb >> channel & 1) << (16 - channel * 8));
-                            shone[(y * width) as usize + x] += levels.iter().sum::<u32>();
-                        }
-                    }
+                    self.shine(u32::from(word & ADDRESS), &latched, &mut shone);
                 }
                 if word & LATCH != 0 {
                     latched.clone_from(&shifted);
@@ -59,5 +52,16 @@ impl Scan {
             panel.write(Point::new(index % width as i32, index / width as i32), *code);
         }
         panel
+    }
+
+    /// Counts that an upper row and the lower row with it shine.
+    fn shine(self, row: u32, latched: &[u16], shone: &mut [u32]) {
+        let Size { width, height } = self.size;
+        for (x, bits) in latched.iter().enumerate() {
+            for (y, rgb) in [(row, bits & 7), (row + height / 2, bits >> 3)] {
+                let levels = [0, 1, 2].map(|channel| u32::from(rgb >> channel & 1) << (16 - channel * 8));
+                shone[(y * width) as usize + x] += levels.iter().sum::<u32>();
+            }
+        }
     }
 }

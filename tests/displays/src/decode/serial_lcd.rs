@@ -9,7 +9,7 @@ use crate::panel::Panel;
 /// The size of the glass.
 pub const GLASS: Size = Size::new(128, 64);
 
-/// What the glass shows: 1 for a dark pixel.
+/// The pixels that the glass shows: 1 for dark.
 pub fn decode(sent: &[Transfer]) -> Panel {
     let mut panel = Panel::blank(GLASS);
     let (mut row, mut byte_column, mut has_row, mut has_data) = (0, 0, false, false);

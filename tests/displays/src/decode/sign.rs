@@ -9,7 +9,7 @@ use crate::panel::Panel;
 /// Bytes of a page before its first column.
 const HEADER: usize = 4;
 
-/// What a sign of this size shows: 1 for a dot that is turned over.
+/// The dots of a sign of this size: 1 for one that is turned over.
 pub fn decode(size: Size, sent: &[Transfer]) -> Panel {
     let mut panel = Panel::blank(size);
     let column_bytes = size.height.div_ceil(8) as usize;

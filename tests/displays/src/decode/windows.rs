@@ -89,7 +89,7 @@ const SSD1351: Commands = Commands {
     inversion: (0xA6, 0xA7),
 };
 
-/// What the controller has received so far.
+/// The state of the controller after the bytes that it received.
 struct State {
     controller: Windows,
     panel: Panel,
@@ -122,27 +122,27 @@ impl Windows {
         Self { commands, memory, glass, is_mirrored: false, is_bgr: false, is_negative: false }
     }
 
-    /// The same controller with glass over a part of its memory.
+    /// This controller with glass over a part of its memory.
     pub fn behind(self, glass: Rectangle) -> Self {
         Self { glass, ..self }
     }
 
-    /// The same controller with glass that shows the memory from right to left.
+    /// This controller with glass that shows the memory from right to left.
     pub fn mirrored(self) -> Self {
         Self { is_mirrored: true, ..self }
     }
 
-    /// The same controller with glass that has blue where the controller supposes red.
+    /// This controller with glass that has blue where the controller supposes red.
     pub fn bgr(self) -> Self {
         Self { is_bgr: true, ..self }
     }
 
-    /// The same controller with glass that is dark where the controller supposes light.
+    /// This controller with glass that is dark where the controller supposes light.
     pub fn negative(self) -> Self {
         Self { is_negative: true, ..self }
     }
 
-    /// What the glass shows.
+    /// The pixels that the glass shows.
     pub fn decode(self, sent: &[Transfer]) -> Panel {
         let mut state = State {
             controller: self,
@@ -156,10 +156,8 @@ impl Windows {
             written: 0,
             is_inverted: false,
         };
-        for transfer in sent {
-            for byte in &transfer.bytes {
-                if transfer.is_data { state.data(*byte) } else { state.command(*byte) }
-            }
+        for (is_data, byte) in Transfer::each(sent) {
+            if is_data { state.data(byte) } else { state.command(byte) }
         }
         state.panel
     }

@@ -17,10 +17,7 @@ use crate::panel::Turn;
 use crate::trial::{Draw, Fault, Trial};
 
 pub(super) fn entry() -> Entry {
-    let turns = [false, true]
-        .into_iter()
-        .flat_map(|is_mirrored| (0..4).map(move |quarters| Turn { quarters, is_mirrored }));
-    Entry { name: "lcd-async", glue: 2, note: "", trials: turns.map(trial).collect() }
+    Entry { name: "lcd-async", glue: 2, note: "", trials: Turn::all().map(trial).collect() }
 }
 
 fn trial(turn: Turn) -> Trial {

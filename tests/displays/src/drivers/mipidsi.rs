@@ -16,13 +16,13 @@ use crate::trial::{Draw, Trial};
 
 pub(super) fn entry() -> Entry {
     let mut trials = vec![];
-    for turn in turns() {
+    for turn in Turn::all() {
         trials.push(trial(|| ST7789, "ST7789", (135, 240), (52, 40), turn, super::raw));
     }
-    for turn in turns() {
+    for turn in Turn::all() {
         trials.push(trial(|| ST7735s, "ST7735S", (80, 160), (26, 1), turn, super::raw));
     }
-    for turn in turns() {
+    for turn in Turn::all() {
         trials.push(trial(|| GC9A01, "GC9A01", (240, 240), (0, 0), turn, super::raw));
     }
     trials.push(trial(|| ILI9341Rgb565, "ILI9341", (240, 320), (0, 0), Turn::NONE, super::raw));
@@ -35,13 +35,6 @@ pub(super) fn entry() -> Entry {
                `ColorInversion::Inverted`",
         trials,
     }
-}
-
-/// The eight orientations.
-fn turns() -> impl Iterator<Item = Turn> {
-    [false, true]
-        .into_iter()
-        .flat_map(|is_mirrored| (0..4).map(move |quarters| Turn { quarters, is_mirrored }))
 }
 
 /// A model with glass of this size at this place of its memory.
