@@ -1,4 +1,4 @@
-//! What the examples share, and what does not go into firmware: files, and a panel that stands for one.
+//! Files, and a panel that stands for a real one: the examples share them, and firmware has no use for them.
 
 mod mock_panel;
 

@@ -39,7 +39,7 @@ impl MockPanel {
         Self(RefCell::new(controller))
     }
 
-    /// What the panel shows.
+    /// The pixels that the panel shows.
     pub fn screen(&self) -> SimulatorDisplay<Rgb565> {
         self.0.borrow().screen.clone()
     }

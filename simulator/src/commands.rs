@@ -172,7 +172,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     }
 }
 
-/// What a panel shows of a picture of another size, and the size that fits it.
+/// Tells how much of a picture a panel of another size shows, and which size fits it.
 fn on_panel((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
     let (columns, lines) = (width.min(wide), height.min(high));
     let of = |part: u64, width: u32, height: u32| part * 100 / (u64::from(width) * u64::from(height));
