@@ -6,7 +6,7 @@
 //! use rayline::shape::Sphere;
 //! use rayline::{
 //!     Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings, Vec3,
-//!     Workspace,
+//!     Workspace, prepared_bytes,
 //! };
 //!
 //! static SCENE: Scene<Sphere> = Scene {
@@ -25,7 +25,7 @@
 //! };
 //!
 //! # fn main() -> Result<(), Box<dyn core::error::Error>> {
-//! let mut memory = Workspace::<512>::new();
+//! let mut memory = Workspace::<{ prepared_bytes!(f32, SCENE) }>::new();
 //! let scene = PreparedScene::<f32, _>::new(&SCENE, memory.lend())?;
 //! let renderer = Renderer::new(&scene, Settings::new(64, 64))?;
 //!
@@ -85,10 +85,21 @@
 //! - A trace of a pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
 //!   ([`RayCounts`]). Realtime quality traces some pixels twice.
 //!
-//! # Features
+//! # Features and profiles
 //!
 //! The comments in `Cargo.toml` of this crate say what each feature does, and what it costs in flash and
 //! stack. [`Scene::features`] lists those that a scene needs.
+//!
+//! The tracer is generic, so it is compiled in your crate, by your profiles:
+//!
+//! ```toml
+//! [profile.release]
+//! lto = "fat"
+//! codegen-units = 1
+//!
+//! [profile.dev]
+//! opt-level = 2
+//! ```
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 // The limit is in clippy.toml.
