@@ -27,7 +27,7 @@ const SIZE: Size = Size { width: 32, height: 24 };
 const ON: [(&str, &str, Number); 4] = [
     ("M0", LARGE_M0, Number::Fixed),
     ("M3", M3, Number::Fixed),
-    ("M4F, `f32`", M4F, Number::F32),
+    ("M4F", M4F, Number::F32),
     ("RISC-V", "riscv32", Number::Fixed),
 ];
 
@@ -40,7 +40,7 @@ const FEATURES: [(&str, bool, &[&str]); 3] = [
 ];
 
 /// The scenes: their names, and the names of their files.
-const SCENES: [(&str, &str); 2] = [("one sphere", "sphere"), ("all shapes of files", "all-shapes")];
+const SCENES: [(&str, &str); 2] = [("sphere", "sphere"), ("all", "all-shapes")];
 
 /// The only shape of the smallest program.
 const SPHERE: Shape<'static> = Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.8, 0.0), 0.8));
@@ -50,9 +50,10 @@ const HEAD: &str = "\
 
 A command writes this page; do not edit it: `cargo boards --sizes docs/sizes.md`.
 
-Bytes of flash and of stack of a program that draws one exact picture and links only the shapes of its scene:
-by the features of the crate `rayline`, and by the profile's `opt-level`, with `lto = \"fat\"` and one codegen
-unit. Flash includes the scene, and the start-up code and output of the program, but no driver of a display.
+Bytes of flash and of stack of a program that draws one exact picture and links only the shapes of its scene,
+one sphere or all shapes that files can have: by the features of the crate `rayline`, and by the profile's
+`opt-level`, with `lto = \"fat\"` and one codegen unit. The M4F computes in `f32`, the others in fixed point.
+Flash includes the scene, and the start-up code and output of the program, but no driver of a display.
 ";
 
 /// Measures all programs, and writes the page.
