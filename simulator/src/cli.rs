@@ -9,7 +9,10 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
-use rayline_simulator::{BOARDS, Bench, Display, LoadedScene, Mode, Number, RenderOptions, SAMPLERS, Show};
+use rayline_simulator::{
+    BOARDS, Bench, BinaryColorTheme, Display, LoadedScene, Mode, Number, OutputSettings,
+    OutputSettingsBuilder, RenderOptions, SAMPLERS, Show,
+};
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
@@ -25,6 +28,11 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Render a scene into a file
     Render(Render),
+    /// Record a film of a scene: the camera orbits once, or camera, objects and lights follow a script
+    ///
+    /// A script has key frames in the notation of .ron files: see the page of the module
+    /// `rayline_formats::animation`, and docs/classic.film.ron for an example.
+    Record(Record),
     /// List the built-in scenes
     Scenes,
     /// Report everything about one pixel: rays, hits, lights, colors
@@ -50,7 +58,11 @@ pub(crate) enum Command {
     /// Each scene gets a .png beside it. README.md shows all pictures, and how well they agree with the
     /// reference in f64 and with POV-Ray 3.7, if that is installed.
     Gallery(GalleryArgs),
-    /// Show a scene in a window: arrow keys orbit, + and - change the distance, S saves, Q quits
+    /// Show a scene in a window, and read its file again when it changes
+    ///
+    /// Arrow keys or dragging with the mouse orbit; +, - or the wheel change the distance; Home returns to the
+    /// scene's own camera. N, M and C switch the number system, the mode and the color of the display. S
+    /// saves a picture, Q quits. The title tells the rays and the time of the last picture.
     Window(Window),
     /// Measure the speed of rendering, and print tables in Markdown
     ///
@@ -68,7 +80,7 @@ pub(crate) struct Render {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) picture: PictureArgs,
     /// Show the colors, or how many samples each pixel takes: black for none, white for all
     #[arg(long, value_name = "WHAT", default_value = "colors", value_enum, conflicts_with = "mode")]
     pub(crate) show: Show,
@@ -76,13 +88,6 @@ pub(crate) struct Render {
     /// the same bytes as without this option
     #[arg(long, conflicts_with_all = ["mode", "show", "lines"])]
     pub(crate) passes: bool,
-    /// Trace every pixel, or interpolate pixels whose neighbors hit the same
-    #[arg(long, value_name = "MODE", default_value_t, value_enum)]
-    pub(crate) mode: Mode,
-    /// Draw edges in realtime mode in steps of a pixel, or smooth without samples; with --samples, those
-    /// edges that are not known take them
-    #[arg(long, value_name = "HOW", default_value = "stepped", value_parser = named(&EDGES))]
-    pub(crate) edges: Edges,
     /// The number of threads; the picture does not depend on it [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
@@ -92,6 +97,30 @@ pub(crate) struct Render {
     /// Write statistics of the picture as JSON: rays by kind, rays that were cut, seconds, bytes
     #[arg(long, value_name = "FILE")]
     pub(crate) stats: Option<PathBuf>,
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Record {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The file to write: .gif with 256 colors in each frame, or .png or .apng with all colors [default: the
+    /// scene's name with .gif]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// A file with key frames, which also has the length of the film
+    #[arg(long, value_name = "FILE.ron", conflicts_with_all = ["seconds", "frames_per_second"])]
+    pub(crate) script: Option<PathBuf>,
+    /// The seconds of an orbit
+    #[arg(long, value_name = "S", default_value_t = 3.0)]
+    pub(crate) seconds: f32,
+    /// The frames in a second
+    #[arg(long, value_name = "N", default_value_t = 12.0)]
+    pub(crate) frames_per_second: f32,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -158,7 +187,7 @@ pub(crate) struct Window {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) picture: PictureArgs,
 }
 
 #[derive(Debug, Args)]
@@ -205,9 +234,9 @@ pub(crate) struct Look {
     /// The number system to compute in
     #[arg(long, value_name = "TYPE", default_value_t, value_enum)]
     number: Number,
-    /// The colors of the display that the picture is made for
-    #[arg(long, value_name = "DISPLAY", default_value_t, value_enum)]
-    color: Display,
+    /// The colors of the display that the picture is made for [default: rgb888; mono with --theme]
+    #[arg(long, value_name = "DISPLAY", value_enum)]
+    color: Option<Display>,
     /// Rounding of light to the display's levels: to the nearest, or by an ordered pattern that keeps the
     /// mean of areas
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
@@ -231,6 +260,77 @@ pub(crate) struct Look {
     /// Leave out rays whose share in the pixel is smaller, 0 to 1 [default: the scene's own, else 1/256]
     #[arg(long, value_name = "SHARE", value_parser = share)]
     cutoff: Option<f32>,
+}
+
+/// The options that decide how a picture is drawn.
+#[derive(Debug, Args)]
+pub(crate) struct PictureArgs {
+    #[command(flatten)]
+    look: Look,
+    /// Trace every pixel, or interpolate pixels whose neighbors hit the same
+    #[arg(long, value_name = "MODE", default_value_t, value_enum)]
+    mode: Mode,
+    /// Draw edges in realtime mode in steps of a pixel, or smooth without samples; with --samples, those
+    /// edges that are not known take them
+    #[arg(long, value_name = "HOW", default_value = "stepped", value_parser = named(&EDGES))]
+    edges: Edges,
+    #[command(flatten)]
+    panel: PanelArgs,
+}
+
+impl PictureArgs {
+    /// The options for a picture of this scene.
+    pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
+        let options = self.look.options(scene);
+        let color = if self.panel.theme.is_some() { Display::Mono } else { options.display };
+        RenderOptions { mode: self.mode, edges: self.edges, display: color, ..options }
+    }
+
+    /// The look of the panel that shows the picture, if any is asked for.
+    ///
+    /// # Errors
+    /// A theme of two colors is asked for, and a display of more.
+    pub(crate) fn panel(&self) -> Result<Option<OutputSettings>, String> {
+        match (self.panel.theme, self.look.color) {
+            (Some(_), Some(color)) if color != Display::Mono => {
+                Err(format!("--theme has two colors, but --color {color} has more; leave out one of them"))
+            }
+            _ => Ok(self.panel.settings()),
+        }
+    }
+}
+
+/// The options that decide how a panel looks.
+#[derive(Debug, Args)]
+struct PanelArgs {
+    /// Show the picture in the two colors of a panel; it is then made in black and white
+    #[arg(long, value_name = "THEME", value_parser = named(&THEMES))]
+    theme: Option<BinaryColorTheme>,
+    /// Show each pixel of the panel as N by N pixels [default: 1; 3 with --theme]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=64))]
+    scale: Option<u32>,
+    /// Leave N pixels between the pixels of the panel [default: 0; 1 with --theme]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(0..=64))]
+    pixel_spacing: Option<u32>,
+}
+
+impl PanelArgs {
+    /// The look of the panel, if any of these options is given.
+    fn settings(&self) -> Option<OutputSettings> {
+        let Self { theme, scale, pixel_spacing } = *self;
+        let builder = OutputSettingsBuilder::new();
+        let builder = match theme {
+            Some(theme) => builder.theme(theme),
+            None if scale.is_none() && pixel_spacing.is_none() => return None,
+            None => builder,
+        };
+        let settings = builder.build();
+        Some(OutputSettings {
+            scale: scale.unwrap_or(settings.scale),
+            pixel_spacing: pixel_spacing.unwrap_or(settings.pixel_spacing),
+            ..settings
+        })
+    }
 }
 
 /// The options that decide where the rays of a pixel go.
@@ -267,6 +367,15 @@ struct SamplingArgs {
 
 const AREA_LIGHTS: [(&str, AreaLights); 2] =
     [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
+
+const THEMES: [(&str, BinaryColorTheme); 6] = [
+    ("inverted", BinaryColorTheme::Inverted),
+    ("lcd-white", BinaryColorTheme::LcdWhite),
+    ("lcd-green", BinaryColorTheme::LcdGreen),
+    ("lcd-blue", BinaryColorTheme::LcdBlue),
+    ("oled-white", BinaryColorTheme::OledWhite),
+    ("oled-blue", BinaryColorTheme::OledBlue),
+];
 
 const EDGES: [(&str, Edges); 2] = [("stepped", Edges::Stepped), ("smooth", Edges::Smooth)];
 
@@ -312,7 +421,7 @@ impl Look {
             transfer: self.transfer,
             dither: self.dither,
         };
-        RenderOptions { settings, number: self.number, display: self.color, ..meant }
+        RenderOptions { settings, number: self.number, display: self.color.unwrap_or_default(), ..meant }
     }
 }
 

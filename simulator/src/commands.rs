@@ -8,13 +8,14 @@ use std::time::{Duration, Instant};
 use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
+use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
-    BOARDS, Bench, Convergence, Demand, Demands, Gallery, LoadedScene, Pass, Picture, PictureFile,
-    RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart, check_writable,
-    half_blocks, render_in_passes, render_watched, report_pixel, write_file,
+    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, Pass, Picture,
+    PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
+    check_writable, half_blocks, on_panel, render_in_passes, render_watched, report_pixel, write_file,
 };
 
-use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Render, Window};
+use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, Window};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -22,6 +23,7 @@ pub(crate) fn run(cli: Cli) -> Outcome {
     match cli.command {
         None => showcase(),
         Some(Command::Render(arguments)) => render(&arguments),
+        Some(Command::Record(arguments)) => record(&arguments),
         Some(Command::Scenes) => scenes(),
         Some(Command::Pixel(arguments)) => pixel(&arguments),
         Some(Command::Convert(arguments)) => convert(&arguments),
@@ -68,19 +70,19 @@ fn render(arguments: &Render) -> Outcome {
         check_writable(stats)?;
     }
     let options = RenderOptions {
-        mode: arguments.mode,
-        edges: arguments.edges,
         show: arguments.show,
         lines: arguments.lines.clone(),
         threads: arguments.threads.map_or(0, usize::from),
-        ..arguments.look.options(&scene)
+        ..arguments.picture.options(&scene)
     };
+    let panel = arguments.picture.panel()?;
     let (picture, time) = if arguments.passes {
         in_passes(&scene, &options, arguments.quiet)?
     } else {
         timed(&scene, &options, arguments.quiet)?
     };
-    file.write(&picture)?;
+    let shown = panel.map(|panel| on_panel(&picture, &panel)).transpose()?;
+    file.write(shown.as_ref().unwrap_or(&picture))?;
     if !arguments.quiet && picture.rays.cut_rays > 0 {
         writeln!(
             io::stderr(),
@@ -95,6 +97,52 @@ fn render(arguments: &Render) -> Outcome {
         write_file(stats, &json)?;
     }
     if arguments.quiet { Ok(()) } else { say(&file, &picture, time) }
+}
+
+fn record(arguments: &Record) -> Outcome {
+    let arena = Bump::new();
+    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let own_name = || PathBuf::from(format!("{}.gif", scene.name));
+    let file = FilmFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    let script = arguments.script.as_ref().map(|path| Animation::read(path, &scene)).transpose()?;
+    let length = match &script {
+        Some(script) => script.length(),
+        None => Length::new(arguments.seconds, arguments.frames_per_second)?,
+    };
+    let orbit = Orbit::around(&scene.scene).map_err(|error| scene.explain(&error))?;
+    let (options, panel) = (arguments.picture.options(&scene), arguments.picture.panel()?);
+    let bar = if arguments.quiet { ProgressBar::hidden() } else { ProgressBar::new(length.frames().into()) };
+    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} frame {pos} of {len}, {eta} to go")?);
+    bar.set_message(scene.name.clone());
+    let (start, mut size) = (Instant::now(), (0, 0));
+    let frame = |number: u32| -> Result<Picture, Box<dyn Error>> {
+        let (arena, time) = (Bump::new(), length.time(number));
+        let moment = match &script {
+            Some(script) => script.scene_at(&scene.scene, time, &arena),
+            None => {
+                let mut orbit = orbit;
+                orbit.turn(core::f64::consts::TAU * f64::from(time / length.seconds()), 0.0);
+                Scene { camera: orbit.camera(), ..scene.scene }
+            }
+        };
+        let picture = rayline_simulator::render(&moment, &options)
+            .map_err(|error| format!("at {time} seconds: {}", explain(&scene, error)))?;
+        let picture = match &panel {
+            Some(panel) => on_panel(&picture, panel)?,
+            None => picture,
+        };
+        size = (picture.width, picture.height);
+        bar.inc(1);
+        Ok(picture)
+    };
+    let bytes = file.write(length, frame)?;
+    bar.finish_and_clear();
+    if !arguments.quiet {
+        let ((width, height), path) = (size, file.path().display());
+        let (frames, time) = (length.frames(), start.elapsed().as_secs_f64());
+        writeln!(io::stdout(), "{path}: {width}x{height}, {frames} frames, {bytes} bytes, in {time:.2} s")?;
+    }
+    Ok(())
 }
 
 fn scenes() -> Outcome {
@@ -164,7 +212,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     let fits = demands.0.iter().any(Demand::fits);
     write!(out, "{demands}")?;
     if let Some(panel) = arguments.panel.filter(|panel| *panel != arguments.size) {
-        writeln!(out, "\n{}", on_panel(arguments.size, panel))?;
+        writeln!(out, "\n{}", shown_part(arguments.size, panel))?;
     }
     match &arguments.board {
         Some(board) if !fits => Err(format!("{} does not fit {board}", scene.name).into()),
@@ -173,7 +221,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
 }
 
 /// Tells how much of a picture a panel of another size shows, and which size fits it.
-fn on_panel((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
+fn shown_part((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
     let (columns, lines) = (width.min(wide), height.min(high));
     let of = |part: u64, width: u32, height: u32| part * 100 / (u64::from(width) * u64::from(height));
     let shown = u64::from(columns) * u64::from(lines);
@@ -203,30 +251,29 @@ fn gallery(arguments: &GalleryArgs) -> Outcome {
 
 #[cfg(feature = "window")]
 fn window(arguments: &Window) -> Outcome {
-    use rayline_simulator::{WindowError, show_window};
+    use rayline_simulator::{WindowScene, show_window};
 
+    let source = &arguments.scene.source;
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, false)?;
-    let options = arguments.look.options(&scene);
-    let file = PictureFile::new(&PathBuf::from(format!("{}.png", scene.name)))?;
-    let mut save = |seen: &rayline::Scene<'_>| -> Outcome {
+    let name = open(source, &arena, false)?.name;
+    let panel = arguments.picture.panel()?;
+    let file = PictureFile::new(&PathBuf::from(format!("{name}.png")))?;
+    let mut save = |seen: &Scene<'_>, options: &RenderOptions| -> Outcome {
         let start = Instant::now();
-        let picture = rayline_simulator::render(seen, &options)?;
+        let picture = rayline_simulator::render(seen, options)?;
         // The user was not asked for a name, so choose one that does not exist.
         let file = file.untaken();
         file.write(&picture)?;
         say(&file, &picture, start.elapsed())
     };
-    show_window(&scene, &options, &mut save).map_err(|error| match error {
-        WindowError::Scene(error) => scene.explain(&error).into(),
-        error => error.into(),
-    })
+    let options = |scene: &LoadedScene<'_>| arguments.picture.options(scene);
+    Ok(show_window(WindowScene { source, options: &options, panel, save: &mut save })?)
 }
 
 #[cfg(not(feature = "window"))]
 fn window(arguments: &Window) -> Outcome {
     Err(format!(
-        "this build has no window; with SDL2 installed: cargo run --release --features window -- window {}",
+        "this build has no window: cargo run --release -p rayline-simulator --features window -- window {}",
         arguments.scene.source.display()
     )
     .into())

@@ -27,6 +27,8 @@ enum Format {
 pub enum FileError {
     /// The name does not end in `.png` or `.ppm`. Use one of these extensions.
     Extension(PathBuf),
+    /// The name does not end in `.gif`, `.png` or `.apng`. Use one of these extensions.
+    FilmExtension(PathBuf),
     /// The system refused. Its text says why.
     Io {
         /// The file.
@@ -157,6 +159,9 @@ impl fmt::Display for FileError {
             Self::Extension(path) => {
                 write!(f, "cannot write {}: pictures are .png or .ppm files", path.display())
             }
+            Self::FilmExtension(path) => {
+                write!(f, "cannot write {}: films are .gif, .png or .apng files", path.display())
+            }
             Self::Io { path, error } => write!(f, "cannot write {}: {error}", path.display()),
         }
     }
@@ -165,7 +170,7 @@ impl fmt::Display for FileError {
 impl core::error::Error for FileError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Extension(_) => None,
+            Self::Extension(_) | Self::FilmExtension(_) => None,
             Self::Io { error, .. } => Some(error),
         }
     }

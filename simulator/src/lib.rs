@@ -6,12 +6,12 @@
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
 //! - [`Demands`] estimates whether a scene fits boards;
-//! - [`PictureFile`] writes PNG and PPM files, and [`raster`] reads image files;
+//! - [`PictureFile`] writes PNG and PPM files, [`FilmFile`] GIF and animated PNG files, and [`raster`] reads image files;
 //! - [`Stats`] holds the ray counts, time and memory of a picture;
 //! - [`Gallery`] renders a directory of scenes and compares them with other number systems and POV-Ray;
 //! - [`report_pixel`] describes every ray of one pixel;
 //! - [`Bench`] measures the speed of rendering, and [`povray`] renders the same scenes with POV-Ray;
-//! - [`half_blocks`] shows a picture in a terminal;
+//! - [`half_blocks`] shows a picture in a terminal, and [`on_panel`] as it looks on a display's panel;
 //! - [`Orbit`] moves a camera around its target.
 //!
 //! The program `rayline` is a thin shell around this library.
@@ -21,9 +21,11 @@ mod check;
 mod convert;
 mod display;
 mod file;
+mod film;
 mod gallery;
 mod options;
 mod orbit;
+mod panel;
 mod passes;
 mod picture;
 mod realtime;
@@ -38,15 +40,18 @@ pub use bench::{Bench, BenchError, Convergence};
 pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
+pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};
 pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
+pub use film::FilmFile;
 pub use gallery::{Gallery, GalleryError};
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
 pub use orbit::Orbit;
+pub use panel::on_panel;
 pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
-pub use rayline_formats::{LoadError, LoadedScene, gltf, nff, obj, povray, raster, ron};
+pub use rayline_formats::{LoadError, LoadedScene, animation, gltf, nff, obj, povray, raster, ron};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;
 #[cfg(feature = "window")]
-pub use window::{Save, WindowError, show_window};
+pub use window::{Save, WindowError, WindowScene, show_window};

@@ -1,6 +1,9 @@
 //! A camera that orbits its target.
 
-use rayline::{Camera, Vec3};
+use rayline::math::{Interval, Ray};
+use rayline::{Camera, Fault, Part, PreparedScene, Scene, SceneError, Vec3};
+
+use crate::picture::memory_for;
 
 /// A camera that orbits a point on its line of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +24,25 @@ impl Orbit {
         camera.up.to::<f64>().normalized()?;
         let target = (eye + forward * f64::from(distance)).to_f32();
         (distance > 0.0).then_some(Self { camera: Camera { target, ..camera } })
+    }
+
+    /// An orbit around what the scene's camera sees in the middle of its picture; around the camera's target,
+    /// if that is nothing.
+    ///
+    /// # Errors
+    /// The scene is refused.
+    pub fn around(scene: &Scene<'_>) -> Result<Self, SceneError> {
+        let mut memory = memory_for::<f64>(scene);
+        let prepared = PreparedScene::<f64, _>::new(scene, &mut memory)?;
+        let camera = scene.camera;
+        let (unit, way) = (prepared.scale(), camera.target - camera.eye);
+        let hit = way.normalized().and_then(|direction| {
+            let ray = Ray { origin: (camera.eye * unit).to(), direction: direction.to() };
+            prepared.closest_hit(&ray, Interval::AHEAD)
+        });
+        let distance = hit.map_or(way.length(), |hit| hit.t as f32 / unit);
+        // The camera was prepared, so it has a line of sight, and this error cannot occur.
+        Self::new(camera, distance).ok_or(SceneError { part: Part::Camera, fault: Fault::EyeAtTarget })
     }
 
     /// The camera at its current position.

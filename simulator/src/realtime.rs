@@ -34,9 +34,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
         C: DisplayColor + Into<Rgb888> + From<BinaryColor> + Send,
     {
         let Self { renderer, lines, edges, rgb, line_done } = self;
-        // Small pictures show smaller details, so they need a finer grid.
-        let quality = if renderer.width() < 240 { Realtime::fine() } else { Realtime::new() };
-        let quality = Realtime { edges, ..quality };
+        let quality = quality_for(renderer.width(), edges);
         let band = quality.grid.pixels();
         let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
         let line_bytes = renderer.width() as usize * 3;
@@ -67,6 +65,13 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
         };
         rgb.par_chunks_mut(line_bytes * part).enumerate().map(draw).try_reduce(RayCounts::default, sum)
     }
+}
+
+/// Realtime quality for a picture of this width. Small pictures show smaller details, so they need a finer
+/// grid.
+pub(crate) fn quality_for(width: u32, edges: Edges) -> Realtime {
+    let quality = if width < 240 { Realtime::fine() } else { Realtime::new() };
+    Realtime { edges, ..quality }
 }
 
 /// A display that writes lines to the bytes of a picture.

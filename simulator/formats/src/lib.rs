@@ -2,6 +2,7 @@
 //!
 //! - [`LoadedScene`] opens a scene by name or file;
 //! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats;
+//! - [`animation`] reads key frames of a scene;
 //! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
 //! - [`raster`] reads and writes images.
@@ -9,6 +10,7 @@
 //! Nothing here traces a ray. The workspace builds the crate with fewer optimizations than the rest: its code
 //! is long, and runs once for each file.
 
+pub mod animation;
 pub mod gltf;
 mod loaded;
 mod model;

@@ -187,6 +187,15 @@ impl<'a> LoadedScene<'a> {
         }
     }
 
+    /// The names of the parts in one of the scene's lists, such as `objects` or `lights`, in their order.
+    /// Empty if they have no names.
+    pub(crate) fn names_of(&self, list: &'static str) -> Vec<String> {
+        match &self.file {
+            Some((_, Import::Ron(import))) => import.names_of(list),
+            _ => Vec::new(),
+        }
+    }
+
     /// A message of one line for an error in this scene, with the file and the line or name of the part in
     /// it.
     pub fn explain(&self, error: &SceneError) -> String {

@@ -5,6 +5,7 @@
 
 mod bench;
 mod errors;
+mod films;
 mod measurements;
 mod pictures;
 mod reports;

@@ -2,7 +2,7 @@
 
 use core::fmt;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use rayline::read::Fields;
 use rayline::shape::Mesh;
@@ -35,6 +35,12 @@ pub struct RonError {
     pub position: Option<Position>,
     /// The fault there.
     pub fault: Box<RonFault>,
+}
+
+impl RonError {
+    pub(super) fn new(path: &Path, position: Option<Position>, fault: RonFault) -> Self {
+        Self { path: path.to_owned(), position, fault: Box::new(fault) }
+    }
 }
 
 /// The fault of a RON file.

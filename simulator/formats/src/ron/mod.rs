@@ -64,6 +64,7 @@ use rayline::read::{Reader, Seed};
 use rayline::{Fault, Part, Scene, Settings};
 use ron::Options;
 use ron::extensions::Extensions;
+use serde::de::DeserializeOwned;
 
 use crate::text;
 
@@ -91,6 +92,12 @@ impl Import<'_> {
     pub fn position_of(&self, part: Part) -> Option<Position> {
         scan::position_of(self.text, part)
     }
+
+    /// The names of the parts in a list, if they have names.
+    pub(crate) fn names_of(&self, list: &'static str) -> Vec<String> {
+        // The text was read before, so it has no error.
+        scan::names(self.text, list).unwrap_or_default()
+    }
 }
 
 /// Reads a scene from a file. Its lists are kept in `arena`.
@@ -100,13 +107,24 @@ impl Import<'_> {
 /// such as a negative radius, are found by [`PreparedScene::new`](rayline::PreparedScene::new);
 /// [`Import::position_of`] gives the position of such an error.
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
-    let error = |position, fault| RonError { path: path.to_owned(), position, fault: Box::new(fault) };
-    let bytes = fs::read(path).map_err(|io| error(None, RonFault::Read(io)))?;
-    let text = text::of_bytes(&bytes)
-        .map_err(|line| error(Some(Position { line, column: 1 }), RonFault::NotUtf8))?;
-    let text = arena.alloc_str(text);
+    let text = arena.alloc_str(&read_text(path)?);
     let directory = arena.alloc_str(&path.parent().unwrap_or(Path::new("")).to_string_lossy());
-    parse(arena, text, Path::new(directory)).map_err(|(position, fault)| error(Some(position), fault))
+    parse(arena, text, Path::new(directory))
+        .map_err(|(position, fault)| RonError::new(path, Some(position), fault))
+}
+
+/// Reads a value that is not a scene from a file.
+pub(crate) fn read_value<T: DeserializeOwned>(path: &Path) -> Result<T, RonError> {
+    options().from_str(&read_text(path)?).map_err(|error| {
+        let (position, fault) = RonFault::from_ron(error, None);
+        RonError::new(path, Some(position), fault)
+    })
+}
+
+fn read_text(path: &Path) -> Result<String, RonError> {
+    let bytes = fs::read(path).map_err(|io| RonError::new(path, None, RonFault::Read(io)))?;
+    let not_utf8 = |line| RonError::new(path, Some(Position { line, column: 1 }), RonFault::NotUtf8);
+    text::of_bytes(&bytes).map(str::to_owned).map_err(not_utf8)
 }
 
 /// The options of the format.

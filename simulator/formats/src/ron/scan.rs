@@ -19,7 +19,7 @@ pub(super) fn object_names(text: &str) -> Result<Vec<String>, SpannedError> {
 }
 
 /// The keys of a list that is written as a map.
-fn names(text: &str, name: &'static str) -> Result<Vec<String>, SpannedError> {
+pub(super) fn names(text: &str, name: &'static str) -> Result<Vec<String>, SpannedError> {
     let mut names = Vec::new();
     options().from_str_seed(text, Field { name, inside: &mut Keys(&mut names) })?;
     Ok(names)
