@@ -25,9 +25,15 @@ pub(super) fn entry() -> Entry {
     for turn in Turn::all() {
         trials.push(trial(|| GC9A01, "GC9A01", (240, 240), (0, 0), turn, super::raw));
     }
-    trials.push(trial(|| ILI9341Rgb565, "ILI9341", (240, 320), (0, 0), Turn::NONE, super::raw));
-    trials.push(trial(|| ILI9341Rgb666, "ILI9341 in 18 bits", (240, 320), (0, 0), Turn::NONE, super::raw));
-    trials.push(trial(|| ILI9486Rgb666, "ILI9486 in 18 bits", (320, 480), (0, 0), Turn::by(1), super::raw));
+    for turn in Turn::all() {
+        trials.push(trial(|| ILI9341Rgb565, "ILI9341", (240, 320), (0, 0), turn, super::raw));
+    }
+    for turn in Turn::all() {
+        trials.push(trial(|| ILI9341Rgb666, "ILI9341 in 18 bits", (240, 320), (0, 0), turn, super::raw));
+    }
+    for turn in Turn::all() {
+        trials.push(trial(|| ILI9486Rgb666, "ILI9486 in 18 bits", (320, 480), (0, 0), turn, super::raw));
+    }
     Entry {
         name: "mipidsi",
         glue: 1,
