@@ -35,7 +35,7 @@ where
     D::Error: core::fmt::Debug + 'static,
 {
     let mut memory = Workspace::<{ prepared_bytes!(f32, SCENE) }>::new();
-    let scene = PreparedScene::<f32, _>::new(&SCENE, memory.lend())?; // the only step that can refuse a scene
+    let scene = PreparedScene::<f32, _>::new(&SCENE, memory.lend())?; // only this step can refuse a scene
     let renderer = Renderer::new(&scene, Settings::new(160, 128))?;
     renderer.draw(display, &mut [Rgb565::BLACK; 160])?; // one line at a time
     Ok(())

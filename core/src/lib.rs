@@ -102,6 +102,8 @@
 //! ```
 
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
+// docs.rs sets this: each item that needs a feature names it.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 // The limit is in clippy.toml.
 #![cfg_attr(not(test), warn(clippy::too_many_lines))]
 
@@ -162,3 +164,8 @@ pub use texture::{
     Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Map, Marble, Noise, Onto,
     Pixels, Placed, Placement, Space, Squares, Stripes, Texture, Wood,
 };
+
+/// The example of the crate's README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -54,11 +54,15 @@ mod tests {
     }
 
     #[test]
-    fn hello_is_the_program_of_the_readme() {
+    fn hello_is_the_program_of_both_readmes() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let [readme, hello] =
-            ["../README.md", "hello.rs"].map(|file| fs::read_to_string(folder.join(file)).expect(file));
-        let (readme, _) = readme.split_once("\n```\n\n(`Box`").expect("the end of the program");
-        assert!(program(&hello).starts_with(&program(readme)), "make README.md and examples/hello.rs alike");
+        let text = |file: &str| fs::read_to_string(folder.join(file)).expect(file);
+        let hello = program(&text("hello.rs"));
+        for file in ["../README.md", "../core/README.md"] {
+            let readme = text(file);
+            let (_, code) = readme.split_once("```rust\n").expect("a program");
+            let (code, _) = code.split_once("\n```").expect("the end of the program");
+            assert!(hello.starts_with(&program(code)), "make {file} and examples/hello.rs alike");
+        }
     }
 }
