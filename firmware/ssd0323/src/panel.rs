@@ -10,7 +10,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
 
-use crate::Error;
+use crate::{Error, Setup};
 
 /// Width of the panel in pixels.
 pub const WIDTH: u32 = 128;
@@ -22,19 +22,18 @@ const LINE_BYTES: usize = WIDTH as usize / 2;
 
 const SET_COLUMNS: u8 = 0x15;
 const SET_ROWS: u8 = 0x75;
+const SET_CONTRAST: u8 = 0x81;
+const SET_MAP: u8 = 0xA0;
+const SET_FIRST_ROW: u8 = 0xA1;
+const SET_OFFSET: u8 = 0xA2;
+const SET_ROWS_IN_USE: u8 = 0xA8;
+const FULL_CURRENT: u8 = 0x86;
+const SHOW_MEMORY: u8 = 0xA4;
+const TURN_OFF: u8 = 0xAE;
+const TURN_ON: u8 = 0xAF;
 
-/// The commands that set a panel up, each with its arguments.
-const INIT: [&[u8]; 9] = [
-    &[0xAE],       // display off
-    &[0xA0, 0x00], // columns from left to right, rows from top to bottom, along lines
-    &[0xA1, 0x00], // first row of the memory at the top
-    &[0xA2, 0x00], // no vertical offset
-    &[0xA4],       // shows the memory as it is
-    &[0xA8, 0x3F], // 64 rows in use
-    &[0x81, 0x40], // half of the contrast
-    &[0x86],       // full range of current
-    &[0xAF],       // display on
-];
+/// The highest contrast.
+const MAX_CONTRAST: u8 = 0x7F;
 
 /// A panel on its own bus, or on a bus that selects it.
 #[derive(Debug)]
@@ -45,16 +44,53 @@ pub struct Ssd0323<S, P> {
 }
 
 impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
-    /// Sets a panel up. Reset it first. The panel keeps the picture in its memory.
+    /// Sets a panel up that is connected as [`Setup::PLAIN`] says. Reset it first. The panel keeps the
+    /// picture in its memory; at first, that holds any pixels, so clear it.
     ///
     /// # Errors
     /// An error of the bus or of the pin.
     pub fn new(bus: S, data_command: P) -> Result<Self, Error<S::Error, P::Error>> {
+        Self::with_setup(bus, data_command, Setup::PLAIN)
+    }
+
+    /// Sets a panel up. Reset it first. The panel keeps the picture in its memory; at first, that holds any
+    /// pixels, so clear it.
+    ///
+    /// # Errors
+    /// An error of the bus or of the pin.
+    pub fn with_setup(bus: S, data_command: P, setup: Setup) -> Result<Self, Error<S::Error, P::Error>> {
         let mut panel = Self { bus, data_command };
-        for command in INIT {
+        let commands: [&[u8]; 9] = [
+            &[TURN_OFF],
+            &[SET_MAP, setup.map()],
+            &[SET_FIRST_ROW, setup.first_row],
+            &[SET_OFFSET, setup.offset],
+            &[SHOW_MEMORY],
+            &[SET_ROWS_IN_USE, HEIGHT as u8 - 1],
+            &[SET_CONTRAST, setup.contrast.min(MAX_CONTRAST)],
+            &[FULL_CURRENT],
+            &[TURN_ON],
+        ];
+        for command in commands {
             panel.command(command)?;
         }
         Ok(panel)
+    }
+
+    /// Sets the brightness, from 0 to 127; more is taken for 127.
+    ///
+    /// # Errors
+    /// An error of the bus or of the pin.
+    pub fn set_contrast(&mut self, contrast: u8) -> Result<(), Error<S::Error, P::Error>> {
+        self.command(&[SET_CONTRAST, contrast.min(MAX_CONTRAST)])
+    }
+
+    /// Turns the light on or off. The memory keeps the picture, and can be drawn in.
+    ///
+    /// # Errors
+    /// An error of the bus or of the pin.
+    pub fn set_on(&mut self, is_on: bool) -> Result<(), Error<S::Error, P::Error>> {
+        self.command(&[if is_on { TURN_ON } else { TURN_OFF }])
     }
 
     /// Returns bus and pin.

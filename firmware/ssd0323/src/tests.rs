@@ -3,15 +3,17 @@
 use core::cell::RefCell;
 use core::convert::Infallible;
 
-use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::mono_font::{MonoTextStyleBuilder, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::text::Text;
+use embedded_graphics::{Drawable, Pixel};
 use embedded_hal::digital::{self, OutputPin};
 use embedded_hal::spi::{self, SpiBus};
 
-use crate::{Error, Ssd0323};
+use crate::{Error, Setup, Ssd0323};
 
 /// The wires between processor and panel, and the panel's memory.
 struct Panel {
@@ -141,13 +143,69 @@ fn counting() -> impl Iterator<Item = Gray4> {
     (0..).map(|i: u32| Gray4::new(i as u8 & 0xF))
 }
 
+/// The bytes of the commands that set a panel up.
+fn commands(setup: Setup) -> Vec<u8> {
+    let panel = RefCell::new(Panel::new());
+    Ssd0323::with_setup(Bus(&panel), Pin(&panel), setup).unwrap();
+    let panel = panel.into_inner();
+    assert!(panel.windows.is_empty());
+    panel.commands
+}
+
 #[test]
 fn a_panel_is_set_up_by_commands_alone() {
     let (result, panel) = draw(|_| Ok(()));
     assert_eq!(result, Ok(()));
-    assert_eq!(panel.commands.first(), Some(&0xAE));
-    assert_eq!(panel.commands.last(), Some(&0xAF));
-    assert!(panel.windows.is_empty());
+    let plain = [0xAE, 0xA0, 0x00, 0xA1, 0x00, 0xA2, 0x00, 0xA4, 0xA8, 0x3F, 0x81, 0x40, 0x86, 0xAF];
+    assert_eq!(panel.commands, plain);
+    assert_eq!(commands(Setup::default()), plain);
+}
+
+#[test]
+fn the_setup_says_how_the_panel_is_connected() {
+    let setup = Setup {
+        mirrors_rows: true,
+        swaps_pairs: true,
+        splits_rows: true,
+        first_row: 8,
+        offset: 0x4C,
+        contrast: 200,
+        ..Setup::PLAIN
+    };
+    let other = [0xAE, 0xA0, 0x52, 0xA1, 0x08, 0xA2, 0x4C, 0xA4, 0xA8, 0x3F, 0x81, 0x7F, 0x86, 0xAF];
+    assert_eq!(commands(setup), other);
+    // Turned, columns, pairs and rows are the other way round.
+    assert_eq!(commands(setup.turned())[2], 0x41);
+    assert_eq!(setup.turned().turned(), setup);
+}
+
+#[test]
+fn brightness_and_light_change_at_any_time() {
+    let (result, panel) = draw(|display| {
+        display.fill_solid(&area(0, 0, 2, 1), Gray4::WHITE)?;
+        display.set_contrast(0x20)?;
+        display.set_contrast(0xFF)?;
+        display.set_on(false)?;
+        display.set_on(true)
+    });
+    assert_eq!(result, Ok(()));
+    assert_eq!(panel.commands, [0x81, 0x20, 0x81, 0x7F, 0xAE, 0xAF]);
+}
+
+#[test]
+fn letters_of_even_width_with_a_background_are_areas() {
+    let style = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(Gray4::WHITE);
+    let text = |x, style| Text::new("Il", Point::new(x, 10), style);
+    let filled = style.background_color(Gray4::BLACK).build();
+    let (result, panel) = draw(|display| text(2, filled).draw(display).map(|_| ()));
+    assert_eq!(result, Ok(()));
+    let row = |y| (0..16).map(|x| panel.pixel(x, y)).collect::<Vec<_>>();
+    // The upper ends of both letters, between what the panel showed before.
+    assert_eq!(row(4), [5, 5, 0, 15, 15, 15, 0, 0, 0, 15, 15, 0, 0, 0, 5, 5]);
+    let (result, _) = draw(|display| text(3, filled).draw(display).map(|_| ()));
+    assert!(matches!(result, Err(Error::Unpaired { .. })));
+    let (result, _) = draw(|display| text(2, style.build()).draw(display).map(|_| ()));
+    assert!(matches!(result, Err(Error::Unpaired { .. })));
 }
 
 #[test]
