@@ -7,7 +7,7 @@ use heapless::Vec;
 use super::{MaterialId, Object, Scene};
 use crate::background::Background;
 use crate::camera::Camera;
-use crate::light::Light;
+use crate::light::{Light, ObjectId};
 use crate::material::Material;
 use crate::motion::Motion;
 
@@ -132,12 +132,13 @@ impl<'a, S, const OBJECTS: usize, const MATERIALS: usize, const LIGHTS: usize>
         added.map_err(|item| Full { item, parameter: "MATERIALS" })
     }
 
-    /// Adds an object.
+    /// Adds an object and returns its id: its position in [`objects_mut`](Self::objects_mut).
     ///
     /// # Errors
     /// There is no room: the object is handed back and the scene is unchanged. Raise `OBJECTS`.
-    pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<(), Full<Object<S>>> {
-        let added = self.objects.push(Object { shape, material });
+    pub fn add_object(&mut self, shape: S, material: MaterialId) -> Result<ObjectId, Full<Object<S>>> {
+        let id = ObjectId(self.objects.len() as u16);
+        let added = self.objects.push(Object { shape, material }).map(|()| id);
         added.map_err(|item| Full { item, parameter: "OBJECTS" })
     }
 

@@ -6,8 +6,11 @@ use crate::bench::{Bench, pixels};
 
 const SMALL: [&str; 4] = ["classic", "--size", "32x24", "--quiet"];
 
-/// The size of a GIF, and the colors and the delay of each frame.
-fn frames(bench: &Bench, name: &str) -> ((u16, u16), Vec<(Vec<u8>, u16)>) {
+/// The colors and the delay of a frame.
+type Frame = (Vec<u8>, u16);
+
+/// The size of a GIF, and its frames.
+fn frames(bench: &Bench, name: &str) -> ((u16, u16), Vec<Frame>) {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
     let mut film = options.read_info(File::open(bench.path(name)).unwrap()).unwrap();
@@ -48,7 +51,9 @@ fn animated_png_files_have_all_colors() {
     let mut film = film.read_info().unwrap();
     assert_eq!(film.info().animation_control.unwrap().num_frames, 3);
     let mut frames = vec![vec![0; 32 * 24 * 3]; 3];
-    frames.iter_mut().for_each(|frame| drop(film.next_frame(frame).unwrap()));
+    for frame in &mut frames {
+        film.next_frame(frame).unwrap();
+    }
     assert!(bench.picture(&["classic", "--size", "32x24"]).2 == frames[0]);
     assert!(frames[0] != frames[1] && frames[1] != frames[2]);
 }

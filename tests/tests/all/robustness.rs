@@ -11,8 +11,8 @@ use rayline::shape::{
 };
 use rayline::{
     Background, Camera, Coefficient, Encoding, Ends, Fault, Figure, Filter, Image, Light, LinearRgb,
-    Material, Medium, Object, Optics, Panorama, Part, Pixels, Placed, Placement, PreparedScene, RayCounts,
-    Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Stripes, Texture, Vec3,
+    Material, Medium, Object, ObjectId, Optics, Panorama, Part, Pixels, Placed, Placement, PreparedScene,
+    RayCounts, Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Stripes, Texture, Vec3,
 };
 use rayline_tests::{backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
 
@@ -448,8 +448,8 @@ fn a_full_scene_hands_back_what_does_not_fit() {
     let message = "the scene has no room for one more; raise `MATERIALS` of its `SceneBuf`";
     assert_eq!(full.to_string(), message);
     let ball = |x| Sphere::new(Vec3::new(x, 0.0, -9.0), 1.0);
-    assert_eq!(scene.add_object(ball(0.0), matte), Ok(()));
-    assert_eq!(scene.add_object(ball(1.0), matte), Ok(()));
+    assert_eq!(scene.add_object(ball(0.0), matte), Ok(ObjectId(0)));
+    assert_eq!(scene.add_object(ball(1.0), matte), Ok(ObjectId(1)));
     let full = scene.add_object(ball(2.0), matte).expect_err("no room");
     assert_eq!((full.item, full.parameter), (Object { shape: ball(2.0), material: matte }, "OBJECTS"));
     assert_eq!(scene.add_light(CLASSIC.lights[0]), Ok(()));

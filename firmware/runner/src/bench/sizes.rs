@@ -54,6 +54,10 @@ Bytes of flash and of stack of a program that draws one exact picture and links 
 one sphere or all shapes that files can have: by the features of the crate `rayline`, and by the profile's
 `opt-level`, with `lto = \"fat\"` and one codegen unit. The M4F computes in `f32`, the others in fixed point.
 Flash includes the scene, and the start-up code and output of the program, but no driver of a display.
+
+At level 3 the compiler computes what a small scene makes of the checks before drawing, and leaves them out;
+at `s` and `z` they are functions that are called. So one sphere in `f32` is smaller at 3: `Texture::prepare`
+takes 1.3 KB there at `s`, and nothing at 3. A scene that is built at run time takes these functions anyway.
 ";
 
 /// Measures all programs, and writes the page.
