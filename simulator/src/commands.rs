@@ -10,8 +10,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
 use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
-    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, Pass, Picture,
-    PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
+    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, OutputSettings, Pass,
+    Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
     check_writable, half_blocks, on_panel, render_in_passes, render_watched, report_pixel, write_file,
 };
 
@@ -77,7 +77,7 @@ fn render(arguments: &Render) -> Outcome {
     };
     let panel = arguments.picture.panel()?;
     let (picture, time) = if arguments.passes {
-        in_passes(&scene, &options, arguments.quiet)?
+        in_passes(&scene, &options, panel.as_ref(), arguments.quiet)?
     } else {
         timed(&scene, &options, arguments.quiet)?
     };
@@ -337,11 +337,12 @@ fn timed(
     Ok((picture.map_err(|error| explain(scene, error))?, time))
 }
 
-/// Renders in passes. Shows pass 1, 2, 4, 8 and so on, and the last: as a picture if standard output is a
-/// terminal.
+/// Renders in passes. Shows pass 1, 2, 4, 8 and so on, and the last: as a picture on the panel if standard
+/// output is a terminal.
 fn in_passes(
     scene: &LoadedScene<'_>,
     options: &RenderOptions,
+    panel: Option<&OutputSettings>,
     quiet: bool,
 ) -> Result<(Picture, Duration), Box<dyn Error>> {
     let terminal = console::Term::stdout();
@@ -357,6 +358,8 @@ fn in_passes(
             // The next picture takes the place of the last one.
             terminal.clear_last_lines(rows_shown)?;
             let (rows, columns) = terminal.size();
+            let shown = panel.map(|panel| on_panel(picture, panel)).transpose()?;
+            let picture = shown.as_ref().unwrap_or(picture);
             let text = half_blocks(picture, u32::from(columns), u32::from(rows.saturating_sub(3)));
             rows_shown = text.lines().count() + 1;
             terminal.write_str(&text)?;

@@ -73,37 +73,26 @@ pub struct WindowScene<'w> {
 ///
 /// # Errors
 /// There is no display, the first version of the scene is refused, or `save` failed.
-pub fn show_window(scene: WindowScene<'_>) -> Result<(), WindowError> {
-    let mut file = Watched::new(scene.source);
-    let mut view: Option<View<'_>> = None;
-    let (source, options, panel) = (scene.source, scene.options, scene.panel);
-    let mut save = Some(scene.save);
-    loop {
+pub fn show_window(window: WindowScene<'_>) -> Result<(), WindowError> {
+    let WindowScene { source, options, panel, save } = window;
+    let mut file = Watched::new(source);
+    let arena = Bump::new();
+    let scene = LoadedScene::open(source, &arena).map_err(WindowError::Load)?;
+    let screen = Screen::open(&format!("rayline: {}", scene.name))?;
+    let mut view = View::new(screen, options(&scene), panel, save);
+    let mut next = view.show(&scene, &mut file)?;
+    while next != Next::Close {
         let arena = Bump::new();
-        let loaded = LoadedScene::open(source, &arena).map_err(WindowError::Load);
-        let shown = match (&mut view, loaded) {
-            (Some(view), Ok(scene)) => view.show(&scene, &mut file),
-            (None, Ok(scene)) => {
-                let Some(save) = save.take() else { return Ok(()) };
-                let screen = Screen::open(&format!("rayline: {}", scene.name))?;
-                let new = view.insert(View::new(screen, options(&scene), panel, save));
-                match new.show(&scene, &mut file) {
-                    // Without a picture there is nothing to show the error over.
-                    Err(error) => return Err(error),
-                    next => next,
-                }
-            }
-            (_, Err(error)) => Err(error),
+        let shown = LoadedScene::open(source, &arena).map_err(WindowError::Load).and_then(|scene| {
+            view.set_settings(options(&scene).settings);
+            view.show(&scene, &mut file)
+        });
+        next = match shown {
+            Err(error) if error.is_of_the_scene() => view.tell(&error, &mut file)?,
+            shown => shown?,
         };
-        let next = match (shown, &mut view) {
-            (Ok(next), _) => next,
-            (Err(error), Some(view)) if error.is_of_the_scene() => view.tell(&error, &mut file)?,
-            (Err(error), _) => return Err(error),
-        };
-        if next == Next::Close {
-            return Ok(());
-        }
     }
+    Ok(())
 }
 
 impl WindowError {

@@ -11,7 +11,7 @@ use rayline::math::Fixed;
 use rayline::shape::Shape;
 use rayline::{
     Camera, DisplayColor, Frame, LineError, PixelSum, PreparedScene, Progressive, Quality, RayCounts, Real,
-    Renderer, Sample, Scene,
+    Renderer, Sample, Scene, Settings,
 };
 
 use super::request::Request;
@@ -67,6 +67,11 @@ impl<'w> View<'w> {
         save: &'w mut Save<'w>,
     ) -> Self {
         Self { screen, options, panel, save, moved: None }
+    }
+
+    /// Draws with the settings of a new version of the scene.
+    pub(super) fn set_settings(&mut self, settings: Settings) {
+        self.options.settings = settings;
     }
 
     /// Shows one version of the scene until its file changes, or the window is to be closed.

@@ -178,5 +178,8 @@ fn arguments_that_make_no_sense_are_usage_errors() {
 #[test]
 fn without_the_feature_window_the_error_says_how_to_build_with_it() {
     let error = Bench::new().error(&["window", "classic"]);
-    assert!(error.contains("cargo run --release --features window -- window classic"), "{error}");
+    assert!(
+        error.contains("cargo run --release -p rayline-simulator --features window -- window classic"),
+        "{error}"
+    );
 }
