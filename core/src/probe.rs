@@ -148,6 +148,14 @@ pub struct RayCounts {
     pub cut_shadow_layers: u64,
 }
 
+impl RayCounts {
+    /// The rays of all kinds.
+    pub fn total(&self) -> u64 {
+        let beside_camera = self.shadow.saturating_add(self.reflected).saturating_add(self.refracted);
+        self.camera.saturating_add(beside_camera)
+    }
+}
+
 impl<R: Real> Probe<R> for RayCounts {
     fn record(&mut self, event: Event<R>) {
         let count = match event {

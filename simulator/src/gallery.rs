@@ -143,8 +143,7 @@ impl Gallery {
 
         let seen = draw(meant, Number::F32)?;
         let reference = draw(meant, Number::F64)?;
-        let rays = seen.rays;
-        let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
+        let rays = seen.rays.total();
         let linear = Settings { transfer: Transfer::Linear, ..meant };
         let text = fs::read_to_string(file).unwrap_or_default();
         let remark = |key| {

@@ -88,7 +88,7 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
             {}
         }
     }
-    canvas.rays = counts.camera + counts.shadow + counts.reflected + counts.refracted;
+    canvas.rays = counts.total();
     Ok(canvas)
 }
 

@@ -28,8 +28,7 @@ pub(super) fn measure(bench: &Bench, say: &dyn Fn(&str)) -> Result<String, Bench
                         times.push(start.elapsed().as_secs_f64());
                     }
                 }
-                let rays = seen.rays;
-                let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
+                let rays = seen.rays.total();
                 table.push([
                     scene.name.to_owned(),
                     mode.to_string(),

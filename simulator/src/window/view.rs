@@ -186,8 +186,7 @@ impl<'v, 'w, 's, R: Real> Drawing<'v, 'w, 's, R> {
     /// The title of the window: how the picture was made, its rays and its time.
     fn title(&self, rays: RayCounts, time: Duration) -> String {
         let RenderOptions { number, mode, display, .. } = &self.view.options;
-        let count = rays.camera + rays.shadow + rays.reflected + rays.refracted;
-        let milliseconds = time.as_secs_f64() * 1000.0;
+        let (count, milliseconds) = (rays.total(), time.as_secs_f64() * 1000.0);
         format!(
             "rayline: {}, {number} {mode} {display}, {count} rays in {milliseconds:.0} ms",
             self.scene.name

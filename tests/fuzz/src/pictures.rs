@@ -225,7 +225,7 @@ pub(crate) fn realtime<R: Real>(
     let mut canvas = Canvas { width, pixels: at_once, is_twice: false };
     while !frame.step_watched(&mut canvas, u32::MAX, &mut counts).map_err(broken)?.is_done() {}
     let mut is_twice = canvas.is_twice;
-    let rays = counts.camera + counts.shadow + counts.reflected + counts.refracted;
+    let rays = counts.total();
     let most = u64::from(quality.budget_rays) + u64::from(settings.rays_per_pixel);
     if rays > most {
         return Err(Stop::Broken(format!(

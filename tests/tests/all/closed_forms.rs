@@ -350,7 +350,7 @@ fn a_tree_of_rays_ends_with_its_budget_and_is_counted() {
     for rays_per_pixel in [1, 2, 3, 10, 100, 1000] {
         let settings = Settings { rays_per_pixel, ..ONE_PIXEL };
         let (light, counts) = look::<f32, RayCounts>(&scene, settings);
-        let spent = counts.camera + counts.reflected + counts.refracted + counts.shadow;
+        let spent = counts.total();
         assert_eq!(spent, u64::from(rays_per_pixel));
         assert!(counts.cut_rays >= 1 && light.r.is_finite());
     }

@@ -91,10 +91,6 @@ pub(super) fn psnr(a: &Picture, b: &Picture) -> f64 {
     10.0 * (255.0 * 255.0 * 3.0 * a.pixels.len() as f64 / sum).log10()
 }
 
-pub(super) fn all_rays(counts: &RayCounts) -> u64 {
-    counts.camera + counts.shadow + counts.reflected + counts.refracted
-}
-
 /// The table in the documentation of the module.
 #[test]
 fn close_to_exact_for_few_rays() {
@@ -119,8 +115,8 @@ fn close_to_exact_for_few_rays() {
                     let (close, traced) = (psnr(&a, &b), rays.camera as f64 / pixels);
                     println!(
                         "{name:8} | {close:.1} | {traced:.3} | {:.2} | {:.2}",
-                        all_rays(&exact_rays) as f64 / pixels,
-                        all_rays(&rays) as f64 / pixels
+                        exact_rays.total() as f64 / pixels,
+                        rays.total() as f64 / pixels
                     );
                     assert!(close >= least, "{name}: {close} dB");
                     assert!(traced <= most, "{name}: {traced} traced");
@@ -815,11 +811,11 @@ fn a_budget_of_rays_is_kept_and_quality_falls_with_it() {
         for budget_rays in [u32::MAX, 60_000, 45_000, 38_000, 34_000, 25_000, 18_000] {
             let mut counts = RayCounts::default();
             let picture = realtime(renderer, Realtime { budget_rays, ..Realtime::new() }, &mut counts);
-            let (rays, close) = (all_rays(&counts), psnr(&exact, &picture));
+            let (rays, close) = (counts.total(), psnr(&exact, &picture));
             println!("{budget_rays} rays allowed, {rays} traced: {close:.1} dB");
             assert!(rays <= u64::from(budget_rays), "{rays} of {budget_rays}");
             // In the relevant part nearly all rays are used.
-            let wanted = all_rays(&most);
+            let wanted = most.total();
             assert!(rays == wanted || rays * 10 >= u64::from(budget_rays) * 9, "{rays} of {budget_rays}");
             assert!(close <= last && close > 20.0, "{close} dB with {budget_rays} rays");
             last = close;
@@ -838,7 +834,7 @@ fn a_budget_of_a_tenth_more_than_a_frame_wants_costs_nothing() {
                     |renderer| {
                         let mut wanted = RayCounts::default();
                         let whole = realtime(renderer, quality, &mut wanted);
-                        let budget_rays = (all_rays(&wanted) * 11 / 10) as u32;
+                        let budget_rays = (wanted.total() * 11 / 10) as u32;
                         let picture = realtime(renderer, Realtime { budget_rays, ..quality }, &mut ());
                         assert!(whole == picture, "{name}, {width}x{height}");
                     },
@@ -905,10 +901,10 @@ struct Most {
 impl<R: Real> Probe<R> for Most {
     fn record(&mut self, event: Event<R>) {
         if let Event::Ray { kind: RayKind::Camera, .. } = event {
-            self.before = all_rays(&self.all);
+            self.before = self.all.total();
         }
         self.all.record(event);
-        self.most = self.most.max(all_rays(&self.all) - self.before);
+        self.most = self.most.max(self.all.total() - self.before);
     }
 }
 
@@ -922,12 +918,12 @@ fn no_frame_takes_more_rays_than_it_may_but_for_one_pixel() {
                     let quality = Realtime { grid, ..Realtime::fine() };
                     let mut wanted = RayCounts::default();
                     realtime(renderer, quality, &mut wanted);
-                    let wanted = all_rays(&wanted);
+                    let wanted = wanted.total();
                     for percent in [0, 1, 3, 10, 25, 50, 70, 85, 95, 100] {
                         let budget_rays = (wanted * percent / 100) as u32;
                         let mut probe = Most::default();
                         let picture = realtime(renderer, Realtime { budget_rays, ..quality }, &mut probe);
-                        let (rays, most) = (all_rays(&probe.all), probe.most);
+                        let (rays, most) = (probe.all.total(), probe.most);
                         let close = psnr(&exact, &picture);
                         println!(
                             "{name}, {grid:?}: {budget_rays} rays allowed, {rays} traced: {close:.1} dB"

@@ -10,7 +10,7 @@ use rayline::{
 };
 use rayline_tests::Picture;
 
-use super::realtime::{all_rays, exact, gallery, psnr, realtime, with_renderer};
+use super::realtime::{exact, gallery, psnr, realtime, with_renderer};
 
 /// The picture of a scene with this many samples: exactly, or in this quality; and its rays a pixel.
 fn picture<R: Real>(scene: &Scene, sampling: Sampling, quality: Option<Realtime>) -> (Picture, f64) {
@@ -20,7 +20,7 @@ fn picture<R: Real>(scene: &Scene, sampling: Sampling, quality: Option<Realtime>
         Some(quality) => realtime(renderer, quality, &mut rays),
         None => exact(renderer, &mut rays),
     });
-    let share = all_rays(&rays) as f64 / picture.pixels.len() as f64;
+    let share = rays.total() as f64 / picture.pixels.len() as f64;
     (picture, share)
 }
 
