@@ -21,6 +21,7 @@ pub mod povray;
 pub mod raster;
 pub mod ron;
 mod source;
+mod space;
 mod text;
 
 pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};

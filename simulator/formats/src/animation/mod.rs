@@ -23,7 +23,7 @@
 //!
 //! | of | field | a field that is left out |
 //! |---|---|---|
-//! | all | `ease`: the way from the last key frame to this one begins and ends at rest | `false`: constant speed |
+//! | all | `ease`: the way to this key frame begins and ends at rest | `false`: constant speed |
 //! | camera | `eye`, `target`, `up`, `vertical_fov` | as in the scene |
 //! | object | `by`: moves it | 0 |
 //! | | `rotation`: turns it, by angles as those of [`Pose`](rayline::shape::Pose) | 0 |

@@ -1,11 +1,14 @@
 //! Shapes in another place.
 
 use bumpalo::Bump;
+use glam::DVec3;
 use rayline::Vec3;
 use rayline::shape::{
     Cone, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Model, Plane, Pose, Rectangle, Shape, Sphere, Torus,
     Triangle,
 };
+
+use crate::space::{self, vector};
 
 /// A rotation about a point, and a way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,10 +22,11 @@ pub(super) struct Placement {
 impl Placement {
     /// The shape in its place.
     pub(super) fn placed<'a>(&self, shape: &Shape<'a>, arena: &'a Bump) -> Shape<'a> {
-        let rows = rows(self.rotation);
-        let turn = |vector: Vec3| times(&rows, vector);
-        let turn_all = |vectors: [Vec3; 3]| vectors.map(turn);
-        let point = |point: Vec3| turn(point - self.about) + self.about + self.by;
+        let rotation = space::rotation(self.rotation);
+        let turn = |way: Vec3| rounded(rotation * vector(way));
+        let turn_all = |ways: [Vec3; 3]| ways.map(turn);
+        let (about, by) = (vector(self.about), vector(self.by));
+        let point = |point: Vec3| rounded(rotation * (vector(point) - about) + about + by);
         let model = |model: Model<'a>| {
             let poses = arena.alloc_slice_copy(&[Pose::at(point(Vec3::ZERO)).turned(self.rotation)]);
             Shape::Instances(Instances::new(arena.alloc(model), poses))
@@ -63,8 +67,8 @@ impl Placement {
             Shape::Metaballs(metaballs) => model(Model::Metaballs(metaballs)),
             Shape::Instances(instances) => {
                 let turned = |pose: &Pose| {
-                    let axes = columns(&self::rows(pose.rotation)).map(turn);
-                    Pose::at(point(pose.origin)).turned(angles(&columns(&axes)))
+                    let angles = space::angles(&(rotation * space::rotation(pose.rotation)));
+                    Pose::at(point(pose.origin)).turned(angles)
                 };
                 let poses = arena.alloc_slice_fill_iter(instances.poses.iter().map(turned));
                 Shape::Instances(Instances { poses, ..instances })
@@ -73,36 +77,8 @@ impl Placement {
     }
 }
 
-/// The rows of the matrix of a rotation by angles about x, then y, then z.
-fn rows(rotation: Vec3) -> [Vec3; 3] {
-    let [(sx, cx), (sy, cy), (sz, cz)] =
-        [rotation.x, rotation.y, rotation.z].map(|angle| f64::from(angle).sin_cos());
-    let row = |x: f64, y: f64, z: f64| Vec3::new(x as f32, y as f32, z as f32);
-    [
-        row(cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz),
-        row(cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz),
-        row(-sy, sx * cy, cx * cy),
-    ]
-}
-
-/// The columns of a matrix that is given by its rows, or the other way round.
-fn columns([a, b, c]: &[Vec3; 3]) -> [Vec3; 3] {
-    [Vec3::new(a.x, b.x, c.x), Vec3::new(a.y, b.y, c.y), Vec3::new(a.z, b.z, c.z)]
-}
-
-fn times([x, y, z]: &[Vec3; 3], vector: Vec3) -> Vec3 {
-    Vec3::new(x.dot(vector), y.dot(vector), z.dot(vector))
-}
-
-/// The angles of a rotation, from the rows of its matrix. Where the turn about y is a right angle, the turns
-/// about x and z are one, and it is taken for that about x.
-fn angles([first, second, third]: &[Vec3; 3]) -> Vec3 {
-    let about_y = (-third.x).clamp(-1.0, 1.0).asin();
-    if third.x.abs() > 1.0 - 1e-6 {
-        let about_x = about_y.signum() * first.y.atan2(second.y);
-        return Vec3::new(about_x, about_y, 0.0);
-    }
-    Vec3::new(third.y.atan2(third.z), about_y, second.x.atan2(first.x))
+fn rounded(vector: DVec3) -> Vec3 {
+    Vec3::new(vector.x as f32, vector.y as f32, vector.z as f32)
 }
 
 #[cfg(test)]
@@ -111,34 +87,6 @@ mod tests {
 
     fn assert_near(actual: Vec3, expected: Vec3) {
         assert!((actual - expected).length() < 2e-5, "{actual:?} is not {expected:?}");
-    }
-
-    #[test]
-    fn angles_give_their_rotation_back() {
-        let right = core::f32::consts::FRAC_PI_2;
-        for rotation in [
-            Vec3::new(0.3, -0.8, 2.9),
-            Vec3::new(-2.0, 1.5, -0.1),
-            Vec3::new(0.7, right, 0.2),
-            Vec3::new(0.7, -right, 0.2),
-            Vec3::ZERO,
-        ] {
-            let matrix = rows(rotation);
-            let again = rows(angles(&matrix));
-            for (row, expected) in again.iter().zip(matrix) {
-                assert!((*row - expected).length() < 1e-3, "{rotation:?}: {again:?} is not {matrix:?}");
-            }
-        }
-    }
-
-    /// About x, then y, then z, counterclockwise.
-    #[test]
-    fn rotations_turn_counterclockwise() {
-        let quarter = core::f32::consts::FRAC_PI_2;
-        let up = Vec3::new(0.0, 1.0, 0.0);
-        assert_near(times(&rows(Vec3::new(quarter, 0.0, 0.0)), up), Vec3::new(0.0, 0.0, 1.0));
-        assert_near(times(&rows(Vec3::new(quarter, quarter, 0.0)), up), Vec3::new(1.0, 0.0, 0.0));
-        assert_near(times(&rows(Vec3::new(0.0, 0.0, quarter)), up), Vec3::new(-1.0, 0.0, 0.0));
     }
 
     /// A model with a place of its own, and an instance of it, go to one place.
@@ -165,7 +113,8 @@ mod tests {
         };
         let [placed] = instance.poses else { panic!("one pose") };
         for (corner, expected) in corners.into_iter().zip(twice.vertices) {
-            assert_near(times(&rows(placed.rotation), corner) + placed.origin, expected);
+            let turned = rounded(space::rotation(placed.rotation) * vector(corner));
+            assert_near(turned + placed.origin, expected);
         }
     }
 }

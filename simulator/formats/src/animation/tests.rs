@@ -33,7 +33,10 @@ fn numbers_change_evenly_between_key_frames_and_stay_outside() {
     let text = r#"(
         seconds: 4,
         camera: [(at: 1, eye: (0, 0, 6)), (at: 3, eye: (2, 0, 4), vertical_fov: 0.9)],
-        objects: { "ball": [(at: 0), (at: 2, by: (0, 4, 0), ease: true)], 1: [(at: 0, rotation: (0, 0, 3.1415927))] },
+        objects: {
+            "ball": [(at: 0), (at: 2, by: (0, 4, 0), ease: true)],
+            1: [(at: 0, rotation: (0, 0, 3.1415927))],
+        },
         lights: { "sun": [(at: 0), (at: 4, color: (0, 0, 1))], 1: [(at: 0, color: (0.5, 0, 0))] },
     )"#;
     animate(text, |scene, animation| {

@@ -1,14 +1,9 @@
 //! Formulas in POV-Ray's language: functions of x, y and z.
 
 use glam::DVec3;
-use rayline::Vec3;
 
 /// The variables of POV-Ray's functions.
 pub(super) const XYZ: [&str; 3] = ["x", "y", "z"];
-
-pub(super) fn vector(vector: Vec3) -> DVec3 {
-    DVec3::new(vector.x.into(), vector.y.into(), vector.z.into())
-}
 
 /// The formula of a linear function of `place`, plus a constant.
 pub(super) fn linear(factors: DVec3, constant: f64, place: &[&str]) -> String {

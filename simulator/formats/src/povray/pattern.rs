@@ -3,14 +3,15 @@
 //! All figures are written as functions of x, y and z. The same code then serves patterns in space and on
 //! surfaces, and edges lie where the core has them, at the floors of the same numbers.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use rayline::{
     Brick, Checker, Ends, Figure, Filter, Gradient, Image, LinearRgb, Panorama, Placed, Placement, Space,
     Squares, Stripes, Texture, Vec3,
 };
 
 use super::Lack;
-use super::formula::{XYZ, fraction, globe, linear, parity, vector};
+use super::formula::{XYZ, fraction, globe, linear, parity};
+use crate::space::{self, vector};
 
 /// A color that varies over a surface or in space.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +71,7 @@ impl Pattern {
 
     /// The pattern of a panorama, as a function of the direction.
     pub(super) fn panorama(Panorama { image, rotation }: &Panorama<'_>) -> Self {
-        let turn = turned(*rotation);
+        let turn = space::rotation(*rotation);
         let [x, y, z] = turn.to_cols_array_2d().map(|axis| linear(axis.into(), 0.0, &XYZ));
         let [across, up] = globe([z, y, x]);
         Self::image(image, [across, up], [Ends::Repeat, Ends::Extend])
@@ -176,14 +177,8 @@ fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3
         _ => return Err(Lack::Place),
     };
     let (origin, size) = (vector(origin), vector(size));
-    let [x, y, z] = turned(rotation).to_cols_array_2d().map(DVec3::from);
+    let [x, y, z] = space::rotation(rotation).to_cols_array_2d().map(DVec3::from);
     Ok([x / size.x, y / size.y, z / size.z].map(|axis| linear(axis, -axis.dot(origin), &place)))
-}
-
-/// The rotation about x, then about y, then about z.
-fn turned(rotation: Vec3) -> DMat3 {
-    let DVec3 { x, y, z } = vector(rotation);
-    DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x)
 }
 
 /// The formula that maps a coordinate to 0 to 1, by these ends.

@@ -4,8 +4,9 @@
 use glam::DVec3;
 use rayline::shape::{Cone, Cuboid, Cylinder, Polygon, Shape, Torus};
 
-use super::formula::{XYZ, globe, linear, turn, vector};
+use super::formula::{XYZ, globe, linear, turn};
 use super::pattern::Coordinates;
+use crate::space::vector;
 
 /// The coordinates for textures on a shape; without u and v where they have no formula.
 pub(super) fn coordinates(shape: &Shape<'_>) -> Coordinates {
