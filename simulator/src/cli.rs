@@ -60,8 +60,8 @@ pub(crate) enum Command {
     Gallery(GalleryArgs),
     /// Show a scene in a window, and read its file again when it changes
     ///
-    /// Arrow keys or dragging with the mouse orbit; +, - or the wheel change the distance; Home returns to the
-    /// scene's own camera. N, M and C switch the number system, the mode and the color of the display. S
+    /// Arrow keys or dragging with the mouse orbit; +, - or the wheel change the distance; Home returns to
+    /// the scene's own camera. N, M and C switch the number system, the mode and the color of the display. S
     /// saves a picture, Q quits. The title tells the rays and the time of the last picture.
     Window(Window),
     /// Measure the speed of rendering, and print tables in Markdown

@@ -42,11 +42,13 @@ const SHOWCASE: &str = "classic";
 fn open<'a>(source: &Path, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
     let scene = LoadedScene::open(source, arena)?;
     if !quiet {
-        for note in &scene.notes {
-            writeln!(io::stderr(), "note: {note}")?;
-        }
+        print_notes(&scene)?;
     }
     Ok(scene)
+}
+
+fn print_notes(scene: &LoadedScene<'_>) -> io::Result<()> {
+    scene.notes.iter().try_for_each(|note| writeln!(io::stderr(), "note: {note}"))
 }
 
 fn showcase() -> Outcome {
@@ -99,28 +101,38 @@ fn render(arguments: &Render) -> Outcome {
     if arguments.quiet { Ok(()) } else { say(&file, &picture, time) }
 }
 
+/// The way of a film through a scene.
+enum Way {
+    /// The camera goes around once.
+    Orbit(Orbit),
+    Script(Animation),
+}
+
 fn record(arguments: &Record) -> Outcome {
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.gif", scene.name));
     let file = FilmFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
-    let script = arguments.script.as_ref().map(|path| Animation::read(path, &scene)).transpose()?;
-    let length = match &script {
-        Some(script) => script.length(),
-        None => Length::new(arguments.seconds, arguments.frames_per_second)?,
+    let (length, way) = match &arguments.script {
+        Some(path) => {
+            let script = Animation::read(path, &scene)?;
+            (script.length(), Way::Script(script))
+        }
+        None => {
+            let orbit = Orbit::around(&scene.scene).map_err(|error| scene.explain(&error))?;
+            (Length::new(arguments.seconds, arguments.frames_per_second)?, Way::Orbit(orbit))
+        }
     };
-    let orbit = Orbit::around(&scene.scene).map_err(|error| scene.explain(&error))?;
     let (options, panel) = (arguments.picture.options(&scene), arguments.picture.panel()?);
-    let bar = if arguments.quiet { ProgressBar::hidden() } else { ProgressBar::new(length.frames().into()) };
-    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} frame {pos} of {len}, {eta} to go")?);
+    let bar = progress("frame", length.frames().into(), arguments.quiet)?;
     bar.set_message(scene.name.clone());
     let (start, mut size) = (Instant::now(), (0, 0));
     let frame = |number: u32| -> Result<Picture, Box<dyn Error>> {
         let (arena, time) = (Bump::new(), length.time(number));
-        let moment = match &script {
-            Some(script) => script.scene_at(&scene.scene, time, &arena),
-            None => {
-                let mut orbit = orbit;
+        let moment = match &way {
+            Way::Script(script) => script.scene_at(&scene.scene, time, &arena),
+            Way::Orbit(orbit) => {
+                let mut orbit = *orbit;
                 orbit.turn(core::f64::consts::TAU * f64::from(time / length.seconds()), 0.0);
                 Scene { camera: orbit.camera(), ..scene.scene }
             }
@@ -236,8 +248,7 @@ fn shown_part((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
 fn gallery(arguments: &GalleryArgs) -> Outcome {
     let gallery = Gallery::new(&arguments.directory)?;
     let count = gallery.files().len();
-    let bar = ProgressBar::new(count as u64);
-    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} scene {pos} of {len}, {eta} to go")?);
+    let bar = progress("scene", count as u64, false)?;
     let written = gallery.write(&|scene| {
         bar.set_message(scene.to_owned());
         bar.inc(1);
@@ -254,9 +265,8 @@ fn window(arguments: &Window) -> Outcome {
     use rayline_simulator::{WindowScene, show_window};
 
     let source = &arguments.scene.source;
-    let arena = Bump::new();
-    let name = open(source, &arena, false)?.name;
     let panel = arguments.picture.panel()?;
+    let name = source.file_stem().unwrap_or_default().to_string_lossy();
     let file = PictureFile::new(&PathBuf::from(format!("{name}.png")))?;
     let mut save = |seen: &Scene<'_>, options: &RenderOptions| -> Outcome {
         let start = Instant::now();
@@ -266,7 +276,11 @@ fn window(arguments: &Window) -> Outcome {
         file.write(&picture)?;
         say(&file, &picture, start.elapsed())
     };
-    let options = |scene: &LoadedScene<'_>| arguments.picture.options(scene);
+    let options = |scene: &LoadedScene<'_>| {
+        // Nothing can be done if standard error takes no notes.
+        let _ = print_notes(scene);
+        arguments.picture.options(scene)
+    };
     Ok(show_window(WindowScene { source, options: &options, panel, save: &mut save })?)
 }
 
@@ -319,6 +333,14 @@ fn convergence(source: &Path, plot: &Path) -> Outcome {
     Ok(write!(io::stdout(), "{}", measured.table())?)
 }
 
+/// A progress bar for so many lines, frames or scenes. It is shown if standard error is a terminal.
+fn progress(item: &str, count: u64, quiet: bool) -> Result<ProgressBar, Box<dyn Error>> {
+    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(count) };
+    let template = format!("{{msg}} {{wide_bar}} {item} {{pos}} of {{len}}, {{eta}} to go");
+    bar.set_style(ProgressStyle::with_template(&template)?);
+    Ok(bar)
+}
+
 /// Renders a picture with a progress bar, and measures the time.
 fn timed(
     scene: &LoadedScene<'_>,
@@ -326,9 +348,7 @@ fn timed(
     quiet: bool,
 ) -> Result<(Picture, Duration), Box<dyn Error>> {
     let lines = options.lines.as_ref().map_or(options.settings.height, |lines| lines.end - lines.start);
-    // The bar is shown if standard error is a terminal.
-    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(u64::from(lines)) };
-    bar.set_style(ProgressStyle::with_template("{msg} {wide_bar} line {pos} of {len}, {eta} to go")?);
+    let bar = progress("line", lines.into(), quiet)?;
     bar.set_message(scene.name.clone());
     let start = Instant::now();
     let picture = render_watched(&scene.scene, options, &|| bar.inc(1));
@@ -403,9 +423,7 @@ fn explain(scene: &LoadedScene<'_>, error: RenderError) -> Box<dyn Error> {
 }
 
 fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
-    let rays = picture.rays;
-    let rays = rays.camera + rays.shadow + rays.reflected + rays.refracted;
-    let Picture { width, height, .. } = picture;
+    let (Picture { width, height, .. }, rays) = (picture, picture.rays.total());
     let path = file.path().display();
     writeln!(io::stdout(), "{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64())?;
     Ok(())

@@ -8,6 +8,7 @@ use rayline::{BytesError, Scene, Settings};
 use rayline_formats::povray::{PovrayError, to_povray};
 use rayline_formats::{FILE_SETTINGS, rust_source, to_bytes};
 
+use crate::file::extension;
 use crate::{FileError, Number, check_writable, ron, write_file};
 
 /// A file that a scene will be written to. Its name is checked before the scene is read.
@@ -56,8 +57,7 @@ impl SceneFile {
     /// # Errors
     /// The extension is unknown, the directory is missing, or Rust source is wanted for `f64`.
     pub fn new(path: &Path, number: Number) -> Result<Self, ConvertError> {
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-        let format = match extension.as_deref() {
+        let format = match extension(path).as_deref() {
             Some("ron") => Format::Ron,
             Some("rayline") => Format::Bytes,
             Some("pov") => Format::Povray,

@@ -44,8 +44,7 @@ impl PictureFile {
     /// # Errors
     /// The extension is neither `.png` nor `.ppm`, or the directory is missing.
     pub fn new(path: &Path) -> Result<Self, FileError> {
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-        let format = match extension.as_deref() {
+        let format = match extension(path).as_deref() {
             Some("png") => Format::Png,
             Some("ppm") => Format::Ppm,
             _ => return Err(FileError::Extension(path.to_owned())),
@@ -126,6 +125,11 @@ pub fn check_apart(path: &Path, source: &Path) -> Result<(), FileError> {
         }
         _ => Ok(()),
     }
+}
+
+/// The extension of a file's name, in small letters.
+pub(crate) fn extension(path: &Path) -> Option<String> {
+    path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase())
 }
 
 fn directory_of(path: &Path) -> &Path {

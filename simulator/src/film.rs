@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayline_formats::animation::Length;
 
 use crate::Picture;
-use crate::file::{FileError, check_writable, write_file};
+use crate::file::{FileError, check_writable, extension, write_file};
 
 /// A file that moving pictures will be written to. Its name is checked before they are rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,8 +36,7 @@ impl FilmFile {
     /// # Errors
     /// The extension is neither `.gif`, `.png` nor `.apng`, or the directory is missing.
     pub fn new(path: &Path) -> Result<Self, FileError> {
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-        let format = match extension.as_deref() {
+        let format = match extension(path).as_deref() {
             Some("gif") => Format::Gif,
             Some("png" | "apng") => Format::Apng,
             _ => return Err(FileError::FilmExtension(path.to_owned())),

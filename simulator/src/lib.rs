@@ -6,7 +6,8 @@
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
 //! - [`Demands`] estimates whether a scene fits boards;
-//! - [`PictureFile`] writes PNG and PPM files, [`FilmFile`] GIF and animated PNG files, and [`raster`] reads image files;
+//! - [`PictureFile`] writes PNG and PPM files, [`FilmFile`] GIF and animated PNG files, and [`raster`] reads
+//!   image files;
 //! - [`Stats`] holds the ray counts, time and memory of a picture;
 //! - [`Gallery`] renders a directory of scenes and compares them with other number systems and POV-Ray;
 //! - [`report_pixel`] describes every ray of one pixel;

@@ -56,7 +56,7 @@ pub type Save<'s> = dyn FnMut(&Scene<'_>, &RenderOptions) -> Result<(), Box<dyn 
 pub struct WindowScene<'w> {
     /// The name of a built-in scene, or the file, which is watched.
     pub source: &'w Path,
-    /// The options for a scene that was read. Keys change some of them.
+    /// The options for a scene that was read: called for each version of the file. Keys change some of them.
     pub options: &'w dyn Fn(&LoadedScene<'_>) -> RenderOptions,
     /// The look of the panel; `None`: small pictures are enlarged.
     pub panel: Option<OutputSettings>,
