@@ -16,6 +16,7 @@ mod loaded;
 mod model;
 mod nearest;
 pub mod nff;
+mod notes;
 pub mod obj;
 pub mod povray;
 pub mod raster;

@@ -6,8 +6,8 @@ use rayline::{Camera, Vec3};
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Perspective, Root};
 use super::nodes::Placed;
-use super::notes::Notes;
 use crate::model::view;
+use crate::notes::Notes;
 
 /// A camera, the size of its picture in pixels, and its name.
 pub(super) type Named = (Camera, (u32, u32), String);

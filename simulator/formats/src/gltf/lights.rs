@@ -6,8 +6,8 @@ use rayline::{Falloff, Lamp, Light, LightCone, LinearRgb};
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Light as Punctual, Root, Spot};
 use super::nodes::{Place, Placed};
-use super::notes::Notes;
 use crate::nff::Excerpt;
+use crate::notes::Notes;
 
 /// The lights of a scene, and their names.
 pub(super) type Named = (Vec<Light>, Vec<String>);

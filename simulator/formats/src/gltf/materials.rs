@@ -9,8 +9,8 @@ use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Textur
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Material as Described, Root, Volume};
-use super::notes::Notes;
 use super::textures::{Coordinates, Picture, Textures};
+use crate::notes::Notes;
 
 /// The ambient coefficient as a share of the diffuse one, as in `obj`.
 const AMBIENT: f32 = 0.1;

@@ -63,7 +63,6 @@ mod json;
 mod lights;
 mod materials;
 mod nodes;
-mod notes;
 #[cfg(test)]
 mod tests;
 mod textures;
@@ -77,6 +76,7 @@ use rayline::shape::Shape;
 use rayline::{Object, Part, Scene};
 
 use crate::model::view;
+use crate::notes::Notes;
 use accessor::{Lists, MOST};
 use buffers::Buffers;
 use error::{At, Wrong, find, name};
@@ -85,7 +85,7 @@ use geometry::Geometry;
 use json::Root;
 use materials::Materials;
 use nodes::Placed;
-use notes::Notes;
+
 use textures::Textures;
 
 /// A scene that was read from a file.

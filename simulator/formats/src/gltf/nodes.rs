@@ -5,7 +5,7 @@ use rayline::Vec3;
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Node, Root};
-use super::notes::Notes;
+use crate::notes::Notes;
 
 /// A node of the scene with its transform.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,7 @@ use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement};
 use super::accessor::Lists;
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Sampler, TextureInfo};
-use super::notes::Notes;
+use crate::notes::Notes;
 use crate::raster::Raster;
 
 /// Numbers of OpenGL.

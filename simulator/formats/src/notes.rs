@@ -2,7 +2,7 @@
 
 /// Notes about everything that was added to the contents of a file, or left out.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Notes(Vec<Note>);
+pub(crate) struct Notes(Vec<Note>);
 
 #[derive(Clone, Debug)]
 struct Note {
@@ -14,7 +14,7 @@ struct Note {
 
 impl Notes {
     /// Adds a note about a part of the file, or counts the part if there is such a note.
-    pub(super) fn add(&mut self, part: impl Into<String>, what: impl Into<String>) {
+    pub(crate) fn add(&mut self, part: impl Into<String>, what: impl Into<String>) {
         let (part, what) = (part.into(), what.into());
         match self.0.iter_mut().find(|note| note.what == what) {
             Some(note) if note.first == part => {}
@@ -24,7 +24,7 @@ impl Notes {
     }
 
     /// The notes as lines of text.
-    pub(super) fn lines(self) -> Vec<String> {
+    pub(crate) fn lines(self) -> Vec<String> {
         let line = |Note { what, first, more }| match more {
             0 => format!("{first}: {what}"),
             more => format!("{first}, and {more} more: {what}"),
