@@ -86,6 +86,13 @@ pub enum Fault {
         /// How many vertices it has.
         vertices: usize,
     },
+    /// A mesh has colors, but not one for each vertex. Give one for each vertex, or none.
+    ColorCount {
+        /// How many colors the mesh has.
+        colors: usize,
+        /// How many vertices it has.
+        vertices: usize,
+    },
     /// The steps of a [`Csg`](crate::shape::Csg) do not combine into one solid: an operator has fewer than
     /// two solids before it, or solids are left at the end. Put one operator after each pair of solids.
     NotOneSolid,
@@ -194,6 +201,13 @@ pub enum Fault {
     /// The unit of a pattern or the cell of a checker is smaller than 1e-6, or 0. Enlarge it;
     /// [`Checker::cells_per_unit`](crate::Checker::cells_per_unit) is the inverse of the size of a cell.
     PatternSize,
+    /// A [`Map`](crate::Map) changes a color of [`Optics`](crate::Optics), but the material has none. Give it
+    /// optics.
+    MapWithoutOptics,
+    /// A thin material absorbs light behind its surface, where it has no inside. Leave out
+    /// [`Optics::absorption`](crate::Optics::absorption), and give the color to
+    /// [`Optics::transmission_color`](crate::Optics::transmission_color).
+    ThinAbsorbs,
     /// The step of a bump map is 0 or negative. Use the width of the pattern's finest detail.
     BumpStep,
     /// The number of noise octaves is 0 or above [`MAX_OCTAVES`](crate::MAX_OCTAVES). Use 1 to 8.
@@ -308,6 +322,12 @@ impl fmt::Display for Fault {
                      vertex, or none"
                 );
             }
+            Self::ColorCount { colors, vertices } => {
+                return write!(
+                    f,
+                    "the mesh has {colors} colors for {vertices} vertices; give one for each vertex, or none"
+                );
+            }
             Self::NotOneSolid => {
                 "the steps do not combine into one solid; put one operator after each pair of solids"
             }
@@ -406,6 +426,13 @@ impl fmt::Display for Fault {
             Self::PatternSize => {
                 "the units of a pattern or the cells of a checker are smaller than 1e-6; enlarge them \
                  (`cells_per_unit` is the inverse of their size)"
+            }
+            Self::MapWithoutOptics => {
+                "a map changes a color of the optics, but the material has none; give it optics"
+            }
+            Self::ThinAbsorbs => {
+                "a thin material absorbs light behind its surface, where it has no inside; leave out \
+                 `absorption`, and give its color to `transmission_color`"
             }
             Self::BumpStep => "the step of a bump map is not above 0; use the width of the finest detail",
             Self::Octaves => "the number of noise octaves is outside 1 to 8; use 1 to 8",

@@ -15,6 +15,10 @@ pub const MAX_BOUNCES: u8 = 16;
 /// ([`Cut`](crate::Cut)).
 pub const MAX_SHADOW_LAYERS: u8 = 8;
 
+/// The most backs of one object with [`Sides::Front`](crate::Sides::Front) that a ray passes through. A ray
+/// that meets more of them passes the object.
+pub const MAX_BACKS: u8 = 32;
+
 /// The rays toward each lamp with a size and into the sky, from each hit of one of several samples.
 ///
 /// In a pixel of one sample, a lamp takes as many first, and [`MAX_AREA_RAYS`] in its penumbra.

@@ -8,7 +8,7 @@ use rayline::shape::{
 use rayline::{
     Background, Brick, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient, Highlight, Image, Lamp,
     Light, LightCone, LinearRgb, Map, Marble, Medium, Noise, Onto, Optics, Panorama, Pixels, Placed,
-    Placement, Sky, Space, Squares, Stripes, Texture, Vec3, Wood,
+    Placement, Sides, Sky, Space, Squares, Stripes, Texture, Vec3, Wood,
 };
 
 /// Coordinates and lengths: mostly small, a few of any legal size, and typical special values.
@@ -118,18 +118,23 @@ pub fn meshes(
 ) -> BoxedStrategy<Mesh<'static>> {
     let corner = || 0..8u16;
     (
-        proptest::collection::vec(((vector.clone(), vector), [-2.0f32..2.0, -2.0f32..2.0]), 8),
+        proptest::collection::vec(
+            ((vector.clone(), vector), ([-2.0f32..2.0, -2.0f32..2.0], any::<[u8; 3]>())),
+            8,
+        ),
         proptest::collection::vec([corner(), corner(), corner()], triangles),
-        [any::<bool>(), any::<bool>()],
+        [any::<bool>(), any::<bool>(), any::<bool>()],
     )
-        .prop_map(|(vertices, triangles, [is_smooth, has_uvs])| {
-            let ((vertices, normals), uvs): ((Vec<_>, Vec<_>), Vec<_>) = vertices.into_iter().unzip();
-            let (normals, uvs): (&[_], &[_]) = (normals.leak(), uvs.leak());
+        .prop_map(|(vertices, triangles, [is_smooth, has_uvs, has_colors])| {
+            let ((vertices, normals), (uvs, colors)): ((Vec<_>, Vec<_>), (Vec<_>, Vec<_>)) =
+                vertices.into_iter().unzip();
+            let (normals, uvs, colors): (&[_], &[_], &[_]) = (normals.leak(), uvs.leak(), colors.leak());
             Mesh {
                 vertices: vertices.leak(),
                 triangles: triangles.leak(),
                 normals: is_smooth.then_some(normals),
                 uvs: has_uvs.then_some(uvs),
+                colors: has_colors.then_some(colors),
             }
         })
         .boxed()
@@ -215,8 +220,8 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
     let outside = (0.7f32..1.6, color.clone()).prop_map(|(ior, absorption)| Medium { ior, absorption });
     let outside = proptest::option::of(outside);
     let colors = (color.clone(), color.clone(), color.clone(), color);
-    let some = (fresnel, highlight, colors, falloffs(number), outside).prop_map(
-        |(fresnel, highlight, colors, falloff, outside)| {
+    let some = (fresnel, highlight, colors, falloffs(number), outside, any::<(bool, bool)>()).prop_map(
+        |(fresnel, highlight, colors, falloff, outside, (is_one_sided, thin))| {
             let (reflection_color, transmission_color, absorption, emission) = colors;
             let outside = outside.unwrap_or(Medium::AIR);
             let optics = Optics {
@@ -228,6 +233,8 @@ pub fn optics(number: &BoxedStrategy<f32>) -> BoxedStrategy<Option<&'static Opti
                 emission,
                 reflection_falloff: falloff,
                 outside,
+                sides: if is_one_sided { Sides::Front } else { Sides::Both },
+                thin,
                 ..Optics::PLAIN
             };
             Some(&*Box::leak(Box::new(optics)))
@@ -365,7 +372,11 @@ pub fn maps(
         Just(Onto::Specular),
         Just(Onto::Reflectance),
         Just(Onto::Transmittance),
+        Just(Onto::ReflectionColor),
+        Just(Onto::TransmissionColor),
+        Just(Onto::Emission),
         (number.clone(), number.clone()).prop_map(|(height, step)| Onto::Bump { height, step }),
+        number.clone().prop_map(|strength| Onto::Normal { strength }),
     ];
     let map = (onto, textures(number, color)).prop_map(|(onto, texture)| Map { onto, texture });
     let some = proptest::collection::vec(map, 1..3).prop_map(|maps| -> &'static [_] { maps.leak() });

@@ -81,7 +81,8 @@ fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Resu
     let row =
         |numbers: &[N; 4]| format!("[{}]", joined(numbers, |number| format!("n({})", number.argument())));
     let source = mesh.bake(scene.scale::<N>(), |parts| {
-        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent } = parts;
+        let BakedParts { triangles, uvs, colors, vertices, normals, order, nodes, bounds, scale, extent } =
+            parts;
         let [min, max] = bounds;
         let nodes = joined(nodes, |node| {
             let [lower, upper] = node.planes().map(|planes| joined(&planes, row));
@@ -92,6 +93,7 @@ fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Resu
 rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
     triangles: &{triangles:?},
     uvs: &{uvs:?},
+    colors: &{colors:?},
     vertices: &[{}],
     normals: &[{}],
     order: &{order:?},

@@ -94,7 +94,13 @@ pub static CSG: Scene<'static> = of(&[
 pub static MESH: Scene<'static> = of(&[
     FLOOR,
     Object::new(
-        Shape::Mesh(Mesh { vertices: &RAISED, triangles: &TRIANGLES, normals: Some(&VERTICES), uvs: None }),
+        Shape::Mesh(Mesh {
+            vertices: &RAISED,
+            triangles: &TRIANGLES,
+            normals: Some(&VERTICES),
+            uvs: None,
+            colors: None,
+        }),
         1,
     ),
 ]);

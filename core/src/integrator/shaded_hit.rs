@@ -291,7 +291,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             None if is_transparent => None,
             None => Some(self.cosine),
         };
-        (optics.shares((reflectance, transmittance), self.cosine, self.eta(), cosine), refraction)
+        let shares = optics.shares((reflectance, transmittance), self.cosine, self.eta(), cosine);
+        (shares, if optics.thin { refraction.map(|_| self.incoming) } else { refraction })
     }
 
     /// The direction of a ray that the surface mirrors: in the lobe of a glossy material.
@@ -330,9 +331,12 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         turned.normalized().unwrap_or(axis)
     }
 
-    /// The ratio of the indices of refraction: on the side that the ray came from over the other side.
+    /// The ratio of the indices of refraction: on the side that the ray came from over the other side. Light
+    /// that comes to the back of an opaque or thin surface enters it as well.
     fn eta(&self) -> R {
-        let is_entering = self.hit.surface.normal.dot(self.incoming) < R::ZERO;
+        let has_inside =
+            self.material.optics().is_none_or(|optics| !optics.thin && self.material.transmittance > R::ZERO);
+        let is_entering = !has_inside || self.hit.surface.normal.dot(self.incoming) < R::ZERO;
         if is_entering { self.material.eta_entering } else { self.material.eta_leaving }
     }
 

@@ -143,6 +143,9 @@ impl<'a> Material<'a> {
         if !cfg!(feature = "optics") && self.needs_optics() {
             return Err(Fault::WithoutFeature { feature: "optics" });
         }
+        if self.optics.is_none() && self.maps.iter().any(Map::needs_optics) {
+            return Err(Fault::MapWithoutOptics);
+        }
         let optics = match self.optics {
             None => None,
             Some(optics) => Some(memory.store(optics.prepare(ior, scale)?)?),
@@ -184,17 +187,35 @@ pub(crate) struct PreparedMaterial<'m, R: Real> {
 
 impl<'m, R: Real> PreparedMaterial<'m, R> {
     /// The material at a point of a surface, with each coefficient multiplied by its maps. `uv` computes the
-    /// texture coordinates of the point.
-    pub(crate) fn mapped(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Self {
+    /// texture coordinates of the point, and `room` keeps the optics, if a map changes them.
+    pub(crate) fn mapped<'r>(
+        &self,
+        surface: &Surface<R>,
+        uv: impl Fn(&Surface<R>) -> [R; 2],
+        room: &'r mut Option<PreparedOptics<R>>,
+    ) -> PreparedMaterial<'r, R>
+    where
+        'm: 'r,
+    {
         let shares = self.maps.shares(surface, uv);
-        Self {
+        let optics = match (self.optics(), shares.optics) {
+            (Some(optics), Some(shares)) => Some(&*room.insert(optics.mapped(&shares))),
+            (optics, _) => optics,
+        };
+        PreparedMaterial {
             ambient: self.ambient * shares.ambient,
             diffuse: self.diffuse * shares.diffuse,
             specular: self.specular * shares.specular,
             reflectance: self.reflectance * shares.reflectance,
             transmittance: self.transmittance * shares.transmittance,
+            optics,
             ..*self
         }
+    }
+
+    /// Whether the surface is seen from its front only: see [`Optics::sides`].
+    pub(crate) fn is_one_sided(&self) -> bool {
+        self.optics().is_some_and(|optics| optics.sides == Sides::Front)
     }
 
     /// Whether mirrored or refracted rays may start at its surface.

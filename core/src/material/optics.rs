@@ -8,6 +8,7 @@ use crate::color::{LinearRgb, check_emission};
 use crate::falloff::{Falloff, PreparedFalloff};
 use crate::fault::{Coefficient, Fault, check_number, check_share};
 use crate::math::{Real, Scale, Vec3};
+use crate::texture::OpticsShares;
 use crate::throughput::Throughput;
 
 /// Extensions of a [`Material`](super::Material) beyond the models of Phong and Whitted.
@@ -48,7 +49,7 @@ pub struct Optics {
     /// The light that the surface emits, 0 or more. It lights other objects if a light of the scene is this
     /// [object](crate::Light::Object).
     pub emission: LinearRgb,
-    /// The sides of the surface that emit light.
+    /// The sides of the surface that emit light. [`Sides::Front`] needs the feature `distributed`.
     pub emission_sides: Sides,
     /// The falloff of mirrored light with the length of the mirrored ray. The background does not fade.
     pub reflection_falloff: Falloff,
@@ -62,6 +63,13 @@ pub struct Optics {
     pub gloss: Option<f32>,
     /// Translucency: as [`gloss`](Self::gloss), for refracted rays; `None`: clear glass.
     pub translucency: Option<f32>,
+    /// The sides from which the surface is seen. Camera rays, mirrored and refracted rays pass through the
+    /// other side as if nothing was there. Shadows are thrown by both.
+    pub sides: Sides,
+    /// Whether the surface is a thin sheet, such as a window pane of one rectangle or a soap film: light goes
+    /// straight through, and is mirrored on either side as by the front. A sheet has no inside, so that the
+    /// absorption behind it must be 0.
+    pub thin: bool,
 }
 
 impl Optics {
@@ -78,6 +86,8 @@ impl Optics {
         outside: Medium::AIR,
         gloss: None,
         translucency: None,
+        sides: Sides::Both,
+        thin: false,
     };
 
     /// The optics of clear glass: Fresnel's equations divide the light between reflection and refraction.
@@ -114,8 +124,7 @@ pub enum Sides {
     #[default]
     Both,
     /// The side that the normal points to: the outside of a closed shape, and the side of a
-    /// [`Rectangle`](crate::shape::Rectangle) from which `right`, `up` and the viewer are right-handed. Needs
-    /// the feature `distributed`.
+    /// [`Rectangle`](crate::shape::Rectangle) from which `right`, `up` and the viewer are right-handed.
     Front,
 }
 
@@ -138,6 +147,8 @@ pub(crate) struct PreparedOptics<R: Real> {
     /// `1 / (n + 1)` for the exponents n of the lobes around mirrored and refracted rays.
     pub(crate) gloss: Option<R::Factor>,
     pub(crate) translucency: Option<R::Factor>,
+    pub(crate) sides: Sides,
+    pub(crate) thin: bool,
 }
 
 /// The shares of light from the mirrored and the refracted ray.
@@ -162,6 +173,9 @@ impl Optics {
         if !cfg!(feature = "distributed") && self.emission_sides != Sides::Both {
             return Err(Fault::WithoutFeature { feature: "distributed" });
         }
+        if self.thin && self.absorption != LinearRgb::gray(0.0) {
+            return Err(Fault::ThinAbsorbs);
+        }
         let straight = (ior - R::Setup::ONE) / (ior + R::Setup::ONE);
         Ok(PreparedOptics {
             highlight: self.highlight,
@@ -176,6 +190,8 @@ impl Optics {
             falloff: self.reflection_falloff.prepare(scale.to_f32())?,
             gloss: prepare_lobe::<R>(self.gloss)?,
             translucency: prepare_lobe::<R>(self.translucency)?,
+            sides: self.sides,
+            thin: self.thin,
         })
     }
 }
@@ -201,8 +217,17 @@ impl Optics {
 }
 
 impl<R: Real> PreparedOptics<R> {
+    /// The optics with each color multiplied by its maps.
+    pub(super) fn mapped(&self, shares: &OpticsShares<R>) -> Self {
+        Self {
+            reflection_color: self.reflection_color * shares.reflection,
+            transmission_color: self.transmission_color * shares.transmission,
+            emission: self.emission * shares.emission,
+            ..*self
+        }
+    }
+
     /// The light that the surface emits on its front.
-    #[cfg(feature = "distributed")]
     pub(crate) fn emission(&self) -> LinearRgb<R> {
         self.emission
     }

@@ -143,7 +143,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         for index in among {
             let Some(object) = self.objects.get(index) else { continue };
             if !misses(object)
-                && let Some(t) = self.intersect(object, ray, range)
+                && let Some(t) = self.sees(object, ray, range)
             {
                 range.max = t;
                 closest = Some((t, index));
@@ -169,7 +169,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
                 _ => range.max,
             };
             if let Some(object) = self.objects.get(index)
-                && let Some(t) = self.intersect(object, ray, Interval { max, ..range })
+                && let Some(t) = self.sees(object, ray, Interval { max, ..range })
                 && closest.is_none_or(|(nearest, _)| t <= nearest)
             {
                 closest = Some((t, index));

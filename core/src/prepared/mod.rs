@@ -61,6 +61,9 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     distributed: Distributed<'m, R>,
     /// `None`: white.
     ambient: Option<LinearRgb<R>>,
+    /// Whether any object is seen from one side only.
+    #[cfg(feature = "optics")]
+    has_one_sided: bool,
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m, R>>,
@@ -156,6 +159,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             #[cfg(feature = "distributed")]
             distributed,
             ambient: ambient::<R>(lights)?,
+            #[cfg(feature = "optics")]
+            has_one_sided: prepared_objects.iter().any(|object| object.material.is_one_sided()),
             scale,
             candidates,
             hierarchy,

@@ -2,9 +2,10 @@
 
 use super::{Departure, PreparedScene};
 use crate::arena::Arena;
+use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
-use crate::limits::FEW_OBJECTS;
+use crate::limits::{FEW_OBJECTS, MAX_BACKS};
 use crate::material::PreparedMaterial;
 use crate::math::{Aabb, FOUR_AT_ONCE, Interval, Ray, Real, Vec3};
 #[cfg(feature = "distributed")]
@@ -86,6 +87,50 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         object.shape.intersect(ray, range)
     }
 
+    /// The distance at which a ray that sees meets an object inside `range`: backs of one-sided surfaces are
+    /// passed through.
+    #[inline(always)]
+    pub(super) fn sees(
+        &self,
+        object: &PreparedObject<'m, R, S::Prepared<'m, R>>,
+        ray: &Ray<R>,
+        range: Interval<R>,
+    ) -> Option<R> {
+        let t = self.intersect(object, ray, range)?;
+        if self.has_one_sided() && object.material.is_one_sided() {
+            return self.sees_front(object, ray, Interval { min: t, ..range });
+        }
+        Some(t)
+    }
+
+    /// The distance of the first front of an object, at the beginning of `range` or within.
+    #[cold]
+    fn sees_front(
+        &self,
+        object: &PreparedObject<'m, R, S::Prepared<'m, R>>,
+        ray: &Ray<R>,
+        mut range: Interval<R>,
+    ) -> Option<R> {
+        for _ in 0..MAX_BACKS {
+            if !(self.surface(object, ray, range.min).normal.dot(ray.direction) > R::ZERO) {
+                return Some(range.min);
+            }
+            range.min = self.intersect(object, ray, range)?;
+        }
+        None
+    }
+
+    /// Whether any object is seen from one side only. Without the feature there is none, and the compiler
+    /// drops the code for it.
+    #[inline]
+    pub(crate) fn has_one_sided(&self) -> bool {
+        #[cfg(feature = "optics")]
+        let has = self.has_one_sided;
+        #[cfg(not(feature = "optics"))]
+        let has = false;
+        has
+    }
+
     #[cfg(feature = "distributed")]
     #[cold]
     fn intersect_moving(
@@ -140,6 +185,15 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline(never)]
     pub(crate) fn uv(&self, object: usize, surface: &Surface<R>) -> [R; 2] {
         self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
+    }
+
+    /// The color of an object's own shape at a surface, if it has one.
+    #[inline]
+    pub(crate) fn tint(&self, object: usize, surface: &Surface<R>) -> Option<LinearRgb<R>> {
+        if !cfg!(feature = "textures") {
+            return None;
+        }
+        self.objects.get(object)?.shape.tint(surface)
     }
 
     /// The normal of a surface of an object, turned by the maps of the material. `still` is the surface where

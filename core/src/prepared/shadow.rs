@@ -244,16 +244,19 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         // Most surfaces let the same share through at each place and from both sides.
         let needs_surface = is_mapped || optics.is_some_and(PreparedOptics::absorbs);
         let surface = needs_surface.then(|| self.surface(prepared, ray, part.max));
-        let transmittance = match &surface {
+        let (mapped, mut room_of_optics);
+        let at = match &surface {
             Some(surface) if is_mapped => {
                 let mut room = None;
                 let still = self.still(object, surface, &mut room);
-                material.mapped(still, |surface| self.uv(object, surface)).transmittance
+                room_of_optics = None;
+                mapped = material.mapped(still, |surface| self.uv(object, surface), &mut room_of_optics);
+                &mapped
             }
-            _ => material.transmittance,
+            _ => material,
         };
-        let light = light * transmittance;
-        let Some(optics) = optics else { return light };
+        let light = light * at.transmittance;
+        let Some(optics) = at.optics() else { return light };
         let light = light * optics.transmission_color();
         // The side that the ray comes from tells which medium the light crossed since the surface before.
         surface

@@ -18,7 +18,7 @@ use crate::shape::Geometry;
 const MARK: [u8; 4] = *b"RAYL";
 
 /// The version of the format, raised with every change of it.
-const VERSION: u8 = 5;
+const VERSION: u8 = 6;
 
 /// The reason why bytes are no scene, or why a scene could not be written as bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -77,6 +77,7 @@ pub use triangle::{PreparedTriangle, Triangle};
 pub(crate) use uv::globe;
 
 use crate::arena::Arena;
+use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
@@ -148,6 +149,12 @@ pub trait Intersect<R: Real> {
     /// shape without bounds returns lengths in units of the scene, of which there are `scale` to one of
     /// `surface` ([`Scale::unscaled`]).
     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2];
+
+    /// A color of the shape itself at a place on its surface, by which the color of the material is
+    /// multiplied: that of a mesh with colors at its vertices. None by default.
+    fn tint(&self, _surface: &Surface<R>) -> Option<LinearRgb<R>> {
+        None
+    }
 
     /// The kind of the shape, if it is a ball or flat: then some rays need not be tested. By default nothing
     /// is known.

@@ -148,6 +148,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn tint(&self, surface: &$crate::Surface<R>) -> Option<$crate::LinearRgb<R>> {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Intersect::tint(shape, surface)),+
+                }
+            }
+
             fn uv(&self, surface: &$crate::Surface<R>, scale: $crate::math::Scale) -> [R; 2] {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Intersect::uv(shape, surface, scale)),+

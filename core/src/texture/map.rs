@@ -5,7 +5,8 @@ use core::marker::PhantomData;
 
 use super::{PreparedTexture, Texture, present};
 use crate::arena::Arena;
-use crate::fault::{Fault, check_coordinate, check_held, check_size};
+use crate::color::LinearRgb;
+use crate::fault::{Fault, check_coordinate, check_held, check_number, check_size};
 use crate::math::{Real, Scale, Vec3};
 use crate::surface::Surface;
 
@@ -38,6 +39,15 @@ pub enum Onto {
     Reflectance,
     /// [`Material::transmittance`](crate::Material::transmittance) is multiplied by the texture.
     Transmittance,
+    /// [`Optics::reflection_color`](crate::Optics::reflection_color) is multiplied by the texture, channel by
+    /// channel.
+    ReflectionColor,
+    /// [`Optics::transmission_color`](crate::Optics::transmission_color) is multiplied by the texture, channel
+    /// by channel.
+    TransmissionColor,
+    /// [`Optics::emission`](crate::Optics::emission) is multiplied by the texture, channel by channel. A
+    /// [`Light::Object`](crate::Light::Object) shines as without the map.
+    Emission,
     /// A bump map: the normal is tilted as if the texture raised the surface. Outlines do not change.
     Bump {
         /// The height of a white texture, in units of the scene.
@@ -46,9 +56,22 @@ pub enum Onto {
         /// texture becomes a slope of this width.
         step: f32,
     },
+    /// A normal map: the texture holds unit normals. Red, green and blue from 0 to 1 are coordinates from -1
+    /// to 1: along the surface to where u grows; at a right angle to that, to where v grows; and along the
+    /// normal. The numbers are no light: images need [`Encoding::Linear`](crate::Encoding::Linear). Outlines
+    /// do not change.
+    Normal {
+        /// The factor of the first two coordinates: 1 leaves the normals as they are, 0 has no effect.
+        strength: f32,
+    },
 }
 
 impl<'a> Map<'a> {
+    /// Whether the map changes a color of [`Optics`](crate::Optics), which the material must then have.
+    pub(crate) const fn needs_optics(&self) -> bool {
+        matches!(self.onto, Onto::ReflectionColor | Onto::TransmissionColor | Onto::Emission)
+    }
+
     /// The most bytes that [`prepare_all`](Self::prepare_all) takes.
     pub(crate) const fn bytes<R: Real>(mut maps: &[Self]) -> usize {
         let mut bytes = Arena::bytes::<PreparedMap<'_, R>>(maps.len());
@@ -80,9 +103,10 @@ impl<'a> Map<'a> {
                 texture: texture.prepare(scale, memory)?,
             })
         })?;
-        // All bump maps may tilt a normal in one direction, so the sum of their slopes must be in range.
+        // All bump maps and normal maps may tilt a normal in one direction, so the sum of their slopes must be in range.
         let slopes = prepared.iter().fold(R::Setup::ZERO, |sum, map: &PreparedMap<R>| match map.onto {
             PreparedOnto::Bump { slope, .. } => sum + slope.to_setup().abs(),
+            PreparedOnto::Normal { strength } => sum + strength.to_setup().abs(),
             _ => sum,
         });
         check_held::<R>(slopes)?;
@@ -98,6 +122,14 @@ impl Onto {
             Self::Specular => PreparedOnto::Specular,
             Self::Reflectance => PreparedOnto::Reflectance,
             Self::Transmittance => PreparedOnto::Transmittance,
+            Self::ReflectionColor => PreparedOnto::ReflectionColor,
+            Self::TransmissionColor => PreparedOnto::TransmissionColor,
+            Self::Emission => PreparedOnto::Emission,
+            Self::Normal { strength } => {
+                check_number(strength)?;
+                check_held::<R>(R::Setup::from_f32(strength))?;
+                PreparedOnto::Normal { strength: R::from_f32(strength) }
+            }
             Self::Bump { height, step } => {
                 check_coordinate(height)?;
                 check_coordinate(step)?;
@@ -128,10 +160,16 @@ enum PreparedOnto<R> {
     Specular,
     Reflectance,
     Transmittance,
+    ReflectionColor,
+    TransmissionColor,
+    Emission,
     /// The slope between black and white at the distance `step`.
     Bump {
         slope: R,
         step: R,
+    },
+    Normal {
+        strength: R,
     },
 }
 
@@ -143,7 +181,7 @@ pub(crate) struct PreparedMaps<'m, R: Real> {
     none: PhantomData<&'m R>,
 }
 
-/// The factors, 0 to 1, by which the coefficients of a material are multiplied.
+/// The factors, 0 to 1, by which the coefficients and colors of a material are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shares<R> {
     pub(crate) ambient: R,
@@ -151,6 +189,23 @@ pub(crate) struct Shares<R> {
     pub(crate) specular: R,
     pub(crate) reflectance: R,
     pub(crate) transmittance: R,
+    /// The factors of colors of the optics; `None` where no map changes them.
+    pub(crate) optics: Option<OpticsShares<R>>,
+}
+
+/// The factors, 0 to 1, by which the colors of a material's optics are multiplied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OpticsShares<R> {
+    pub(crate) reflection: LinearRgb<R>,
+    pub(crate) transmission: LinearRgb<R>,
+    pub(crate) emission: LinearRgb<R>,
+}
+
+impl<R: Real> OpticsShares<R> {
+    const ALL: Self = {
+        let white = LinearRgb::new(R::ONE, R::ONE, R::ONE);
+        Self { reflection: white, transmission: white, emission: white }
+    };
 }
 
 impl<'m, R: Real> PreparedMaps<'m, R> {
@@ -178,16 +233,38 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
     /// The factors for the coefficients at a point of a surface; `uv` computes its texture coordinates.
     pub(crate) fn shares(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Shares<R> {
         let one = R::ONE;
-        let mut shares =
-            Shares { ambient: one, diffuse: one, specular: one, reflectance: one, transmittance: one };
+        let mut shares = Shares {
+            ambient: one,
+            diffuse: one,
+            specular: one,
+            reflectance: one,
+            transmittance: one,
+            optics: None,
+        };
         for PreparedMap { onto, texture } in self.all() {
+            let mut color = |select: fn(&mut OpticsShares<R>) -> &mut LinearRgb<R>| {
+                let share = select(shares.optics.get_or_insert(OpticsShares::ALL));
+                *share = *share * texture.color(surface, || uv(surface));
+            };
             let share = match onto {
                 PreparedOnto::Ambient => &mut shares.ambient,
                 PreparedOnto::Diffuse => &mut shares.diffuse,
                 PreparedOnto::Specular => &mut shares.specular,
                 PreparedOnto::Reflectance => &mut shares.reflectance,
                 PreparedOnto::Transmittance => &mut shares.transmittance,
-                PreparedOnto::Bump { .. } => continue,
+                PreparedOnto::ReflectionColor => {
+                    color(|optics| &mut optics.reflection);
+                    continue;
+                }
+                PreparedOnto::TransmissionColor => {
+                    color(|optics| &mut optics.transmission);
+                    continue;
+                }
+                PreparedOnto::Emission => {
+                    color(|optics| &mut optics.emission);
+                    continue;
+                }
+                PreparedOnto::Bump { .. } | PreparedOnto::Normal { .. } => continue,
             };
             *share = *share * brightness(texture, surface, &uv);
         }
@@ -207,7 +284,8 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         })
     }
 
-    /// The shading normal, tilted by bump maps, where a ray of direction `incoming` hits the surface.
+    /// The shading normal, tilted by bump maps and normal maps, where a ray of direction `incoming` hits the
+    /// surface.
     pub(crate) fn bumped(
         &self,
         surface: &Surface<R>,
@@ -216,18 +294,68 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
     ) -> Vec3<R> {
         let mut normal = surface.shading_normal;
         for PreparedMap { onto, texture } in self.all() {
-            let PreparedOnto::Bump { slope, step } = *onto else { continue };
-            let (first, second) = surface.shading_normal.around();
-            let here = brightness(texture, surface, &uv);
-            let rise = |along: Vec3<R>| {
-                let beside = Surface { point: surface.point + along * step, ..*surface };
-                (brightness(texture, &beside, &uv) - here) * slope
-            };
-            normal = normal - first * rise(first) - second * rise(second);
+            match *onto {
+                PreparedOnto::Bump { slope, step } => {
+                    let (first, second) = surface.shading_normal.around();
+                    let here = brightness(texture, surface, &uv);
+                    let rise = |along: Vec3<R>| {
+                        let beside = Surface { point: surface.point + along * step, ..*surface };
+                        (brightness(texture, &beside, &uv) - here) * slope
+                    };
+                    normal = normal - first * rise(first) - second * rise(second);
+                }
+                PreparedOnto::Normal { strength } => {
+                    let Some((along_u, along_v)) = directions_of_uv(surface, &uv) else { continue };
+                    let color = texture.color(surface, || uv(surface));
+                    let [x, y, z] = [color.r, color.g, color.b].map(|share| share + share - R::ONE);
+                    // Relative to the normal before: several maps add up, as bumps do.
+                    let tilt = along_u * (x * strength) + along_v * (y * strength);
+                    normal = normal + tilt - surface.shading_normal * (R::ONE - z);
+                }
+                _ => {}
+            }
         }
         let Some(normal) = normal.normalized() else { return surface.shading_normal };
         facing_the_same_way(normal, surface.shading_normal, incoming)
     }
+}
+
+/// The unit vectors along a surface in which u grows, and at a right angle to it, to the side in which v
+/// grows; `None` where u does not grow. They are the tangent and the bitangent of normal maps (Lengyel,
+/// "Foundations of Game Engine Development 2", 2019, section 7.5), from differences of texture coordinates.
+fn directions_of_uv<R: Real>(
+    surface: &Surface<R>,
+    uv: impl Fn(&Surface<R>) -> [R; 2],
+) -> Option<(Vec3<R>, Vec3<R>)> {
+    let normal = surface.shading_normal;
+    let (first, second) = normal.around();
+    // A 256th of the largest coordinate has many digits, and few surfaces bend much over this length.
+    let step = surface.magnitude.larger(R::ONE) * R::from_fraction(1 << 8);
+    let here = uv(surface);
+    let growth = |along: Vec3<R>| {
+        let there = uv(&Surface { point: surface.point + along * step, ..*surface });
+        let [u, v] = [0, 1].map(|axis: usize| {
+            let at = |uv: [R; 2]| uv.get(axis).copied().unwrap_or(R::ZERO);
+            let growth = at(there) - at(here);
+            // From one end of a closed surface to the other.
+            let half = R::from_fraction(1 << 15);
+            let turn = if growth > half {
+                R::ONE
+            } else if growth < -half {
+                -R::ONE
+            } else {
+                R::ZERO
+            };
+            growth - turn
+        });
+        (u, v)
+    };
+    let ((u_first, v_first), (u_second, v_second)) = (growth(first), growth(second));
+    // The direction in which v does not change; the sign is that of the determinant.
+    let along = (first * v_second - second * v_first).normalized()?;
+    let is_mirrored = u_first.times(v_second) < u_second.times(v_first);
+    let across = normal.cross(along);
+    Some((if is_mirrored { -along } else { along }, across))
 }
 
 /// Limits a tilted normal to the side of the surface that the ray hits. Beyond it, the hit would count as one
@@ -305,6 +433,44 @@ mod tests {
         assert_mapped::<f32>();
         assert_mapped::<f64>();
         assert_mapped::<Fixed>();
+    }
+
+    /// Normal maps of one color on a floor, whose u and v grow along x and -z or against them.
+    #[cfg(feature = "textures")]
+    fn assert_tilted<R: Real>() {
+        let surface = up::<R>(0.25);
+        let down = -surface.normal;
+        let tilted = |[red, green]: [f32; 2], strength: f32, [u, v]: [R; 2]| {
+            let texture = Texture::Solid(LinearRgb::new(red, green, 0.9));
+            let maps = [Map { onto: Onto::Normal { strength }, texture }];
+            let mut memory = Workspace::<4096>::new();
+            let maps = Map::prepare_all::<R>(&maps, Scale::ONE, &mut Arena::new(memory.lend())).unwrap();
+            let normal = maps.bumped(&surface, down, |at| [at.point.x * u, -at.point.z * v]);
+            normal.to_f32()
+        };
+        let (one, less) = (R::ONE, -R::ONE);
+        for (color, strength, uv, expected) in [
+            ([0.8, 0.5], 1.0, [one, one], Vec3::new(0.6, 0.8, 0.0)),
+            ([0.5, 0.8], 1.0, [one, one], Vec3::new(0.0, 0.8, -0.6)),
+            ([0.8, 0.5], 1.0, [less, one], Vec3::new(-0.6, 0.8, 0.0)),
+            ([0.5, 0.8], 1.0, [less, one], Vec3::new(0.0, 0.8, -0.6)),
+            ([0.5, 0.8], 1.0, [one, less], Vec3::new(0.0, 0.8, 0.6)),
+            ([0.2, 0.5], 1.0, [one, one], Vec3::new(-0.6, 0.8, 0.0)),
+            ([0.8, 0.5], 0.0, [one, one], Vec3::new(0.0, 1.0, 0.0)),
+            // Without coordinates there is no direction.
+            ([0.8, 0.5], 1.0, [R::ZERO, R::ZERO], Vec3::new(0.0, 1.0, 0.0)),
+        ] {
+            let normal = tilted(color, strength, uv);
+            assert!((normal - expected).magnitude() < 1e-4, "{normal:?}, not {expected:?}");
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "textures")]
+    fn normal_maps_tilt_along_the_coordinates() {
+        assert_tilted::<f32>();
+        assert_tilted::<f64>();
+        assert_tilted::<Fixed>();
     }
 
     #[test]

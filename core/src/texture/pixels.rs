@@ -66,7 +66,7 @@ pub enum Encoding {
 
 impl Encoding {
     /// The linear light of a code.
-    fn light<R: Real>(self, code: u8) -> R {
+    pub(crate) fn light<R: Real>(self, code: u8) -> R {
         let light = match self {
             Self::Srgb => LINEAR.get(usize::from(code)).copied().unwrap_or(u16::MAX),
             Self::Linear => u16::from(code).wrapping_mul(257),

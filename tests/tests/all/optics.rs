@@ -5,10 +5,10 @@ use std::mem::MaybeUninit;
 use std::path::Path;
 
 use rayline::math::Fixed;
-use rayline::shape::{Plane, Shape, Sphere};
+use rayline::shape::{Mesh, Plane, Shape, Sphere};
 use rayline::{
-    Background, Camera, Falloff, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Material, Object,
-    Optics, PreparedScene, Real, Renderer, Scene, Settings, Transfer, Vec3,
+    Background, Camera, Falloff, Fault, Fresnel, Highlight, Lamp, Light, LightCone, LinearRgb, Map, Material,
+    Object, Onto, Optics, PreparedScene, Real, Renderer, Scene, Settings, Sides, Texture, Transfer, Vec3,
 };
 use rayline_tests::textbook::Textbook;
 use rayline_tests::{assert_alike, core_picture};
@@ -18,6 +18,7 @@ use super::closed_forms::{CAMERA, DARK, wall};
 /// A material that emits light.
 const LAMP: Material = Material { optics: Some(&Optics { emission: WARM, ..Optics::PLAIN }), ..DARK };
 const WARM: LinearRgb = LinearRgb::new(0.8, 0.6, 0.4);
+const DARKNESS: LinearRgb = LinearRgb::gray(0.0);
 
 fn ball(z: f32, radius: f32, material: u16) -> Object<Shape<'static>> {
     Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 0.0, z), radius)), material)
@@ -90,6 +91,145 @@ fn light_is_absorbed_on_its_way_through_glass() {
     assert_sees(&[wall(0.0, 0.0, 1), ball(7.0, 1.0, 0)], &[glass, matte], &[light], left);
     // Behind an infinite surface no light is left.
     assert_sees(&[wall(0.0, 0.0, 0)], &[glass], &[], [0.0; 3]);
+}
+
+/// A wall at the place of the eye's target that shows its back.
+fn back(z: f32, material: u16) -> Object<Shape<'static>> {
+    let plane = Plane::new(Vec3::new(0.0, 0.0, z), Vec3::new(0.0, 0.0, -1.0));
+    Object::new(Shape::Plane(plane), material)
+}
+
+#[test]
+fn backs_of_one_sided_surfaces_are_not_seen_and_throw_shadows() {
+    let optics = Optics { emission: WARM, sides: Sides::Front, ..Optics::PLAIN };
+    let sheet = Material { optics: Some(&optics), ..DARK };
+    assert_sees(&[wall(0.0, 0.0, 0)], &[sheet], &[], [0.8, 0.6, 0.4]);
+    assert_sees(&[back(0.0, 0)], &[sheet], &[], [0.5; 3]);
+    // Behind several backs, the ball's front is seen.
+    let behind = [back(2.0, 0), ball(-3.0, 1.0, 0), back(0.0, 0)];
+    assert_sees(&behind, &[sheet], &[], [0.8, 0.6, 0.4]);
+    // From inside, a ball has no surface.
+    assert_sees(&[ball(5.0, 3.0, 0)], &[sheet], &[], [0.5; 3]);
+    // A mirrored ray passes backs, too: the camera stands in front of a mirror.
+    let mirror = Material { reflectance: 1.0, ..DARK };
+    assert_sees(&[wall(0.0, 0.0, 1), wall(9.0, 0.0, 0)], &[sheet, mirror], &[], [0.5; 3]);
+    assert_sees(&[wall(0.0, 0.0, 1), back(9.0, 0)], &[sheet, mirror], &[], [0.8, 0.6, 0.4]);
+    // Of two triangles at one place, the front is seen, from either side.
+    let (vertices, triangles) =
+        ([[-2.0, -2.0], [2.0, -2.0], [0.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0)), [[0, 1, 2], [0, 2, 1]]);
+    for triangles in [&triangles[..], &triangles[..1]] {
+        let mesh = Mesh { vertices: &vertices, triangles, normals: None, uvs: None, colors: None };
+        assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.8, 0.6, 0.4]);
+    }
+    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 2, 1]], normals: None, uvs: None, colors: None };
+    assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.5; 3]);
+    // Both sides throw shadows.
+    let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
+    let matte = Material::matte(LinearRgb::WHITE);
+    for sheet_behind in [wall(7.0, 0.0, 0), back(7.0, 0)] {
+        assert_sees(&[wall(0.0, 0.0, 1), sheet_behind], &[sheet, matte], &[light], [0.0; 3]);
+    }
+}
+
+#[test]
+fn thin_sheets_do_not_bend_light() {
+    let optics = Optics { thin: true, ..Optics::PLAIN };
+    let pane = Material { transmittance: 0.9, ior: 1.5, optics: Some(&optics), ..DARK };
+    // A small lamp straight ahead, behind a pane at 45 degrees.
+    let objects = [wall(0.0, 45.0, 0), ball(-6.0, 0.1, 1)];
+    assert_sees(&objects, &[pane, LAMP], &[], [0.72, 0.54, 0.36]);
+    let bends = Material { optics: None, ..pane };
+    assert_sees(&objects, &[bends, LAMP], &[], [0.45; 3]);
+    // From behind, Fresnel's equations say the same as from the front.
+    let optics = Optics { fresnel: Fresnel::Exact, ..optics };
+    let pane = Material { transmittance: 1.0, ior: 1.5, optics: Some(&optics), ..DARK };
+    for pane_at in [wall(0.0, 0.0, 0), back(0.0, 0)] {
+        assert_sees(
+            &[pane_at, ball(-6.0, 0.1, 1)],
+            &[pane, LAMP],
+            &[],
+            WARM.channels().map(|channel| 0.96 * f64::from(channel) + 0.04 * 0.5),
+        );
+    }
+    let absorbs = Optics { absorption: LinearRgb::gray(1.0), ..optics };
+    let material = Material { optics: Some(&absorbs), ..pane };
+    let scene = Scene {
+        camera: CAMERA,
+        background: Background::gray(0.5),
+        objects: &[wall(0.0, 0.0, 0)],
+        materials: &[material],
+        lights: &[],
+        motions: &[],
+    };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let error = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap_err();
+    assert_eq!(error.fault, Fault::ThinAbsorbs);
+}
+
+#[test]
+fn backs_of_coats_mirror_as_fronts() {
+    let optics = Optics { fresnel: Fresnel::Exact, ..Optics::PLAIN };
+    let coat = Material { reflectance: 1.0, ior: 1.5, optics: Some(&optics), ..DARK };
+    for side in [wall(0.0, 0.0, 0), back(0.0, 0)] {
+        assert_sees(&[side], &[coat], &[], [0.02; 3]);
+    }
+}
+
+#[test]
+fn textures_change_the_colors_of_optics() {
+    let tint = |onto| Map { onto, texture: Texture::Solid(LinearRgb::new(0.5, 0.25, 1.0)) };
+    let optics = Optics {
+        reflection_color: LinearRgb::new(1.0, 0.8, 0.5),
+        transmission_color: LinearRgb::new(0.5, 1.0, 0.5),
+        emission: WARM,
+        ..Optics::PLAIN
+    };
+    let maps = [tint(Onto::ReflectionColor)];
+    let mirror = Material {
+        reflectance: 1.0,
+        optics: Some(&Optics { emission: DARKNESS, ..optics }),
+        maps: &maps,
+        ..DARK
+    };
+    assert_sees(&[wall(0.0, 0.0, 0)], &[mirror], &[], [0.25, 0.1, 0.25]);
+    let maps = [tint(Onto::TransmissionColor)];
+    let pane = Material { reflectance: 0.0, transmittance: 1.0, maps: &maps, ..mirror };
+    assert_sees(&[wall(0.0, 0.0, 0)], &[pane], &[], [0.125, 0.125, 0.25]);
+    // The light of a lamp behind the pane, too.
+    let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
+    let materials = [pane, Material::matte(LinearRgb::WHITE)];
+    assert_sees(&[wall(0.0, 0.0, 1), wall(7.0, 0.0, 0)], &materials, &[light], [0.25, 0.25, 0.5]);
+    let maps = [tint(Onto::Emission), tint(Onto::Emission)];
+    let lamp = Material { optics: Some(&optics), maps: &maps, ..DARK };
+    assert_sees(&[wall(0.0, 0.0, 0)], &[lamp], &[], [0.2, 0.0375, 0.4]);
+    let scene = Scene {
+        camera: CAMERA,
+        background: Background::gray(0.5),
+        objects: &[wall(0.0, 0.0, 0)],
+        materials: &[Material { optics: None, ..lamp }],
+        lights: &[],
+        motions: &[],
+    };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let error = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap_err();
+    assert_eq!(error.fault, Fault::MapWithoutOptics);
+}
+
+#[test]
+fn vertices_have_colors() {
+    let vertices = [[-2.0, -1.0], [2.0, -1.0], [0.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    // 188 is the code of about half of the light.
+    let colors = [[255, 0, 188], [0, 255, 188], [0, 0, 188]];
+    let mesh = Mesh {
+        vertices: &vertices,
+        triangles: &[[0, 1, 2]],
+        normals: None,
+        uvs: None,
+        colors: Some(&colors),
+    };
+    let shown = Material { ambient: 0.9, ..Material::matte(LinearRgb::new(1.0, 0.5, 1.0)) };
+    let half = 0.9 * ((188.0f64 / 255.0 + 0.055) / 1.055).powf(2.4);
+    assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[shown], &[], [0.3, 0.15, half]);
 }
 
 #[test]

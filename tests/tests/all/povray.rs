@@ -100,6 +100,7 @@ fn pictures_lie_on_surfaces_as_in_povray() {
         triangles: &[[0, 1, 2]],
         normals: None,
         uvs: Some(&[[0.25, 0.5], [2.0, 0.0], [1.0, 1.5]]),
+        colors: None,
     };
     let tilted = [v(0.5, 0.25, 0.0), v(-0.375, 0.75, 0.0), v(0.0, 0.0, 0.5)];
     let shapes = [

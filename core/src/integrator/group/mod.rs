@@ -111,7 +111,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
             }
         }
         match &list {
-            Some(list) if FOUR_AT_ONCE => self.meet_by_four(run, list),
+            Some(list) if FOUR_AT_ONCE && !self.scene.has_one_sided() => self.meet_by_four(run, list),
             _ => {
                 for lane in run {
                     let ray = &lane.path.next.ray;

@@ -14,6 +14,7 @@ use crate::probe::{Event, Probe, RayKind};
 use crate::render::Tone;
 use crate::shape::Geometry;
 use crate::surface::Surface;
+use crate::texture::level_mark;
 
 /// A ray is left out of the digests if its throughput is this or less: the edges that it meets are faint in
 /// the picture, and such rays are many.
@@ -87,6 +88,8 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         let Some(material) = self.material else { return };
         if let Some(mark) = material.color.mark(surface, color, || self.scene.uv(hit.object, surface)) {
             self.path = fold(self.path, mark);
+        } else if self.scene.tint(hit.object, surface).is_some() {
+            self.path = fold(self.path, level_mark(color));
         }
         if !material.maps.is_empty() {
             self.path = fold(self.path, self.digest_of_maps(hit, material));
@@ -100,13 +103,16 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     /// cells.
     fn digest_of_maps(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
         let uv = |surface: &Surface<R>| self.scene.uv(hit.object, surface);
-        let at = material.mapped(&hit.surface, uv);
+        let mut room = None;
+        let at = material.mapped(&hit.surface, uv, &mut room);
         let Vec3 { x, y, z } = hit.surface.shading_normal;
         let half = R::from_fraction(1 << 15);
         let normal = [x, y, z].map(|coordinate| coordinate * half + half);
         let shares = [at.ambient, at.diffuse, at.specular, at.reflectance, at.transmittance];
         // Cut to sixteenths: what differs less is interpolated.
         let smooth = normal.into_iter().chain(shares).map(|share| share.to_q16() >> 12);
+        let colors = at.optics().map(|optics| [optics.reflection_color, optics.emission()].map(level_mark));
+        let smooth = smooth.chain(colors.into_iter().flatten());
         smooth.chain(material.maps.steps(&hit.surface, uv)).fold(0, fold)
     }
 

@@ -63,6 +63,7 @@ use prepared::Places;
 ///     triangles: &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
 ///     normals: None,
 ///     uvs: None,
+///     colors: None,
 /// });
 /// static PLACES: [Pose; 2] = [
 ///     Pose::at(Vec3::new(-2.0, 0.0, 0.0)),

@@ -2,6 +2,7 @@
 
 use super::super::{Hull, Intersect, Rim, Silhouette, Spans, Tip};
 use super::pose::PreparedPose;
+use crate::color::LinearRgb;
 use crate::hierarchy::Hierarchy;
 use crate::math::{Aabb, Interval, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
@@ -123,6 +124,10 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.places.sized))
+    }
+
+    fn tint(&self, surface: &Surface<R>) -> Option<LinearRgb<R>> {
+        self.on_model(surface).and_then(|(_, surface)| self.model.tint(&surface))
     }
 }
 

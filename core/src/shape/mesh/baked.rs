@@ -26,6 +26,8 @@ pub struct BakedParts<'m, N: Real> {
     pub triangles: &'m [[u16; 3]],
     /// The coordinates u and v, as in the description, or none.
     pub uvs: &'m [[f32; 2]],
+    /// The colors, as in the description, or none.
+    pub colors: &'m [[u8; 3]],
     /// The vertices, in the number system and scaled.
     pub vertices: &'m [Vec3<N>],
     /// One for each vertex, or none.
@@ -50,13 +52,18 @@ impl<N: Real> BakedMesh<N> {
     /// one other node; or if nodes are nested deeper than
     /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH), the room that rays have.
     pub const fn new(baked: BakedParts<'static, N>) -> Self {
-        let BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent } = baked;
+        let BakedParts { triangles, uvs, colors, vertices, normals, order, nodes, bounds, scale, extent } =
+            baked;
         let [min, max] = bounds;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
         assert!(Node::are_shallow(nodes), "the nodes of a baked mesh lie in too many others");
         let hierarchy = Hierarchy::baked(nodes, order);
         let bounds = Aabb { min, max };
-        Self { parts: MeshData { triangles, vertices, normals, uvs, hierarchy, bounds }, scale, extent }
+        Self {
+            parts: MeshData { triangles, vertices, normals, uvs, colors, hierarchy, bounds },
+            scale,
+            extent,
+        }
     }
 
     /// [`Geometry::bytes`], usable in constants.
@@ -99,9 +106,21 @@ impl super::Mesh<'_> {
     ) -> Result<T, Fault> {
         let mut memory = std::vec![core::mem::MaybeUninit::uninit(); self.const_bytes::<N>()];
         let mesh = self.prepare::<N>(scale, &mut Arena::new(&mut memory))?;
-        let MeshData { triangles, uvs, vertices, normals, hierarchy, bounds: Aabb { min, max } } = *mesh.0;
+        let MeshData { triangles, uvs, colors, vertices, normals, hierarchy, bounds: Aabb { min, max } } =
+            *mesh.0;
         let (nodes, order) = hierarchy.parts();
         let (bounds, scale, extent) = ([min, max], scale.to_f32(), self.extent().flat);
-        Ok(told(BakedParts { triangles, uvs, vertices, normals, order, nodes, bounds, scale, extent }))
+        Ok(told(BakedParts {
+            triangles,
+            uvs,
+            colors,
+            vertices,
+            normals,
+            order,
+            nodes,
+            bounds,
+            scale,
+            extent,
+        }))
     }
 }

@@ -10,7 +10,7 @@
 //! | boxes, for more than [`FEW_TRIANGLES`] | up to 36 a triangle |
 //! | prepared vertices | 12 a vertex |
 //! | normals at vertices | 6 a vertex |
-//! | the mesh itself | 76; 128 on 64-bit processors |
+//! | the mesh itself | 84; 144 on 64-bit processors |
 //!
 //! A closed mesh has half as many vertices as triangles: it takes 48 bytes a triangle with normals, and 45
 //! without. A mesh that has no more vertices than triangles takes at most 57. The indices of vertices and the
@@ -33,11 +33,13 @@ pub use smooth::SmallNormal;
 
 use super::{Bend, Geometry, Intersect, Rim, Silhouette, bounds_of};
 use crate::arena::Arena;
+use crate::color::LinearRgb;
 use crate::fault::{Fault, check_held, check_number, check_point, check_size};
 use crate::hierarchy::Hierarchy;
 use crate::limits::MAX_COUNT;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
 use crate::surface::Surface;
+use crate::texture::Encoding;
 use ray::{Meeting, MeshRay};
 
 /// A mesh of up to 65535 triangles, which share up to 65535 vertices.
@@ -60,6 +62,7 @@ use ray::{Meeting, MeshRay};
 ///     triangles: &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
 ///     normals: None,
 ///     uvs: None,
+///     colors: None,
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,11 +80,14 @@ pub struct Mesh<'a> {
     /// 59 if all number systems are to hold them. With `None`, each triangle has those of a single
     /// [`Triangle`](super::Triangle).
     pub uvs: Option<&'a [[f32; 2]]>,
+    /// Colors at the vertices, as codes of sRGB, interpolated in linear light: one for each vertex. The color
+    /// of the material is multiplied by them, channel by channel. They need the feature `textures`.
+    pub colors: Option<&'a [[u8; 3]]>,
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
-    [] Mesh as Mesh<'m> { vertices, triangles, normals = None, uvs = None }
+    [] Mesh as Mesh<'m> { vertices, triangles, normals = None, uvs = None, colors = None }
     may be named
 }
 
@@ -130,6 +136,14 @@ impl Mesh<'_> {
                 check_held::<R>(R::Setup::from_f32(*coordinate))?;
             }
         }
+        if let Some(colors) = self.colors {
+            if !cfg!(feature = "textures") {
+                return Err(Fault::WithoutFeature { feature: "textures" });
+            }
+            if colors.len() != vertices {
+                return Err(Fault::ColorCount { colors: colors.len(), vertices });
+            }
+        }
         self.vertices.iter().copied().try_for_each(check_point)?;
         for (triangle, corners) in self.triangles.iter().enumerate() {
             let unknown = corners.iter().copied().map(usize::from).find(|corner| *corner >= vertices);
@@ -173,8 +187,9 @@ impl Geometry for Mesh<'_> {
         let list = Hierarchy::list(&[]);
         let bounds = Aabb::point(Vec3::ZERO);
         let uvs = self.uvs.unwrap_or_default();
+        let colors = self.colors.unwrap_or_default();
         let mut parts =
-            MeshData { triangles: self.triangles, vertices, normals, uvs, hierarchy: list, bounds };
+            MeshData { triangles: self.triangles, vertices, normals, uvs, colors, hierarchy: list, bounds };
         // Leave out the triangles without area.
         let mut proper = 0;
         for i in 0..order.len() {
@@ -216,6 +231,8 @@ struct MeshData<'m, R> {
     normals: &'m [SmallNormal],
     /// One pair for each vertex, in the description's memory, or none.
     uvs: &'m [[f32; 2]],
+    /// One for each vertex, in the description's memory, or none.
+    colors: &'m [[u8; 3]],
     /// The hierarchy of the triangles that have an area.
     hierarchy: Hierarchy<'m, R>,
     bounds: Aabb<R>,
@@ -264,6 +281,21 @@ impl<R: Real> MeshData<'_, R> {
         let ([a_u, a_v], [b_u, b_v], [c_u, c_v]) = (at(a)?, at(b)?, at(c)?);
         let between = |a: R, b: R, c: R| a + (b - a) * weight_b + (c - a) * weight_c;
         Some([between(a_u, b_u, c_u), between(a_v, b_v, c_v)])
+    }
+
+    /// The interpolated color of a triangle, if the mesh has colors.
+    fn interpolated_color(&self, triangle: u16, weight_b: R, weight_c: R) -> Option<LinearRgb<R>> {
+        let [a, b, c] = *self.triangles.get(usize::from(triangle))?;
+        let at = |index: u16| {
+            let [r, g, b] = self.colors.get(usize::from(index))?.map(|code| Encoding::Srgb.light(code));
+            Some(LinearRgb::new(r, g, b))
+        };
+        let (a, b, c) = (at(a)?, at(b)?, at(c)?);
+        // Beside the triangle, weights are below 0 or above 1, but colors are not.
+        let within = |weight: R| weight.larger(R::ZERO).smaller(R::ONE);
+        let weight_b = within(weight_b);
+        let weight_c = weight_c.larger(R::ZERO).smaller(R::ONE - weight_b);
+        Some(a.scaled(R::ONE - weight_b - weight_c) + b.scaled(weight_b) + c.scaled(weight_c))
     }
 
     /// The interpolated normal of a triangle; `None` if it is flat or the normals cancel.
@@ -334,24 +366,27 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let mesh_ray = MeshRay::new(ray);
         let point = ray.at(t);
         let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
-        let mut met: Option<(u16, Meeting<R>)> = None;
+        let mut met: Option<(u16, Meeting<R>, Vec3<R>)> = None;
         self.0.hierarchy.visit(point, margin, |triangle| {
-            let is_first = met.is_none_or(|(first, _)| triangle < usize::from(first));
-            if is_first
-                && let Some(meeting) = self.0.meet(triangle, &mesh_ray)
+            let triangle = triangle as u16;
+            let is_first = met.is_none_or(|(first, ..)| triangle < first);
+            // Of two triangles at one place with opposite fronts, the front is seen.
+            let has_front = met.is_some_and(|(.., normal)| !(normal.dot(ray.direction) > R::ZERO));
+            if (is_first || !has_front)
+                && let Some(meeting) = self.0.meet(triangle.into(), &mesh_ray)
                 && meeting.t == t
+                && let Some(normal) = self.0.corners(triangle).and_then(normal)
+                && (is_first && !has_front || !(normal.dot(ray.direction) > R::ZERO))
             {
-                met = Some((triangle as u16, meeting));
+                met = Some((triangle, meeting, normal));
             }
         });
         let back = -ray.direction;
         let flat =
             |normal| Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
         // If `intersect` returned `t`, there is a triangle and it has a normal.
-        let Some((triangle, meeting)) = met else { return flat(back) };
-        let Some(corners) = self.0.corners(triangle) else { return flat(back) };
-        let normal = normal(corners).unwrap_or(back);
-        let [a, b, c] = corners;
+        let Some((triangle, meeting, normal)) = met else { return flat(back) };
+        let Some([a, b, c]) = self.0.corners(triangle) else { return flat(back) };
         Surface {
             point: point - normal * normal.dot(point - a),
             normal,
@@ -366,6 +401,15 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let Some(corners) = self.0.corners(triangle) else { return [R::ZERO; 2] };
         let (b, c) = weights(corners, surface.point);
         self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
+    }
+
+    fn tint(&self, surface: &Surface<R>) -> Option<LinearRgb<R>> {
+        if !cfg!(feature = "textures") || self.0.colors.is_empty() {
+            return None;
+        }
+        let triangle = surface.part as u16;
+        let (b, c) = weights(self.0.corners(triangle)?, surface.point);
+        self.0.interpolated_color(triangle, b, c)
     }
 }
 

@@ -25,6 +25,7 @@ const RECTANGLE: Mesh = Mesh {
     triangles: &[[0, 1, 2], [0, 2, 3]],
     normals: None,
     uvs: None,
+    colors: None,
 };
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
@@ -43,6 +44,7 @@ impl Owned {
             triangles: &self.triangles,
             normals: self.normals.as_deref(),
             uvs: None,
+            colors: None,
         }
     }
 }
@@ -272,6 +274,7 @@ fn triangles_without_area_are_never_met() {
         triangles: &[[0, 1, 2], [0, 0, 2], [1, 1, 1], [3, 4, 5]],
         normals: None,
         uvs: None,
+        colors: None,
     };
     for along in [0.0, 0.5, 1.0, 2.9] {
         assert_misses(mesh, Vec3::new(along, along, 2.0), DOWN);
@@ -305,18 +308,28 @@ fn at_most_64_bytes_a_triangle() {
     let open = Mesh { triangles: &corners, ..smooth };
     assert!(each(open, open.bytes::<f32>()) < 57.0, "{}", each(open, open.bytes::<f32>()));
     // On 64-bit processors; addresses and lengths take half as much on 32-bit ones.
-    assert!(size_of::<MeshData<'_, f32>>() <= 128);
+    assert!(size_of::<MeshData<'_, f32>>() <= 144);
 }
 
 #[test]
 fn bad_meshes_are_refused() {
-    let empty = Mesh { vertices: &[], triangles: &[], normals: None, uvs: None };
+    let empty = Mesh { vertices: &[], triangles: &[], normals: None, uvs: None, colors: None };
     assert_eq!(refusal(empty), Fault::NoTriangles);
     assert_eq!(refusal(Mesh { triangles: &[], ..RECTANGLE }), Fault::NoTriangles);
     let unknown = Mesh { triangles: &[[0, 1, 2], [0, 3, 4]], ..RECTANGLE };
     assert_eq!(refusal(unknown), Fault::UnknownVertex { triangle: 1, named: 4, vertices: 4 });
     let few = Mesh { normals: Some(&[DOWN; 3]), ..RECTANGLE };
     assert_eq!(refusal(few), Fault::NormalCount { normals: 3, vertices: 4 });
+    #[cfg(feature = "textures")]
+    assert_eq!(
+        refusal(Mesh { colors: Some(&[[0; 3]; 3]), ..RECTANGLE }),
+        Fault::ColorCount { colors: 3, vertices: 4 }
+    );
+    #[cfg(not(feature = "textures"))]
+    assert_eq!(
+        refusal(Mesh { colors: Some(&[[0; 3]; 4]), ..RECTANGLE }),
+        Fault::WithoutFeature { feature: "textures" }
+    );
     let nan = Vec3::new(0.0, f32::NAN, 0.0);
     assert_eq!(refusal(Mesh { vertices: &[DOWN, nan, DOWN, DOWN], ..RECTANGLE }), Fault::NotFinite);
     assert_eq!(refusal(Mesh { normals: Some(&[DOWN, DOWN, nan, DOWN]), ..RECTANGLE }), Fault::NotFinite);
@@ -344,7 +357,7 @@ fn small_triangles_far_from_a_ray_are_not_met() {
     // The area of this triangle is 1e-11 of the products whose differences determine the sides.
     let size = 1e-6;
     let vertices = [Vec3::ZERO, Vec3::new(size, 0.0, 0.0), Vec3::new(size, size, 0.3 * size)];
-    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 1, 2]], normals: None, uvs: None };
+    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 1, 2]], normals: None, uvs: None, colors: None };
     let mut random = Random(11);
     with_prepared::<f32>(mesh, Vec3::ZERO, |scale, mesh| {
         for _ in 0..100_000 {
@@ -369,6 +382,7 @@ fn nested(depth: u16) -> BakedMesh<f32> {
     BakedMesh::new(BakedParts {
         triangles: RECTANGLE.triangles,
         uvs: &[],
+        colors: &[],
         vertices: RECTANGLE.vertices,
         normals: &[],
         order: &[0],

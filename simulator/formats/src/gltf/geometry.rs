@@ -111,6 +111,7 @@ impl Geometry {
             triangles: &self.triangles,
             normals: self.normals.as_deref(),
             uvs: self.uvs.as_deref(),
+            colors: None,
         }
     }
 }

@@ -16,6 +16,8 @@ pub(crate) struct Whole<'m> {
     pub(crate) normals: Option<&'m [Vec3]>,
     /// One for each vertex.
     pub(crate) uvs: Option<&'m [[f32; 2]]>,
+    /// One for each vertex, as codes of sRGB.
+    pub(crate) colors: Option<&'m [[u8; 3]]>,
 }
 
 impl Whole<'_> {
@@ -28,6 +30,7 @@ impl Whole<'_> {
                 triangles: arena.alloc_slice_copy(&piece.triangles),
                 normals: self.normals.map(|normals| pick(arena, &piece, normals, Vec3::ZERO)),
                 uvs: self.uvs.map(|uvs| pick(arena, &piece, uvs, [0.0; 2])),
+                colors: self.colors.map(|colors| pick(arena, &piece, colors, [u8::MAX; 3])),
             })
         };
         pieces(self.triangles, self.vertices.len(), MAX_COUNT).into_iter().filter_map(of_piece).collect()

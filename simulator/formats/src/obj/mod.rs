@@ -166,6 +166,7 @@ fn meshes<'a>(arena: &'a Bump, mesh: &tobj::Mesh, name: &str, notes: &mut Vec<St
         triangles,
         normals: is_smooth.then_some(&normals),
         uvs: flaw.is_none().then_some(uvs),
+        colors: None,
     };
     whole.meshes(arena)
 }

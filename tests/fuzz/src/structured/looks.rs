@@ -43,14 +43,20 @@ impl<'a> Maker<'_, '_, 'a> {
             material.optics = Some(self.optics());
         }
         if self.choices.chance(8) {
-            let onto = self.choices.one_of([
-                Onto::Diffuse,
-                Onto::Ambient,
-                Onto::Specular,
-                Onto::Reflectance,
-                Onto::Transmittance,
-                Onto::Bump { height: 0.1, step: 0.05 },
-            ]);
+            let colors = [Onto::ReflectionColor, Onto::TransmissionColor, Onto::Emission];
+            let onto = if material.optics.is_some() && self.choices.chance(30) {
+                self.choices.one_of(colors)
+            } else {
+                self.choices.one_of([
+                    Onto::Diffuse,
+                    Onto::Ambient,
+                    Onto::Specular,
+                    Onto::Reflectance,
+                    Onto::Transmittance,
+                    Onto::Bump { height: 0.1, step: 0.05 },
+                    Onto::Normal { strength: 1.0 },
+                ])
+            };
             let texture = self.texture();
             material.maps = self.arena.alloc_slice_copy(&[Map { onto, texture }]);
         }
@@ -82,6 +88,12 @@ impl<'a> Maker<'_, '_, 'a> {
         }
         if self.choices.chance(15) {
             optics.translucency = Some(self.choices.one_of([0.0, 3.0, 100.0, 1e5]));
+        }
+        if self.choices.chance(20) {
+            optics.sides = Sides::Front;
+        }
+        if self.choices.chance(10) {
+            (optics.thin, optics.absorption) = (true, LinearRgb::gray(0.0));
         }
         self.arena.alloc(optics)
     }
