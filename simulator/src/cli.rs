@@ -241,9 +241,10 @@ pub(crate) struct Look {
     /// mean of areas
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
     dither: Dither,
-    /// The curve from light to the display's codes: that of sRGB, or linear
-    #[arg(long, value_name = "CURVE", default_value = "srgb", value_parser = transfer())]
-    transfer: Transfer,
+    /// The curve from light to the display's codes: that of sRGB, or linear [default: the scene's own; linear
+    /// for .nff files, whose colors are meant so, else srgb]
+    #[arg(long, value_name = "CURVE", value_parser = transfer())]
+    transfer: Option<Transfer>,
     #[command(flatten)]
     sampling: SamplingArgs,
     /// Light lamps with a size by rays, or by formulas: without noise, and with soft shadows of opaque balls
@@ -418,7 +419,7 @@ impl Look {
             cutoff: self.cutoff.unwrap_or(own.cutoff),
             sampling: self.sampling.over(own.sampling),
             area_lights: self.area_lights.unwrap_or(own.area_lights),
-            transfer: self.transfer,
+            transfer: self.transfer.unwrap_or(own.transfer),
             dither: self.dither,
         };
         RenderOptions { settings, number: self.number, display: self.color.unwrap_or_default(), ..meant }

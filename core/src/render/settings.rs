@@ -97,6 +97,7 @@ impl Settings {
 /// The curve from light to the codes of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Transfer {
     /// The curve of IEC 61966-2-1, which displays expect.
     #[default]

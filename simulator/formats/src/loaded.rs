@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::builtin;
-use rayline::{BytesError, Part, Scene, SceneError, Settings};
+use rayline::{BytesError, Part, Scene, SceneError, Settings, Transfer};
 
 use crate::gltf::{self, GltfError};
 use crate::nearest::{DidYouMean, nearest};
@@ -149,10 +149,11 @@ impl<'a> LoadedScene<'a> {
 
     fn read_nff(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
         let bytes = read(path)?;
-        let import = nff::parse_bytes(arena, &bytes)
+        let mut import = nff::parse_bytes(arena, &bytes)
             .map_err(|error| LoadError::Nff { path: path.to_owned(), error })?;
-        let settings = of_size(import.resolution);
-        Ok(Self { settings, ..Self::of_file(path, import.scene, Import::Nff(import)) })
+        let settings = Settings { transfer: Transfer::Linear, ..of_size(import.resolution) };
+        let notes = core::mem::take(&mut import.notes);
+        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Nff(import)) })
     }
 
     /// A scene from a file, with the usual settings.

@@ -18,8 +18,8 @@ fn bad_files_are_answered_with_the_line() {
     for (content, expected) in [
         (format!("{BALL}s 1 2 3 x").into_bytes(), "bad.nff:6: expected the radius of the sphere, found `x`"),
         (
-            format!("{BALL}s 1 2 3 -1").into_bytes(),
-            "bad.nff:6: the radius is not positive; use one above 0 (one radius of a cone may be 0)",
+            format!("{BALL}f 1 1 1 1 0 0 .5 0").into_bytes(),
+            "bad.nff:6: the index of refraction is less than 0.001; air is 1, glass about 1.5",
         ),
         (
             format!("{BALL}s 1 2 3").into_bytes(),
@@ -31,7 +31,7 @@ fn bad_files_are_answered_with_the_line() {
              `vertical_fov` in radians: 45 degrees are 0.785",
         ),
         (b"# \xff".to_vec(), "bad.nff:1: not a text file; convert it to UTF-8"),
-        (Vec::new(), "bad.nff:1: the file has no `v`; add it to describe the camera"),
+        (Vec::new(), "bad.nff:1: the file has no view (`v`) and no object to look at; add one of them"),
     ] {
         bench.write("bad.nff", content);
         assert_eq!(bench.error(&["render", "bad.nff"]), expected);

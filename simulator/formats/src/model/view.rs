@@ -26,6 +26,16 @@ const ASPECT: f32 = 4.0 / 3.0;
 pub(crate) static LIGHTS: [Light; 1] =
     [Light::Directional { direction: Vec3::new(0.6, -1.0, -0.6), color: LinearRgb::gray(0.9) }];
 
+/// The default light, as seen by any camera.
+pub(crate) fn light(camera: &Camera) -> Light {
+    let forward = camera.target - camera.eye;
+    let right = forward.cross(camera.up);
+    let upward = right.cross(forward);
+    let unit = |vector: Vec3| vector * vector.length().recip();
+    let direction = unit(right) * 0.6 - unit(upward) + unit(forward) * 0.6;
+    Light::Directional { direction, color: LinearRgb::gray(0.9) }
+}
+
 /// The default background.
 pub(crate) const BACKGROUND: Background<'static> = Background::gray(0.1);
 

@@ -46,10 +46,8 @@ pub enum NffFault {
         /// The keyword, `v` or `b`.
         keyword: &'static str,
     },
-    /// The file has no `v`. Add it to describe the camera.
+    /// The file has neither a `v` nor an object to look at. Add one of them.
     NoView,
-    /// An object comes before the first material. Put an `f` in front of it.
-    NoMaterial,
     /// The file has more materials than a scene can hold. Use the same `f` for several objects.
     TooManyMaterials {
         /// The most materials of a scene.
@@ -78,9 +76,8 @@ impl fmt::Display for NffFault {
                 write!(f, "unknown keyword `{}`; the keywords are v, b, l, f, s, c, p and pp", Excerpt(found))
             }
             Self::Repeated { keyword } => write!(f, "there is a second `{keyword}`; keep one"),
-            Self::NoView => f.write_str("the file has no `v`; add it to describe the camera"),
-            Self::NoMaterial => {
-                f.write_str("there is an object before the first material; put an `f` in front of it")
+            Self::NoView => {
+                f.write_str("the file has no view (`v`) and no object to look at; add one of them")
             }
             Self::TooManyMaterials { most } => {
                 write!(f, "the file has more than {most} materials; use the same `f` for several objects")

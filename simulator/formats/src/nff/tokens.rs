@@ -80,6 +80,17 @@ impl<'t> Tokens<'t> {
         Ok(Vec3::new(self.number(meaning)?, self.number(meaning)?, self.number(meaning)?))
     }
 
+    /// A direction; zero if one of its numbers is not finite.
+    pub(super) fn direction(&mut self, meaning: &'static str) -> Result<Vec3, NffError> {
+        let mut numbers = [0.0; 3];
+        for number in &mut numbers {
+            let found = self.word(meaning)?;
+            *number = found.parse::<f32>().map_err(|_| self.unexpected(meaning, found))?;
+        }
+        let [x, y, z] = numbers;
+        Ok(if numbers.iter().all(|number| number.is_finite()) { Vec3::new(x, y, z) } else { Vec3::ZERO })
+    }
+
     pub(super) fn color(&mut self, meaning: &'static str) -> Result<LinearRgb, NffError> {
         Ok(LinearRgb::new(self.number(meaning)?, self.number(meaning)?, self.number(meaning)?))
     }

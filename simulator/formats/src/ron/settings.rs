@@ -2,7 +2,9 @@
 
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
-use rayline::{AreaLights, Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings};
+use rayline::{
+    AreaLights, Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings, Transfer,
+};
 use serde::{Deserialize, Serialize};
 
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
@@ -27,6 +29,9 @@ pub struct FileSettings {
     /// [`Settings::area_lights`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub area_lights: Option<AreaLights>,
+    /// [`Settings::transfer`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transfer: Option<Transfer>,
 }
 
 plain!(FileSettings);
@@ -44,6 +49,7 @@ impl FileSettings {
             cutoff: changed(usual.cutoff, settings.cutoff),
             sampling: changed(usual.sampling, settings.sampling),
             area_lights: changed(usual.area_lights, settings.area_lights),
+            transfer: changed(usual.transfer, settings.transfer),
         }
     }
 
@@ -62,6 +68,7 @@ impl FileSettings {
             cutoff: self.cutoff.unwrap_or(usual.cutoff),
             sampling: self.sampling.unwrap_or(usual.sampling),
             area_lights: self.area_lights.unwrap_or(usual.area_lights),
+            transfer: self.transfer.unwrap_or(usual.transfer),
             ..usual
         }
     }
