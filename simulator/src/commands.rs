@@ -183,9 +183,21 @@ fn convert(arguments: &Convert) -> Outcome {
     let arena = Bump::new();
     let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
-    let bytes = file.write(&scene.scene, &scene.settings)?;
+    let contents = file.contents(&scene.scene, &scene.settings, &arena)?;
     if !arguments.quiet {
-        writeln!(io::stdout(), "{}: {bytes} bytes; {}", file.path().display(), counts(&scene.scene))?;
+        for (path, length) in contents.large_files() {
+            writeln!(io::stderr(), "note: {} takes {} MB", path.display(), length / 1_000_000)?;
+        }
+    }
+    contents.write()?;
+    if !arguments.quiet {
+        let (path, length) = (file.path().display(), contents.length());
+        let beside = match contents.pictures() {
+            0 => String::new(),
+            1 => " and 1 picture".to_owned(),
+            count => format!(" and {count} pictures"),
+        };
+        writeln!(io::stdout(), "{path}: {length} bytes{beside}; {}", counts(&scene.scene))?;
     }
     Ok(())
 }

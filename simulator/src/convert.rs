@@ -3,13 +3,14 @@
 use core::fmt;
 use std::path::{Path, PathBuf};
 
+use bumpalo::Bump;
 use rayline::bake::BakeError;
 use rayline::{BytesError, Scene, Settings};
 use rayline_formats::povray::{PovrayError, to_povray};
-use rayline_formats::{FILE_SETTINGS, rust_source, to_bytes};
+use rayline_formats::{FILE_SETTINGS, Pictures, rust_source, to_bytes};
 
-use crate::file::extension;
-use crate::{FileError, Number, check_writable, ron, write_file};
+use crate::file::{extension, write_beside};
+use crate::{FileError, Number, check_writable, ron};
 
 /// A file that a scene will be written to. Its name is checked before the scene is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,28 +75,73 @@ impl SceneFile {
         &self.path
     }
 
-    /// Writes the scene, with the settings if the format has them, and returns the length of the file in
-    /// bytes.
+    /// The file's contents: the scene, with the settings if the format has them. Nothing is written yet.
     ///
     /// # Errors
-    /// The format cannot hold the scene, or the system refused. An existing file of this name is then
-    /// unchanged.
-    pub fn write(&self, scene: &Scene<'_>, settings: &Settings) -> Result<usize, ConvertError> {
+    /// The format cannot hold the scene.
+    pub fn contents<'a>(
+        &self,
+        scene: &Scene<'a>,
+        settings: &Settings,
+        arena: &'a Bump,
+    ) -> Result<SceneContents<'_, 'a>, ConvertError> {
+        let mut pictures = Pictures::beside(&self.path);
         let bytes = match self.format {
             Format::Ron => {
-                ron::write(scene, settings, &FILE_SETTINGS).map_err(ConvertError::Format)?.into_bytes()
+                let text = ron::write_beside(scene, settings, &FILE_SETTINGS, &mut pictures, arena);
+                text.map_err(ConvertError::Format)?.into_bytes()
             }
             Format::Bytes => to_bytes(scene).map_err(ConvertError::Bytes)?,
-            Format::Povray => to_povray(scene, settings).map_err(ConvertError::Povray)?.into_bytes(),
+            Format::Povray => {
+                let text = to_povray(scene, settings, &mut pictures);
+                text.map_err(ConvertError::Povray)?.into_bytes()
+            }
             Format::Rust(number) => {
                 let source = rust_source(scene, number == Number::Fixed);
                 source.map_err(ConvertError::Rust)?.into_bytes()
             }
         };
-        write_file(&self.path, &bytes).map_err(ConvertError::File)?;
-        Ok(bytes.len())
+        Ok(SceneContents { path: &self.path, bytes, pictures })
     }
 }
+
+/// The contents of a scene's file, and of the pictures beside it.
+#[derive(Clone, Debug)]
+pub struct SceneContents<'f, 'a> {
+    path: &'f Path,
+    bytes: Vec<u8>,
+    pictures: Pictures<'a>,
+}
+
+impl SceneContents<'_, '_> {
+    /// The length of the scene's file in bytes.
+    pub fn length(&self) -> usize {
+        self.bytes.len()
+    }
+
+    /// The number of pictures beside the scene's file.
+    pub fn pictures(&self) -> usize {
+        self.pictures.count()
+    }
+
+    /// The files that are so large that their size should be told first, with their lengths.
+    pub fn large_files(&self) -> Vec<(PathBuf, usize)> {
+        let scene = (self.path.to_owned(), self.bytes.len());
+        let pictures = self.pictures.files().map(|(path, bytes)| (path, bytes.len()));
+        [scene].into_iter().chain(pictures).filter(|(_, length)| *length > LARGE).collect()
+    }
+
+    /// Writes the files, all or none.
+    ///
+    /// # Errors
+    /// The system refused. Existing files are then unchanged.
+    pub fn write(&self) -> Result<(), ConvertError> {
+        write_beside(self.path, &self.bytes, self.pictures.files()).map_err(ConvertError::File)
+    }
+}
+
+/// The size of a file in bytes above which it is told before the file is written.
+const LARGE: usize = 50_000_000;
 
 impl fmt::Display for ConvertError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

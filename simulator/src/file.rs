@@ -142,19 +142,59 @@ fn directory_of(path: &Path) -> &Path {
 /// The system refused. An existing file of this name is then unchanged.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let write = || -> io::Result<()> {
-        let mut builder = tempfile::Builder::new();
-        #[cfg(unix)]
-        {
-            // The permissions of any new file (the umask still applies), not those of a temporary file.
-            use std::os::unix::fs::PermissionsExt;
-            builder.permissions(std::fs::Permissions::from_mode(0o666));
-        }
-        let mut file = builder.prefix(".rayline-").tempfile_in(directory_of(path))?;
+        let mut file = temporary(path)?;
         file.write_all(bytes)?;
         file.persist(path).map_err(|error| error.error)?;
         Ok(())
     };
     write().map_err(|error| FileError::Io { path: path.to_owned(), error })
+}
+
+/// A file in the directory of `path`, which vanishes unless it is renamed.
+fn temporary(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        // The permissions of any new file (the umask still applies), not those of a temporary file.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.prefix(".rayline-").tempfile_in(directory_of(path))
+}
+
+/// Writes new files beside a file, and then the file itself: all of them or none.
+///
+/// # Errors
+/// The system refused, or one of the new files exists. All files are then as before.
+pub(crate) fn write_beside<'b>(
+    path: &Path,
+    bytes: &[u8],
+    new: impl Iterator<Item = (PathBuf, &'b [u8])>,
+) -> Result<(), FileError> {
+    let mut written = Vec::new();
+    let write_all = || {
+        for (path, bytes) in new {
+            write_new(&path, bytes).map_err(|error| FileError::Io { path: path.clone(), error })?;
+            written.push(path);
+        }
+        write_file(path, bytes)
+    };
+    let result = write_all();
+    if result.is_err() {
+        for path in written {
+            // Nothing more can be done, and the first error says why.
+            let _ = std::fs::remove_file(path);
+        }
+    }
+    result
+}
+
+/// Writes a file that does not exist, under a temporary name first.
+fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = temporary(path)?;
+    file.write_all(bytes)?;
+    file.persist_noclobber(path).map_err(|error| error.error)?;
+    Ok(())
 }
 
 impl fmt::Display for FileError {
@@ -193,6 +233,29 @@ mod tests {
             assert_eq!(path, folder.path().join(expected));
             std::fs::write(path, "a picture").unwrap();
         }
+    }
+
+    #[test]
+    fn files_are_written_together_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let names = || {
+            let entries = std::fs::read_dir(folder.path()).unwrap();
+            let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
+            names.sort();
+            names
+        };
+        std::fs::write(path("b.png"), "of others").unwrap();
+        let new = |names: [&'static str; 2]| names.map(|name| (path(name), name.as_bytes())).into_iter();
+        assert!(write_beside(&path("scene.ron"), b"scene", new(["a.png", "b.png"])).is_err());
+        assert_eq!(names(), ["b.png"]);
+        // The scene itself cannot be written.
+        std::fs::create_dir(path("scene.ron")).unwrap();
+        assert!(write_beside(&path("scene.ron"), b"scene", new(["a.png", "c.png"])).is_err());
+        assert_eq!(names(), ["b.png", "scene.ron"]);
+        write_beside(&path("other.ron"), b"scene", new(["a.png", "c.png"])).unwrap();
+        assert_eq!(names(), ["a.png", "b.png", "c.png", "other.ron", "scene.ron"]);
+        assert_eq!(std::fs::read(path("b.png")).unwrap(), b"of others");
     }
 
     /// `x/..` has no meaning as long as there is no `x`.

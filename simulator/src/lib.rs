@@ -39,7 +39,7 @@ mod window;
 
 pub use bench::{Bench, BenchError, Convergence};
 pub use check::{BOARDS, Board, Demand, Demands, check};
-pub use convert::{ConvertError, SceneFile};
+pub use convert::{ConvertError, SceneContents, SceneFile};
 pub use display::Display;
 pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};
 pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};

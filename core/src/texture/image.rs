@@ -42,11 +42,63 @@ pub struct Image<'a> {
 }
 
 #[cfg(feature = "serde")]
-crate::read::read_struct! {
-    [] Image as Image<'m> {
-        width, height, pixels, encoding = Encoding::Srgb, filter = Filter::Nearest, ends = Ends::Repeat,
+mod reading {
+    use serde::de::{Deserializer, Error, MapAccess, SeqAccess};
+
+    use super::{Encoding, Ends, Filter, Image};
+    use crate::read::{Fields, Read, Reader, next_field, next_value, read_fields, set_field};
+
+    /// An image may be named. Where the name stands in the field `file`, it gives the fields that are left
+    /// out.
+    impl<'m> Fields<'m> for Image<'m> {
+        const NAME: &'static str = "Image";
+        const FIELDS: &'static [&'static str] =
+            &["width", "height", "pixels", "encoding", "filter", "ends", "file"];
+        const MAY_BE_NAMED: bool = true;
+
+        fn from_values<A: SeqAccess<'m>>(mut values: A, reader: &mut Reader<'m>) -> Result<Self, A::Error> {
+            Ok(Self {
+                width: next_value(&mut values, reader, "width")?,
+                height: next_value(&mut values, reader, "height")?,
+                pixels: next_value(&mut values, reader, "pixels")?,
+                encoding: next_value(&mut values, reader, "encoding")?,
+                filter: next_value(&mut values, reader, "filter")?,
+                ends: next_value(&mut values, reader, "ends")?,
+            })
+        }
+
+        fn from_map<A: MapAccess<'m>>(mut map: A, reader: &mut Reader<'m>) -> Result<Self, A::Error> {
+            let (mut width, mut height, mut pixels) = (None, None, None);
+            let (mut encoding, mut filter, mut ends) = (None, None, None);
+            let mut file: Option<Self> = None;
+            while let Some(name) = next_field(&mut map, Self::FIELDS)? {
+                match name {
+                    "width" => set_field(&mut width, &mut map, reader, name)?,
+                    "height" => set_field(&mut height, &mut map, reader, name)?,
+                    "pixels" => set_field(&mut pixels, &mut map, reader, name)?,
+                    "encoding" => set_field(&mut encoding, &mut map, reader, name)?,
+                    "filter" => set_field(&mut filter, &mut map, reader, name)?,
+                    "ends" => set_field(&mut ends, &mut map, reader, name)?,
+                    _ => set_field(&mut file, &mut map, reader, name)?,
+                }
+            }
+            let missing = A::Error::missing_field;
+            Ok(Self {
+                width: width.or(file.map(|file| file.width)).ok_or_else(|| missing("width"))?,
+                height: height.or(file.map(|file| file.height)).ok_or_else(|| missing("height"))?,
+                pixels: pixels.or(file.map(|file| file.pixels)).ok_or_else(|| missing("pixels"))?,
+                encoding: encoding.or(file.map(|file| file.encoding)).unwrap_or(Encoding::Srgb),
+                filter: filter.or(file.map(|file| file.filter)).unwrap_or(Filter::Nearest),
+                ends: ends.or(file.map(|file| file.ends)).unwrap_or(Ends::Repeat),
+            })
+        }
     }
-    may be named
+
+    impl<'m> Read<'m> for Image<'m> {
+        fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
+            read_fields(from, reader)
+        }
+    }
 }
 
 /// The interpolation between the centers of pixels.

@@ -4,6 +4,7 @@
 //! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats;
 //! - [`animation`] reads key frames of a scene;
 //! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
+//! - [`Pictures`] are the files of images beside the file of a scene;
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
 //! - [`raster`] reads and writes images.
 //!
@@ -18,6 +19,7 @@ mod nearest;
 pub mod nff;
 mod notes;
 pub mod obj;
+mod pictures;
 pub mod povray;
 pub mod raster;
 pub mod ron;
@@ -26,6 +28,7 @@ mod space;
 mod text;
 
 pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};
+pub use pictures::Pictures;
 pub use source::{rust_source, to_bytes};
 
 /// Checks whether a scene can be drawn.

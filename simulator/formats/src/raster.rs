@@ -150,6 +150,60 @@ pub fn to_png((width, height): (u32, u32), channels: usize, pixels: &[u8]) -> io
     Ok(bytes)
 }
 
+/// The bytes of a PNG file with a palette: of 4 bits a pixel, two of them in a byte, or of 8.
+///
+/// # Errors
+/// The image has no pixels or no colors, or another number of pixels.
+pub(crate) fn to_indexed_png(
+    (width, height): (u32, u32),
+    depth: BitDepth,
+    indices: &[u8],
+    palette: &[[u8; 3]],
+) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(ColorType::Indexed);
+    encoder.set_depth(depth);
+    let most = if depth == BitDepth::Four { 16 } else { 256 };
+    encoder.set_palette(palette.iter().take(most).flatten().copied().collect::<Vec<_>>());
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(indices)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// An image whose pixels are numbers of colors.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Indexed {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// 4 bits a pixel, two of them in a byte, or 8.
+    pub(crate) depth: BitDepth,
+    pub(crate) indices: Vec<u8>,
+    pub(crate) palette: Vec<[u8; 3]>,
+}
+
+impl Indexed {
+    /// Reads a PNG file with a palette of 16 or 256 colors; `None` for all others.
+    pub(crate) fn decode(bytes: &[u8]) -> Option<Self> {
+        let limits = png::Limits { bytes: MOST_BYTES };
+        let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+        decoder.set_transformations(Transformations::IDENTITY);
+        let mut reader = decoder.read_info().ok()?;
+        let info = reader.info();
+        let (width, height, depth) = (info.width, info.height, info.bit_depth);
+        let is_known = matches!(depth, BitDepth::Four | BitDepth::Eight);
+        if info.color_type != ColorType::Indexed || !is_known || info.trns.is_some() {
+            return None;
+        }
+        check((width as usize, height as usize)).ok()?;
+        let palette = info.palette.as_ref()?.as_chunks::<3>().0.to_vec();
+        let mut indices = vec![0; reader.output_buffer_size().filter(|length| *length <= MOST_BYTES)?];
+        reader.next_frame(&mut indices).ok()?;
+        Some(Self { width, height, depth, indices, palette })
+    }
+}
+
 /// The bytes of a binary PPM file of an RGB image.
 pub fn to_ppm((width, height): (u32, u32), rgb: &[u8]) -> Vec<u8> {
     let mut bytes = format!("P6\n{width} {height}\n255\n").into_bytes();
@@ -212,6 +266,21 @@ mod tests {
         let image = Raster::decode(&to_png((1, 2), 4, &clear).unwrap()).unwrap();
         assert_eq!(image.pixels, [[1, 2, 3, 0], [4, 5, 6, 128]]);
         assert!(to_png((2, 2), 3, &RGB[..3]).is_err());
+    }
+
+    #[test]
+    fn palettes_are_kept() {
+        let palette = vec![[1, 2, 3], [4, 5, 6], [7, 8, 9]];
+        for (depth, indices) in
+            [(BitDepth::Eight, vec![2, 0, 1, 1, 2, 0]), (BitDepth::Four, vec![0x20, 0x10, 0x12, 0])]
+        {
+            let bytes = to_indexed_png((3, 2), depth, &indices, &palette).unwrap();
+            let image = Indexed { width: 3, height: 2, depth, indices, palette: palette.clone() };
+            assert_eq!(Indexed::decode(&bytes), Some(image));
+            let colors = [[7, 8, 9], [1, 2, 3], [4, 5, 6], [4, 5, 6], [7, 8, 9], [1, 2, 3]];
+            assert_eq!(Raster::decode(&bytes).unwrap().rgb().as_chunks::<3>().0, colors);
+        }
+        assert_eq!(Indexed::decode(&to_png((2, 2), 3, &RGB).unwrap()), None);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 mod bench;
 mod errors;
+mod exports;
 mod films;
 mod measurements;
 mod pictures;

@@ -66,7 +66,8 @@ fn written_scenes_are_read_back() {
         let scene = LoadedScene::open(file, &arena).unwrap_or_else(|error| panic!("{error}"));
         for name in ["gallery.ron", "gallery.rayline"] {
             let path = directory.join(name);
-            SceneFile::new(&path, Number::F32).unwrap().write(&scene.scene, &SETTINGS).unwrap();
+            let file = SceneFile::new(&path, Number::F32).unwrap();
+            file.contents(&scene.scene, &SETTINGS, &arena).unwrap().write().unwrap();
             let again = LoadedScene::open(&path, &arena).unwrap_or_else(|error| panic!("{error}"));
             assert!(again.scene == scene.scene, "{} in {name}", scene.name);
         }

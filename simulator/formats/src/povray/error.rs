@@ -42,7 +42,7 @@ pub enum Lack {
     Blades,
     /// Bump maps: POV-Ray tilts normals by another rule.
     Bumps,
-    /// A light that falls off with a linear term, or a constant below 1.
+    /// A light that falls off with a linear term.
     Falloff,
     /// Mirrored or refracted rays in a lobe.
     Lobes,
@@ -53,6 +53,8 @@ pub enum Lack {
     /// Texture coordinates of a CSG, of instances, of a polyhedron, quadric or implicit surface, or of a mesh
     /// without its own; or of a mesh that has a texture in space as well.
     Place,
+    /// An image with another number of pixels than its width times its height.
+    Pixels,
     /// Falloff of reflections with distance.
     ReflectionFalloff,
     /// The light of the sky.
@@ -71,11 +73,12 @@ impl fmt::Display for Lack {
             Self::Area => "its flat lights are as bright from all sides",
             Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
-            Self::Falloff => "its lights fall off only as 1 / (1 + (d / distance)²)",
+            Self::Falloff => "its lights fall off without a linear term",
             Self::Motion => "it blurs nothing that moves",
             Self::Lobes => "its mirrored and refracted rays are sharp",
             Self::Noise => "its noise has other values",
             Self::Place => "texture coordinates on this surface have no formula",
+            Self::Pixels => "an image has another number of pixels than its width times its height",
             Self::ReflectionFalloff => "its reflections do not fade with distance",
             Self::Sky => "its background gives no light without radiosity",
             Self::Schlick => "Schlick's approximation can be written for opaque surfaces only",

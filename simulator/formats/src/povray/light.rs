@@ -54,18 +54,22 @@ pub(super) fn ambient(scene: &Scene<'_>) -> LinearRgb {
 }
 
 /// A lamp. POV-Ray's lights fall off as 2 / (1 + (d / distance)²), and fade between two angles as the core's
-/// do.
+/// do. The core's are at most as bright as without falloff, so they differ very close to the lamp.
 fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
     let Falloff { constant, linear, quadratic } = lamp.falloff;
-    if linear != 0.0 || constant < 1.0 {
+    if linear != 0.0 {
         return Err(Lack::Falloff);
     }
-    let (mut brightness, mut fade) = (1.0 / f64::from(constant), String::new());
-    if quadratic > 0.0 {
-        brightness /= 2.0;
-        let distance = (f64::from(constant) / f64::from(quadratic)).sqrt();
-        fade = format!(" fade_distance {distance} fade_power 2");
-    }
+    let (constant, quadratic) = (f64::from(constant), f64::from(quadratic));
+    let (brightness, fade) = if quadratic > 0.0 {
+        // An inverse square is the limit of small distances: a thousandth of that where the light is as bright
+        // as without falloff is exact to a millionth.
+        let least = 1e-6;
+        let constant = constant.max(least);
+        (0.5 / constant, format!(" fade_distance {} fade_power 2", (constant / quadratic).sqrt()))
+    } else {
+        (1.0 / constant.max(1.0), String::new())
+    };
     let color = lamp.color.channels().map(|channel| f64::from(channel) * brightness);
     let cone = lamp.cone.map_or(String::new(), |cone| {
         let target = lamp.position.to::<f64>() + cone.direction.to::<f64>();

@@ -3,6 +3,7 @@
 use rayline::{Falloff, Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
 
 use super::Lack;
+use super::images::Images;
 use super::literal::{list, rgb};
 use super::pattern::{self, Coordinates, Pattern};
 
@@ -13,22 +14,30 @@ pub(super) fn is_on_surface(material: &Material<'_>) -> bool {
 }
 
 /// The contents of the `texture` block of a material: its colors and finish.
-pub(super) fn texture(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+pub(super) fn texture<'a>(
+    material: &Material<'a>,
+    coordinates: &Coordinates,
+    images: &Images<'_, 'a>,
+) -> Result<String, Lack> {
     let mapped = if coordinates.is_mapped() { "uv_mapping " } else { "" };
-    Ok(format!("{mapped}{}", with_maps(material, material.maps, coordinates)?))
+    Ok(format!("{mapped}{}", with_maps(material, material.maps, coordinates, images)?))
 }
 
 /// The material with the given part of its maps. POV-Ray blends the light of whole textures. The result is
 /// the same as with blended coefficients, because light is proportional to each coefficient.
-fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinates) -> Result<String, Lack> {
+fn with_maps<'a>(
+    material: &Material<'a>,
+    maps: &[Map<'a>],
+    coordinates: &Coordinates,
+    images: &Images<'_, 'a>,
+) -> Result<String, Lack> {
     let Some((Map { onto, texture }, rest)) = maps.split_first() else {
-        return plain(material, coordinates);
+        return plain(material, coordinates, images);
     };
     if let Onto::Bump { .. } = onto {
         return Err(Lack::Bumps);
     }
-    Pattern::of(texture, coordinates)?.write("texture_map", &|LinearRgb { r, g, b }| {
-        let share = 0.25 * r + 0.5 * g + 0.25 * b;
+    Pattern::of(texture, coordinates, images)?.textures(&|share| {
         let mut changed = *material;
         match onto {
             Onto::Ambient => changed.ambient *= share,
@@ -38,12 +47,16 @@ fn with_maps(material: &Material<'_>, maps: &[Map<'_>], coordinates: &Coordinate
             Onto::Transmittance => changed.transmittance *= share,
             _ => return Err(Lack::New),
         }
-        with_maps(&changed, rest, coordinates)
+        with_maps(&changed, rest, coordinates, images)
     })
 }
 
 /// The material without maps.
-fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+fn plain<'a>(
+    material: &Material<'a>,
+    coordinates: &Coordinates,
+    images: &Images<'_, 'a>,
+) -> Result<String, Lack> {
     let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
     let Optics { fresnel, reflection_color, emission, reflection_falloff, gloss, translucency, .. } =
         *material.optics.unwrap_or(&Optics::PLAIN);
@@ -54,7 +67,7 @@ fn plain(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, L
         return Err(Lack::ReflectionFalloff);
     }
     let opacity = 1.0 - transmit(material);
-    let (pigment, highlight) = (pigment(material, coordinates)?, highlight(material));
+    let (pigment, highlight) = (pigment(material, coordinates, images)?, highlight(material));
     let metallic = if is_matte(material) || transmittance > 0.0 { "" } else { " metallic" };
     let with_reflection = |reflection: &str| {
         format!(
@@ -99,7 +112,11 @@ fn transmit(material: &Material<'_>) -> f64 {
 }
 
 /// The contents of the `pigment` block.
-fn pigment(material: &Material<'_>, coordinates: &Coordinates) -> Result<String, Lack> {
+fn pigment<'a>(
+    material: &Material<'a>,
+    coordinates: &Coordinates,
+    images: &Images<'_, 'a>,
+) -> Result<String, Lack> {
     let Optics { reflection_color, transmission_color, .. } = *material.optics.unwrap_or(&Optics::PLAIN);
     let transmit = transmit(material);
     if material.transmittance > 0.0 && transmission_color != LinearRgb::WHITE {
@@ -110,7 +127,7 @@ fn pigment(material: &Material<'_>, coordinates: &Coordinates) -> Result<String,
         Ok(format!("rgbf <{r}, {g}, {b}, {transmit}>"))
     } else if is_matte(material) || material.transmittance > 0.0 {
         let color = |LinearRgb { r, g, b }: LinearRgb| Ok(format!("rgbt <{r}, {g}, {b}, {transmit}>"));
-        Pattern::of(&material.color, coordinates)?.write("pigment_map", &color)
+        Pattern::of(&material.color, coordinates, images)?.pigment(&color)
     } else {
         // The color of the highlight.
         Ok(format!("rgb {}", rgb(reflection_color)))
@@ -151,13 +168,17 @@ pub(super) fn interior(material: &Material, ior: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
+    use crate::Pictures;
     use rayline::{Texture, materials};
 
     const PLAIN: Material = Material::matte(LinearRgb::WHITE);
 
     fn written(material: Material<'_>) -> Result<String, Lack> {
-        texture(&material, &Coordinates::SPACE)
+        let mut pictures = Pictures::beside(Path::new("no folder/scene.pov"));
+        texture(&material, &Coordinates::SPACE, &Images::new(&mut pictures))
     }
 
     fn with_optics(material: Material<'_>, optics: Optics) -> Result<String, Lack> {

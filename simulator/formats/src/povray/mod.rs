@@ -3,6 +3,7 @@
 
 mod error;
 mod formula;
+mod images;
 mod light;
 mod literal;
 mod material;

@@ -1,16 +1,18 @@
 //! Textures as functions of a point, in POV-Ray's language.
 //!
 //! All figures are written as functions of x, y and z. The same code then serves patterns in space and on
-//! surfaces, and edges lie where the core has them, at the floors of the same numbers.
+//! surfaces, and edges lie where the core has them, at the floors of the same numbers. Images are functions
+//! too, see `images`.
 
 use glam::DVec3;
 use rayline::{
-    Brick, Checker, Ends, Figure, Filter, Gradient, Image, LinearRgb, Panorama, Placed, Placement, Space,
-    Squares, Stripes, Texture, Vec3,
+    Brick, Checker, Ends, Figure, Gradient, LinearRgb, Panorama, Placed, Placement, Space, Squares, Stripes,
+    Texture, Vec3,
 };
 
 use super::Lack;
 use super::formula::{XYZ, fraction, globe, linear, parity};
+use super::images::Images;
 use crate::space::{self, vector};
 
 /// A color that varies over a surface or in space.
@@ -22,6 +24,8 @@ pub(super) enum Pattern {
         function: String,
         stops: Vec<(f64, Pattern)>,
     },
+    /// Functions from 0 to 1 for red, green and blue.
+    Channels([String; 3]),
 }
 
 /// The coordinates that textures are functions of, as formulas.
@@ -47,12 +51,13 @@ impl Coordinates {
     }
 }
 
-/// The most entries of a map; POV-Ray's limit is 256.
-const MOST_STOPS: usize = 200;
-
 impl Pattern {
     /// The pattern of a texture.
-    pub(super) fn of(texture: &Texture<'_>, coordinates: &Coordinates) -> Result<Self, Lack> {
+    pub(super) fn of<'a>(
+        texture: &Texture<'a>,
+        coordinates: &Coordinates,
+        images: &Images<'_, 'a>,
+    ) -> Result<Self, Lack> {
         match *texture {
             Texture::Solid(color) => Ok(Self::Color(color)),
             Texture::Checker(Checker { even, odd, cells_per_unit }) => {
@@ -62,22 +67,29 @@ impl Pattern {
                 let axes = axes.iter().filter(|(cells, _)| *cells != 0.0);
                 Ok(Self::squares(axes.map(|(cells, axis)| linear(axis * cells, 0.0, &point)), even, odd))
             }
-            Texture::Placed(Placed { figure, placement }) => {
-                Self::figure(figure, placed(placement, coordinates)?)
+            Texture::Placed(&Placed { ref figure, ref placement }) => {
+                Self::figure(figure, placed(placement, coordinates)?, images)
             }
             _ => Err(Lack::New),
         }
     }
 
     /// The pattern of a panorama, as a function of the direction.
-    pub(super) fn panorama(Panorama { image, rotation }: &Panorama<'_>) -> Self {
+    pub(super) fn panorama<'a>(
+        Panorama { image, rotation }: &Panorama<'a>,
+        images: &Images<'_, 'a>,
+    ) -> Result<Self, Lack> {
         let turn = space::rotation(*rotation);
         let [x, y, z] = turn.to_cols_array_2d().map(|axis| linear(axis.into(), 0.0, &XYZ));
-        let [across, up] = globe([z, y, x]);
-        Self::image(image, [across, up], [Ends::Repeat, Ends::Extend])
+        let place = globe([z, y, x]);
+        Ok(Self::Channels(images.channels(image, [Ends::Repeat, Ends::Extend], &place)?))
     }
 
-    fn figure(figure: &Figure<'_>, [x, y, z]: [String; 3]) -> Result<Self, Lack> {
+    fn figure<'a>(
+        figure: &Figure<'a>,
+        [x, y, z]: [String; 3],
+        images: &Images<'_, 'a>,
+    ) -> Result<Self, Lack> {
         Ok(match *figure {
             Figure::Squares(Squares { even, odd }) => Self::squares([x, y, z], even, odd),
             Figure::Stripes(Stripes { first, second, width }) => {
@@ -94,7 +106,7 @@ impl Pattern {
                 let is_brick = format!("{} * {}", in_gap(&x, gap_x), in_gap(&fraction(&y), gap_y));
                 Self::either(is_brick, mortar, brick)
             }
-            Figure::Image(image) => Self::image(&image, [x, y], [image.ends; 2]),
+            Figure::Image(image) => Self::Channels(images.channels(&image, [image.ends; 2], &[x, y])?),
             Figure::Noise(_) | Figure::Marble(_) | Figure::Wood(_) => return Err(Lack::Noise),
             _ => return Err(Lack::New),
         })
@@ -113,43 +125,8 @@ impl Pattern {
         Self::Along { function, stops: vec![(0.0, Self::Color(first)), (1.0, Self::Color(second))] }
     }
 
-    /// The pattern of an image whose width and height are 1.
-    fn image(image: &Image<'_>, [x, y]: [String; 2], [across, up]: [Ends; 2]) -> Self {
-        let (x, y) =
-            (pixel(&x, image.width, image.filter, across), pixel(&y, image.height, image.filter, up));
-        let is_blended = |ends| image.filter == Filter::Bilinear && ends == Ends::Repeat;
-        let line = |line: u16| {
-            let color = |column: u16| {
-                let from_above = image.height.saturating_sub(1).saturating_sub(line);
-                Self::Color(image.light(column, from_above))
-            };
-            Self::along(&x, row(image.width, is_blended(across), color))
-        };
-        Self::along(&y, row(image.height, is_blended(up), line))
-    }
-
-    /// A pattern with any number of stops, written as a map of maps if there are more than `MOST_STOPS`.
-    fn along(function: &str, stops: Vec<(f64, Self)>) -> Self {
-        if stops.len() <= MOST_STOPS {
-            return Self::Along { function: function.to_owned(), stops };
-        }
-        // Each part begins at the last stop of the part before it.
-        let starts = (0..stops.len() - 1).step_by(MOST_STOPS - 1);
-        let parts = starts.flat_map(|start| {
-            let part: Vec<_> = stops.iter().skip(start).take(MOST_STOPS).cloned().collect();
-            let ends = [part.first(), part.last()].map(|end| end.map_or(0.0, |(at, _)| *at));
-            let pattern = Self::Along { function: function.to_owned(), stops: part };
-            ends.map(|at| (at, pattern.clone()))
-        });
-        Self::along(function, parts.collect())
-    }
-
     /// Writes the pattern with maps of this name; `body` writes a color.
-    pub(super) fn write(
-        &self,
-        map: &str,
-        body: &dyn Fn(LinearRgb) -> Result<String, Lack>,
-    ) -> Result<String, Lack> {
+    fn write(&self, map: &str, body: &dyn Fn(LinearRgb) -> Result<String, Lack>) -> Result<String, Lack> {
         match self {
             Self::Color(color) => body(*color),
             Self::Along { function, stops } => {
@@ -159,9 +136,42 @@ impl Pattern {
                 }
                 Ok(text + " }")
             }
+            // A blend by the share.
+            Self::Channels([red, green, blue]) if map == TEXTURES => {
+                let (none, full) = (body(LinearRgb::BLACK)?, body(LinearRgb::WHITE)?);
+                let share = if red == green && green == blue {
+                    red.clone()
+                } else {
+                    format!("0.25*{red} + 0.5*{green} + 0.25*{blue}")
+                };
+                Ok(format!("function {{ {share} }} {map} {{ [0 {none}] [1 {full}] }}"))
+            }
+            // The mean of three pigments, each with one channel.
+            Self::Channels(functions) => {
+                let channels = [(3.0, 0.0, 0.0), (0.0, 3.0, 0.0), (0.0, 0.0, 3.0)];
+                let (none, mut text) = (body(LinearRgb::BLACK)?, format!("average {map} {{"));
+                for (function, (r, g, b)) in functions.iter().zip(channels) {
+                    let full = body(LinearRgb::new(r, g, b))?;
+                    text += &format!(" [1 function {{ {function} }} {map} {{ [0 {none}] [1 {full}] }}]");
+                }
+                Ok(text + " }")
+            }
         }
     }
+
+    /// Writes the pattern as a pigment; `body` writes a color, and is linear in each channel.
+    pub(super) fn pigment(&self, body: &dyn Fn(LinearRgb) -> Result<String, Lack>) -> Result<String, Lack> {
+        self.write("pigment_map", body)
+    }
+
+    /// Writes textures that the pattern blends; `body` writes the texture for a share, and its light is linear
+    /// in the share.
+    pub(super) fn textures(&self, body: &dyn Fn(f32) -> Result<String, Lack>) -> Result<String, Lack> {
+        self.write(TEXTURES, &|LinearRgb { r, g, b }| body(0.25 * r + 0.5 * g + 0.25 * b))
+    }
 }
+
+const TEXTURES: &str = "texture_map";
 
 /// Whether a texture lies on surfaces, by u and v.
 pub(super) fn is_on_surface(texture: &Texture<'_>) -> bool {
@@ -182,7 +192,7 @@ fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3
 }
 
 /// The formula that maps a coordinate to 0 to 1, by these ends.
-fn folded(at: &str, ends: Ends) -> String {
+pub(super) fn folded(at: &str, ends: Ends) -> String {
     match ends {
         Ends::Repeat => fraction(at),
         Ends::Mirror => format!("abs({at} - 2*floor(({at} + 1)/2))"),
@@ -190,35 +200,22 @@ fn folded(at: &str, ends: Ends) -> String {
     }
 }
 
-/// The formula of a pixel's number, divided by the number of pixels.
-fn pixel(at: &str, count: u16, filter: Filter, ends: Ends) -> String {
-    let (at, count) = (folded(at, ends), f64::from(count));
-    let last = (count - 1.0) / count;
-    match (filter, ends) {
-        (Filter::Nearest, _) => format!("min(floor({at}*{count})/{count}, {last})"),
-        // From center to center.
-        (Filter::Bilinear, Ends::Repeat) => fraction(&format!("({at} - {})", 0.5 / count)),
-        (Filter::Bilinear, _) => format!("min(max({at} - {}, 0), {last})", 0.5 / count),
-    }
-}
-
-/// The stops of a row of `count` pixels. If the ends are blended, the first pixel is repeated at the end.
-fn row(count: u16, is_blended: bool, what: impl Fn(u16) -> Pattern) -> Vec<(f64, Pattern)> {
-    let stops = (0..count).map(|index| (f64::from(index) / f64::from(count), what(index)));
-    stops.chain(is_blended.then(|| (1.0, what(0)))).collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
-    use rayline::{Encoding, Noise, Pixels};
+    use crate::Pictures;
+    use rayline::Noise;
 
     const BLACK: LinearRgb = LinearRgb::gray(0.0);
 
     fn written(figure: Figure<'_>, placement: Placement) -> Result<String, Lack> {
         let placed = Placed::new(figure, placement);
-        Pattern::of(&Texture::Placed(&placed), &Coordinates::SPACE)?
-            .write("pigment_map", &|color| Ok(format!("{}", color.r)))
+        let mut pictures = Pictures::beside(Path::new("no folder/scene.pov"));
+        let images = Images::new(&mut pictures);
+        Pattern::of(&Texture::Placed(&placed), &Coordinates::SPACE, &images)?
+            .pigment(&|color| Ok(format!("{}", color.r)))
     }
 
     #[test]
@@ -237,30 +234,5 @@ mod tests {
         assert_eq!(written(Figure::Gradient(gradient), Placement::SURFACE), Err(Lack::Place));
         let noise = Figure::Noise(Noise { low: BLACK, high: LinearRgb::WHITE, octaves: 1 });
         assert_eq!(written(noise, placement), Err(Lack::Noise));
-    }
-
-    #[test]
-    fn wide_pictures_are_maps_of_maps() {
-        let pixels: Vec<u8> = (0..500u16).flat_map(|gray| [(gray % 251) as u8; 3]).collect();
-        let (width, height) = (500, 1);
-        let (encoding, filter, ends) = (Encoding::Linear, Filter::Nearest, Ends::Repeat);
-        let image = Image { width, height, pixels: Pixels::Rgb888(&pixels), encoding, filter, ends };
-        let Pattern::Along { stops: lines, .. } =
-            Pattern::image(&image, ["x", "y"].map(str::to_owned), [Ends::Repeat; 2])
-        else {
-            panic!("no lines")
-        };
-        let [(_, Pattern::Along { stops: parts, .. })] = lines.as_slice() else { panic!("{lines:?}") };
-        let places: Vec<f64> = parts.iter().map(|(at, _)| (at * 500.0).round()).collect();
-        assert_eq!(places, [0.0, 199.0, 199.0, 398.0, 398.0, 499.0]);
-        for (column, gray) in [(0u16, 0.0), (199, 199.0), (398, 147.0), (499, 248.0)] {
-            let at = f64::from(column) / 500.0;
-            let part = parts.iter().rev().find(|(start, _)| *start <= at);
-            let Some((_, Pattern::Along { stops, .. })) = part else { panic!("no part for {column}") };
-            let Some((_, Pattern::Color(color))) = stops.iter().find(|(place, _)| *place == at) else {
-                panic!("no pixel {column}")
-            };
-            assert!((color.r * 255.0 - gray).abs() < 0.01, "{column}: {}", color.r * 255.0);
-        }
     }
 }

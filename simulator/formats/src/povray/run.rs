@@ -8,6 +8,7 @@ use std::process::Command;
 use rayline::{Scene, Settings};
 
 use super::{PovrayError, to_povray};
+use crate::Pictures;
 use crate::raster::{Raster, RasterError};
 
 /// A picture by POV-Ray, with its report.
@@ -46,8 +47,11 @@ pub fn render(
     directory: &Path,
     name: &str,
 ) -> Result<Option<PovrayPicture>, RunError> {
-    let text = to_povray(scene, settings).map_err(RunError::Scene)?;
-    std::fs::write(directory.join(format!("{name}.pov")), text).map_err(RunError::Io)?;
+    let path = directory.join(format!("{name}.pov"));
+    let mut pictures = Pictures::beside(&path);
+    let text = to_povray(scene, settings, &mut pictures).map_err(RunError::Scene)?;
+    pictures.files().try_for_each(|(path, bytes)| std::fs::write(path, bytes)).map_err(RunError::Io)?;
+    std::fs::write(path, text).map_err(RunError::Io)?;
     let output = format!("{name}-povray.ppm");
     let mut command = Command::new("povray");
     command.current_dir(directory).args([

@@ -6,7 +6,11 @@
 //!   camera from the others, so all three are written; their lengths give the field of view.
 //! - POV-Ray multiplies ambient and diffuse light by the share of light that the pigment does not transmit,
 //!   so both are divided by that share.
-//! - Textures are functions of x, y and z, see `pattern`. A texture on surfaces is written for each object,
+//! - The picture may have any shape: its width is the height of the view times POV-Ray's own `image_width` over
+//!   `image_height`.
+//! - A light that falls off as the inverse square has a `fade_distance` close to 0. The core's lights are never
+//!   brighter than without falloff; surfaces that are so close to a lamp differ.
+//! - Textures are functions of x, y and z, see `pattern`; images are files beside the scene. A texture on surfaces is written for each object,
 //!   with the formulas of its shape's u and v.
 //! - Schlick's approximation for metals is written for each degree, with POV-Ray's pattern of the angle of
 //!   incidence, which interpolates between degrees. POV-Ray's `metallic` highlights have nearly the core's
@@ -29,6 +33,7 @@
 use rayline::shape::{Cone, CsgStep, Cylinder, Shape, Sphere};
 use rayline::{Background, Camera, Lens, Light, LinearRgb, Material, Object, Scene, Settings, Sky, Vec3};
 
+use super::images::Images;
 use super::light::{ambient, ball_lamp, light};
 use super::literal::{rgb, unit, xyz};
 use super::material::{interior, is_on_surface, texture};
@@ -36,40 +41,47 @@ use super::pattern::{Coordinates, Pattern};
 use super::shape::{corners, shape};
 use super::surface::coordinates;
 use super::{Lack, PovrayError};
+use crate::Pictures;
 
-/// Writes a scene for POV-Ray, with the bounces, the cut-off and the aspect ratio of these settings. Run
-/// POV-Ray with the same width and height.
+/// Writes a scene for POV-Ray, with the bounces and the cut-off of these settings. Its images are `pictures`,
+/// which must be written beside it.
 ///
 /// # Errors
 /// The part of the scene that cannot be written.
-pub fn to_povray(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
-    let mut text = format!(
+pub fn to_povray<'a>(
+    scene: &Scene<'a>,
+    settings: &Settings,
+    pictures: &mut Pictures<'a>,
+) -> Result<String, PovrayError> {
+    let images = Images::new(pictures);
+    let head = format!(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light \
          rgb {} }}\n",
         u32::from(settings.bounces) + 1,
         settings.cutoff,
         rgb(ambient(scene))
     );
-    text += &background(&scene.background).map_err(PovrayError::Background)?;
+    let mut text = background(&scene.background, &images).map_err(PovrayError::Background)?;
     if !scene.motions.is_empty() {
         return Err(PovrayError::Motions(Lack::Motion));
     }
-    text += &camera(&scene.camera, settings).map_err(PovrayError::Camera)?;
+    text += &camera(&scene.camera).map_err(PovrayError::Camera)?;
     let extent = extent(scene);
     for (index, source) in scene.lights.iter().enumerate() {
         text += &light(scene, source, extent).map_err(|lack| PovrayError::Light { index, lack })?;
     }
     for (index, material) in scene.materials.iter().enumerate().filter(|(_, one)| !is_on_surface(one)) {
-        let texture = texture(material, &Coordinates::SPACE);
+        let texture = texture(material, &Coordinates::SPACE, &images);
         let texture = texture.map_err(|lack| PovrayError::Material { index, lack })?;
         text += &format!("#declare Material{index} = texture {{{texture}\n}}\n");
     }
-    text += &objects(scene)?;
-    Ok(text)
+    text += &objects(scene, &images)?;
+    // Images are declared in front of their uses.
+    Ok(head + &images.declarations() + &text)
 }
 
 /// The background.
-fn background(background: &Background<'_>) -> Result<String, Lack> {
+fn background<'a>(background: &Background<'a>, images: &Images<'_, 'a>) -> Result<String, Lack> {
     Ok(match *background {
         Background::Solid(color) => format!("background {{ rgb {} }}\n", rgb(color)),
         Background::Gradient(&Sky { up, zenith, horizon, nadir }) => {
@@ -85,7 +97,7 @@ fn background(background: &Background<'_>) -> Result<String, Lack> {
         }
         Background::Image(panorama) => {
             let color = |color| Ok(format!("rgb {}", rgb(color)));
-            let pigment = Pattern::panorama(panorama).write("pigment_map", &color)?;
+            let pigment = Pattern::panorama(panorama, images)?.pigment(&color)?;
             format!("sky_sphere {{ pigment {{ {pigment} }} }}\n")
         }
         _ => return Err(Lack::New),
@@ -93,11 +105,10 @@ fn background(background: &Background<'_>) -> Result<String, Lack> {
 }
 
 /// The camera, by the vectors of the picture plane at distance 1.
-fn camera(camera: &Camera, settings: &Settings) -> Result<String, Lack> {
+fn camera(camera: &Camera) -> Result<String, Lack> {
     let forward = unit((camera.target - camera.eye).to::<f64>());
     let right = unit(forward.cross(camera.up.to::<f64>()));
     let height = 2.0 * (f64::from(camera.vertical_fov) / 2.0).tan();
-    let width = height * f64::from(settings.width) / f64::from(settings.height);
     let eye = camera.eye.to::<f64>();
     let blur = match camera.lens {
         None => String::new(),
@@ -109,10 +120,10 @@ fn camera(camera: &Camera, settings: &Settings) -> Result<String, Lack> {
         ),
     };
     Ok(format!(
-        "camera {{ perspective location {} direction {} right {} up {}{blur} }}\n",
+        "camera {{ perspective location {} direction {} right {}*image_width/image_height up {}{blur} }}\n",
         xyz(eye),
         xyz(forward),
-        xyz(right * width),
+        xyz(right * height),
         xyz(right.cross(forward) * height)
     ))
 }
@@ -169,7 +180,7 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
 }
 
 /// All objects with their materials. The transparent faces of one material are written as one object.
-fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
+fn objects<'a>(scene: &Scene<'a>, images: &Images<'_, 'a>) -> Result<String, PovrayError> {
     let mut text = String::new();
     let mut faces = vec![String::new(); scene.materials.len()];
     for (index, object) in scene.objects.iter().enumerate() {
@@ -179,7 +190,7 @@ fn objects(scene: &Scene<'_>) -> Result<String, PovrayError> {
         };
         let (kind, geometry) = shape(&object.shape).ok_or(PovrayError::NotOneSolid(index))?;
         let own = if is_on_surface(material) {
-            let texture = texture(material, &coordinates(&object.shape));
+            let texture = texture(material, &coordinates(&object.shape), images);
             let texture = texture.map_err(|lack| PovrayError::Material { index: number, lack })?;
             Some(format!("texture {{{texture} }}"))
         } else {
@@ -249,6 +260,8 @@ fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
     use rayline::shape::{Csg, Polygon, Solid, Torus, Triangle};
     use rayline::{Light, LinearRgb, Material, Texture};
@@ -284,6 +297,10 @@ mod tests {
         }
     }
 
+    fn written(scene: &Scene<'_>, settings: &Settings) -> Result<String, PovrayError> {
+        to_povray(scene, settings, &mut Pictures::beside(Path::new("no folder/scene.pov")))
+    }
+
     #[test]
     fn a_small_scene_in_full() {
         let corners = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), UP];
@@ -305,14 +322,14 @@ mod tests {
         let lights = [Light::Directional { direction: Vec3::new(0.0, -2.0, 0.0), color: LinearRgb::WHITE }];
         let materials = [checkered, GLASS];
         let settings = Settings { bounces: 3, cutoff: 0.25, ..Settings::new(200, 100) };
-        let text = to_povray(&scene(&objects, &materials, &lights), &settings).unwrap();
+        let text = written(&scene(&objects, &materials, &lights), &settings).unwrap();
         assert_eq!(
             text,
             "\
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.25 ambient_light rgb <1, 1, 1> }
 background { rgb <0.1, 0.2, 0.3> }
-camera { perspective location <0, 0, 5> direction <0, 0, -1> right <4.000000174845564, 0, 0> up <0, 2.000000087422782, 0> }
+camera { perspective location <0, 0, 5> direction <0, 0, -1> right <2.000000087422782, 0, 0>*image_width/image_height up <0, 2.000000087422782, 0> }
 light_source { <0, 500, 0> rgb <1, 1, 1> parallel point_at 0 }
 #declare Material0 = texture {
   pigment { function { mod(abs(floor(x*0.5 + 1e-6) + floor(z*0.5 + 1e-6)), 2) } pigment_map { [0 rgbt <1, 1, 1, 0>] [1 rgbt <0.5, 0.5, 0.5, 0>] } }
@@ -348,7 +365,7 @@ union {
         ];
         let sun = Light::Directional { direction: -UP, color: LinearRgb::WHITE };
         for shape in shapes {
-            let text = to_povray(&scene(&[Object::new(shape, 0)], &[GLASS], &[sun]), &Settings::new(8, 8));
+            let text = written(&scene(&[Object::new(shape, 0)], &[GLASS], &[sun]), &Settings::new(8, 8));
             assert!(text.unwrap().contains("light_source { <0, 90000, 0>"), "{shape:?}");
         }
     }
@@ -358,14 +375,14 @@ union {
         let ball = CsgStep::Solid(Solid::Sphere(Sphere::new(Vec3::ZERO, 1.0)));
         let steps = [ball, ball];
         let objects = [Object::new(Shape::Csg(Csg::new(&steps)), 0)];
-        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        let error = written(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
         assert_eq!(error, PovrayError::NotOneSolid(0));
     }
 
     #[test]
     fn indices_of_nested_spheres_are_absolute() {
         let objects = [0.5, 1.0].map(|radius| Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, radius)), 0));
-        let text = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap();
+        let text = written(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap();
         assert!(text.contains("0.5 texture { Material0 } interior { ior 2.25 }"), "{text}");
         assert!(text.contains("1 texture { Material0 } interior { ior 1.5 }"), "{text}");
     }
@@ -373,7 +390,7 @@ union {
     #[test]
     fn unknown_materials_are_refused() {
         let objects = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 1)];
-        let error = to_povray(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
+        let error = written(&scene(&objects, &[GLASS], &[]), &Settings::new(8, 8)).unwrap_err();
         assert_eq!(error, PovrayError::UnknownMaterial(0));
     }
 }

@@ -41,7 +41,8 @@
 //!   used in place of its number.
 //! - In place of a material, the name of one in [`rayline::materials`] may be written, see [`PRESETS`].
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
-//!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`. Both names are relative to the folder
+//!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`; `Image(file: "wood.png", ends: Mirror)`
+//!   says otherwise. A PNG file with a palette of 16 or 256 colors keeps it. Names are relative to the folder
 //!   of the scene's file.
 //! - `settings` of the scene say how its picture is meant to be drawn, see [`FileSettings`]; options of the
 //!   command line overrule them.
@@ -49,6 +50,7 @@
 
 mod error;
 mod names;
+mod pictures;
 mod scan;
 mod settings;
 #[cfg(test)]
@@ -66,13 +68,14 @@ use ron::Options;
 use ron::extensions::Extensions;
 use serde::de::DeserializeOwned;
 
-use crate::text;
+use crate::{Pictures, text};
 
 /// The reason why RON cannot express a scene.
 pub use ::ron::Error as FormatError;
 pub use error::{Position, RonError, RonFault};
 use names::Known;
 pub use names::PRESETS;
+use pictures::Marked;
 use settings::File;
 pub use settings::FileSettings;
 
@@ -166,6 +169,23 @@ fn parse<'a>(
             (Err(error), _) => return Err(RonFault::from_ron(error, known.unknown())),
         }
     }
+}
+
+/// Writes a scene as text, with its pictures as files beside it, and with those settings that differ from the
+/// `usual` ones of a file.
+///
+/// # Errors
+/// The format cannot express the scene, or an image has another number of pixels than width times height.
+pub fn write_beside<'a>(
+    scene: &Scene<'a>,
+    settings: &Settings,
+    usual: &Settings,
+    pictures: &mut Pictures<'a>,
+    arena: &'a Bump,
+) -> Result<String, ron::Error> {
+    let mut marked = Marked::new(arena, pictures);
+    let scene = marked.scene(scene).map_err(|error| ron::Error::Message(error.to_string()))?;
+    Ok(marked.name(&write(&scene, settings, usual)?))
 }
 
 /// Writes a scene as text, with those settings that differ from the `usual` ones of a file.

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use bumpalo::Bump;
+use png::BitDepth;
 use rayline::materials::{ALUMINUM, CHROMIUM, COPPER, DIAMOND, FLINT, GLASS, GOLD, ICE, IRON, SILVER, WATER};
 use rayline::shape::{Mesh, Shape};
 use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
@@ -13,7 +14,7 @@ use serde::Serialize;
 use super::RonFault;
 use super::scan::object_names;
 use crate::obj;
-use crate::raster::Raster;
+use crate::raster::{Indexed, Raster};
 
 /// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [
@@ -127,12 +128,28 @@ impl<'a> Known<'a> {
 
     fn image(&self, name: &str) -> Result<&'a [u8], RonFault> {
         let bytes = std::fs::read(self.directory.join(name)).map_err(|error| failed(name, error))?;
+        if let Some(Indexed { width, height, depth, indices, palette }) = Indexed::decode(&bytes) {
+            let pixels = match depth {
+                BitDepth::Four => Pixels::Palette4 { indices: &indices, palette: &palette },
+                _ => Pixels::Palette8 { indices: &indices, palette: &palette },
+            };
+            return self.picture(name, (width, height), pixels);
+        }
         let picture = Raster::decode(&bytes).map_err(|error| failed(name, error))?;
+        self.picture(name, (picture.width, picture.height), Pixels::Rgb888(&picture.rgb()))
+    }
+
+    fn picture(
+        &self,
+        name: &str,
+        (width, height): (u32, u32),
+        pixels: Pixels<'_>,
+    ) -> Result<&'a [u8], RonFault> {
         let image = Image {
             // Larger images are refused.
-            width: picture.width as u16,
-            height: picture.height as u16,
-            pixels: Pixels::Rgb888(&picture.rgb()),
+            width: width as u16,
+            height: height as u16,
+            pixels,
             encoding: Encoding::Srgb,
             filter: Filter::Bilinear,
             ends: Ends::Repeat,
