@@ -43,6 +43,9 @@ impl RonError {
     }
 }
 
+/// The most levels of parentheses, brackets and braces.
+pub(super) const MOST_LEVELS: usize = 128;
+
 /// The fault of a RON file.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -53,6 +56,12 @@ pub enum RonFault {
     NotUtf8,
     /// The text breaks the grammar there. Correct it.
     Syntax(ron::Error),
+    /// Parentheses, brackets and braces are nested too deeply there. A scene needs about a dozen levels: remove
+    /// the others.
+    TooDeep {
+        /// The most levels.
+        most: usize,
+    },
     /// A name is unknown. Use a known one.
     UnknownName {
         /// The kind of the named item.
@@ -122,6 +131,7 @@ impl RonFault {
             ron::Error::MissingStructField { field, outer } => Self::MissingField { what: outer, field },
             // The format may report the outer type instead, as above; the position is enough here.
             ron::Error::DuplicateStructField { field, .. } => Self::SameField { field },
+            ron::Error::ExceededRecursionLimit => Self::TooDeep { most: MOST_LEVELS },
             error => Self::Syntax(error),
         });
         (error.span.start.into(), fault)
@@ -156,6 +166,11 @@ impl fmt::Display for RonFault {
             Self::Read(error) => error.fmt(f),
             Self::NotUtf8 => f.write_str("not a text file; convert it to UTF-8"),
             Self::Syntax(error) => error.fmt(f),
+            Self::TooDeep { most } => write!(
+                f,
+                "parentheses, brackets and braces are nested more than {most} deep; remove some, a scene needs \
+                 about a dozen"
+            ),
             Self::UnknownName { what, name, known } => {
                 write!(f, "there is no {what} `{}`", name.escape_debug())?;
                 match &**known {

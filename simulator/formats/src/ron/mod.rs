@@ -72,6 +72,7 @@ use crate::{Pictures, text};
 
 /// The reason why RON cannot express a scene.
 pub use ::ron::Error as FormatError;
+use error::MOST_LEVELS;
 pub use error::{Position, RonError, RonFault};
 use names::Known;
 pub use names::PRESETS;
@@ -132,7 +133,7 @@ fn read_text(path: &Path) -> Result<String, RonError> {
 
 /// The options of the format.
 fn options() -> Options {
-    Options::default().with_default_extension(
+    Options::default().with_recursion_limit(MOST_LEVELS).with_default_extension(
         Extensions::IMPLICIT_SOME | Extensions::UNWRAP_NEWTYPES | Extensions::UNWRAP_VARIANT_NEWTYPES,
     )
 }

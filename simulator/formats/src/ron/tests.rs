@@ -407,3 +407,87 @@ fn other_texts_are_refused() {
     text.push_str(&"[".repeat(100_000));
     assert!(parsed(&Bump::new(), &text).is_err());
 }
+
+#[test]
+fn texts_that_are_nested_too_deeply_are_refused_in_plain_words() {
+    for open in ["(a: ", "["] {
+        let text = format!("Scene(camera: {}", open.repeat(200));
+        let (_, fault) = parsed(&Bump::new(), &text).unwrap_err();
+        assert_eq!(
+            fault.to_string(),
+            "parentheses, brackets and braces are nested more than 128 deep; remove some, a scene needs about \
+             a dozen"
+        );
+    }
+}
+
+/// Writes a scene with its pictures into a folder, and reads it back.
+fn beside<'a>(arena: &'a Bump, scene: &Scene<'a>, folder: &Path) -> (String, Scene<'a>) {
+    let path = folder.join("scene.ron");
+    let mut pictures = Pictures::beside(&path);
+    let text = write_beside(scene, &FILE_SETTINGS, &FILE_SETTINGS, &mut pictures, arena).unwrap();
+    for (path, bytes) in pictures.files() {
+        fs::write(path, bytes).unwrap();
+    }
+    fs::write(&path, &text).unwrap();
+    let import = read(arena, &path).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    (text, import.scene)
+}
+
+#[test]
+fn pictures_are_files_with_the_same_pixels() {
+    let (arena, folder) = (Bump::new(), tempfile::tempdir().unwrap());
+    let Figure::Image(striped) = FIGURES[9] else { panic!() };
+    let panorama =
+        Panorama { image: Image { encoding: Encoding::Srgb, ends: Ends::Repeat, ..striped }, rotation: UP };
+    let scene = Scene { background: Background::Image(&panorama), ..everything(&arena) };
+    let (text, again) = beside(&arena, &scene, folder.path());
+    // The picture of the panorama is also that of a material.
+    assert!(text.contains("image: \"scene-1.png\""), "{text}");
+    for (number, count) in [(1, 2), (2, 1), (3, 1), (4, 1), (5, 0)] {
+        assert_eq!(text.matches(&format!("\"scene-{number}.png\"")).count(), count, "{number}: {text}");
+    }
+    assert!(text.contains("file: \"scene-2.png\"") && !text.contains("pixels"), "{text}");
+    // Pixels of 16 bits become 24 bits, and all others stay.
+    let mut materials = scene.materials.to_vec();
+    let wide = Placed::new(image(Pixels::Rgb888(&[0, 0, 0, 255, 255, 255])), placement_of(&materials[7]));
+    materials[7].color = Texture::Placed(&wide);
+    assert_eq!(again, Scene { materials: &materials, ..scene });
+}
+
+/// The placement of a material's texture.
+fn placement_of(material: &Material<'_>) -> Placement {
+    let Texture::Placed(placed) = material.color else { panic!() };
+    placed.placement
+}
+
+#[test]
+fn fields_beside_a_file_overrule_it() {
+    let (arena, folder) = (Bump::new(), tempfile::tempdir().unwrap());
+    let png = crate::raster::to_png((2, 1), 3, &[1, 2, 3, 4, 5, 6]).unwrap();
+    fs::write(folder.path().join("a.png"), png).unwrap();
+    let named = Image {
+        width: 2,
+        height: 1,
+        pixels: Pixels::Rgb888(&[1, 2, 3, 4, 5, 6]),
+        encoding: Encoding::Srgb,
+        filter: Filter::Bilinear,
+        ends: Ends::Repeat,
+    };
+    for (written, expected) in [
+        ("\"a.png\"", named),
+        ("file: \"a.png\"", named),
+        ("ends: Mirror, file: \"a.png\"", Image { ends: Ends::Mirror, ..named }),
+        (
+            "file: \"a.png\", filter: Nearest, encoding: Linear",
+            Image { filter: Filter::Nearest, encoding: Encoding::Linear, ..named },
+        ),
+    ] {
+        let path = folder.path().join("scene.ron");
+        let material = format!("(color: Placed(figure: Image({written})))");
+        fs::write(&path, SMALL.replace("\"gold\"", &material)).unwrap();
+        let import = read(&arena, &path).unwrap_or_else(|error| panic!("{error}"));
+        let Texture::Placed(placed) = import.scene.materials[1].color else { panic!() };
+        assert_eq!(placed.figure, Figure::Image(expected), "{written}");
+    }
+}
