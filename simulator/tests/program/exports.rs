@@ -12,24 +12,30 @@ use crate::bench::{Bench, pixels};
 fn square(material: &str, sampler: &str, more: &str) -> String {
     format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0, 1, 2]}}],
-        "nodes": [{{"mesh": 0}}, {{"camera": 0, "translation": [0, 0, 4]}}, {{"mesh": 0, "translation": [1, 0.5, -2]}}],
-        "cameras": [{{"type": "perspective", "perspective": {{"yfov": 0.7, "znear": 0.1, "aspectRatio": 1.3333}}}}],
-        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "TEXCOORD_0": 1}}, "indices": 2, "material": 0}}]}}],
+        "nodes": [{{"mesh": 0}}, {{"camera": 0, "translation": [0, 0, 4]}},
+            {{"mesh": 0, "translation": [1, 0.5, -2]}}],
+        "cameras": [{{"type": "perspective",
+            "perspective": {{"yfov": 0.7, "znear": 0.1, "aspectRatio": 1.3333}}}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "TEXCOORD_0": 1}},
+            "indices": 2, "material": 0}}]}}],
         "materials": [{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}}, "metallicFactor": 0,
             "roughnessFactor": 1}}, "doubleSided": true{material}}}],
-        "textures": [{{"source": 0, "sampler": 0}}], "images": [{{"uri": "wood.png"}}], "samplers": [{{{sampler}}}],
+        "textures": [{{"source": 0, "sampler": 0}}], "images": [{{"uri": "wood.png"}}],
+        "samplers": [{{{sampler}}}],
         "buffers": [{{"byteLength": 92, "uri": "square.bin"}}],
-        "bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 32}},
+        "bufferViews": [{{"buffer": 0, "byteLength": 48}},
+            {{"buffer": 0, "byteOffset": 48, "byteLength": 32}},
             {{"buffer": 0, "byteOffset": 80, "byteLength": 12}}],
         "accessors": [
-            {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}},
+            {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                "min": [-1, -1, 0], "max": [1, 1, 0]}},
             {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"}},
             {{"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}}]{more}}}"#
     )
 }
 
-/// Writes the square's buffer, with texture coordinates from 0 to `repeats`, and a picture of so many pixels a
-/// side without symmetry.
+/// Writes the square's buffer, with texture coordinates from 0 to `repeats`, and a picture of so many pixels
+/// a side without symmetry.
 fn write_parts(bench: &Bench, repeats: f32, side: u8) {
     let places: [f32; 12] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
     let uvs = [0.0, repeats, repeats, repeats, repeats, 0.0, 0.0, 0.0];
@@ -154,7 +160,8 @@ fn lamps_with_an_inverse_square_are_drawn_alike_by_povray() {
     write_parts(&bench, 1.0, 4);
     for kind in ["\"point\"", "\"spot\", \"spot\": {\"outerConeAngle\": 0.3}"] {
         let lamp = format!(
-            r#", "extensionsUsed": ["KHR_lights_punctual"], "extensions": {{"KHR_lights_punctual": {{"lights": [
+            r#", "extensionsUsed": ["KHR_lights_punctual"], "extensions": {{
+            "KHR_lights_punctual": {{"lights": [
             {{"type": {kind}, "intensity": 60, "color": [1, 0.9, 0.8]}}]}}}}"#
         );
         let lit = square("", "", &lamp).replace(

@@ -324,8 +324,8 @@ fn files_without_light_or_view_get_one() {
     assert!((direction - Vec3::new(0.6, -1.0, -0.6)).length() < 1e-6, "{direction:?}");
     assert_eq!(color, LinearRgb::gray(0.9));
     let import = parse_ok(&arena, &format!("{GRAY}l 0 0 9 s 0 0 0 1 c 4 0 0 1 6 0 0 1"));
-    let expected = "the file: it has no view (`v`); the whole model is seen from the front, slightly from the \
-                    right and above (y is up)";
+    let expected = "the file: it has no view (`v`); the whole model is seen from the front, slightly from \
+                    the right and above (y is up)";
     assert_eq!(import.notes, [expected]);
     assert_eq!((import.resolution, import.scene.camera.target), ((640, 480), Vec3::new(3.0, 0.0, 0.0)));
     assert_eq!(import.line_of(Part::Camera), None);

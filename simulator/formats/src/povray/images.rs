@@ -78,7 +78,8 @@ impl Declared {
             Encoding::Linear => "1",
         };
         let mut text = format!(
-            "#declare Picture{number} = function {{ pigment {{ image_map {{ png \"{file}\" gamma {gamma} }} }} }}\n"
+            "#declare Picture{number} = function {{ pigment {{ image_map {{ png \"{file}\" gamma \
+             {gamma} }} }} }}\n"
         );
         for (name, channel) in [("Red", "red"), ("Green", "green"), ("Blue", "blue")] {
             let pixel = |right: u8, up: u8| {
@@ -119,7 +120,8 @@ impl Declared {
         if axis == 0 { (width, across) } else { (height, up) }
     }
 
-    /// The formula of a coordinate in pixels. Whole numbers are edges of pixels, or with a blend their centers.
+    /// The formula of a coordinate in pixels. Whole numbers are edges of pixels, or with a blend
+    /// their centers.
     fn place(&self, axis: usize, at: &str) -> String {
         let (count, ends) = self.axis(axis);
         let half = if self.filter == Filter::Bilinear { 0.5 } else { 0.0 };

@@ -62,8 +62,8 @@ fn lamp_source(lamp: &Lamp) -> Result<String, Lack> {
     }
     let (constant, quadratic) = (f64::from(constant), f64::from(quadratic));
     let (brightness, fade) = if quadratic > 0.0 {
-        // An inverse square is the limit of small distances: a thousandth of that where the light is as bright
-        // as without falloff is exact to a millionth.
+        // An inverse square is the limit of small distances. A thousandth of that where the light is as
+        // bright as without falloff is exact to a millionth.
         let least = 1e-6;
         let constant = constant.max(least);
         (0.5 / constant, format!(" fade_distance {} fade_power 2", (constant / quadratic).sqrt()))

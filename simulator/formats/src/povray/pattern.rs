@@ -67,7 +67,7 @@ impl Pattern {
                 let axes = axes.iter().filter(|(cells, _)| *cells != 0.0);
                 Ok(Self::squares(axes.map(|(cells, axis)| linear(axis * cells, 0.0, &point)), even, odd))
             }
-            Texture::Placed(&Placed { ref figure, ref placement }) => {
+            Texture::Placed(Placed { figure, placement }) => {
                 Self::figure(figure, placed(placement, coordinates)?, images)
             }
             _ => Err(Lack::New),
@@ -164,8 +164,8 @@ impl Pattern {
         self.write("pigment_map", body)
     }
 
-    /// Writes textures that the pattern blends; `body` writes the texture for a share, and its light is linear
-    /// in the share.
+    /// Writes textures that the pattern blends; `body` writes the texture for a share, and its light is
+    /// linear in the share.
     pub(super) fn textures(&self, body: &dyn Fn(f32) -> Result<String, Lack>) -> Result<String, Lack> {
         self.write(TEXTURES, &|LinearRgb { r, g, b }| body(0.25 * r + 0.5 * g + 0.25 * b))
     }

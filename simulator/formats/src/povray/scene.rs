@@ -6,12 +6,12 @@
 //!   camera from the others, so all three are written; their lengths give the field of view.
 //! - POV-Ray multiplies ambient and diffuse light by the share of light that the pigment does not transmit,
 //!   so both are divided by that share.
-//! - The picture may have any shape: its width is the height of the view times POV-Ray's own `image_width` over
-//!   `image_height`.
-//! - A light that falls off as the inverse square has a `fade_distance` close to 0. The core's lights are never
-//!   brighter than without falloff; surfaces that are so close to a lamp differ.
-//! - Textures are functions of x, y and z, see `pattern`; images are files beside the scene. A texture on surfaces is written for each object,
-//!   with the formulas of its shape's u and v.
+//! - The picture may have any shape: its width is the height of the view times POV-Ray's own `image_width`
+//!   over `image_height`.
+//! - A light that falls off as the inverse square has a `fade_distance` close to 0. The core's lights are
+//!   never brighter than without falloff; surfaces that are so close to a lamp differ.
+//! - Textures are functions of x, y and z, see `pattern`; images are files beside the scene. A texture on
+//!   surfaces is written for each object, with the formulas of its shape's u and v.
 //! - Schlick's approximation for metals is written for each degree, with POV-Ray's pattern of the angle of
 //!   incidence, which interpolates between degrees. POV-Ray's `metallic` highlights have nearly the core's
 //!   color.

@@ -56,8 +56,8 @@ pub enum RonFault {
     NotUtf8,
     /// The text breaks the grammar there. Correct it.
     Syntax(ron::Error),
-    /// Parentheses, brackets and braces are nested too deeply there. A scene needs about a dozen levels: remove
-    /// the others.
+    /// Parentheses, brackets and braces are nested too deeply there. A scene needs about a dozen levels:
+    /// remove the others.
     TooDeep {
         /// The most levels.
         most: usize,
@@ -168,8 +168,8 @@ impl fmt::Display for RonFault {
             Self::Syntax(error) => error.fmt(f),
             Self::TooDeep { most } => write!(
                 f,
-                "parentheses, brackets and braces are nested more than {most} deep; remove some, a scene needs \
-                 about a dozen"
+                "parentheses, brackets and braces are nested more than {most} deep; remove some, a scene \
+                 needs about a dozen"
             ),
             Self::UnknownName { what, name, known } => {
                 write!(f, "there is no {what} `{}`", name.escape_debug())?;

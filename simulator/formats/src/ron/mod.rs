@@ -41,9 +41,9 @@
 //!   used in place of its number.
 //! - In place of a material, the name of one in [`rayline::materials`] may be written, see [`PRESETS`].
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
-//!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`; `Image(file: "wood.png", ends: Mirror)`
-//!   says otherwise. A PNG file with a palette of 16 or 256 colors keeps it. Names are relative to the folder
-//!   of the scene's file.
+//!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`;
+//!   `Image(file: "wood.png", ends: Mirror)` says otherwise. A PNG file with a palette of 4 or 8 bits keeps
+//!   it. Names are relative to the folder of the scene's file.
 //! - `settings` of the scene say how its picture is meant to be drawn, see [`FileSettings`]; options of the
 //!   command line overrule them.
 //! - `Some` and the inner parentheses of `Sphere((center: …))` are omitted.

@@ -415,8 +415,8 @@ fn texts_that_are_nested_too_deeply_are_refused_in_plain_words() {
         let (_, fault) = parsed(&Bump::new(), &text).unwrap_err();
         assert_eq!(
             fault.to_string(),
-            "parentheses, brackets and braces are nested more than 128 deep; remove some, a scene needs about \
-             a dozen"
+            "parentheses, brackets and braces are nested more than 128 deep; remove some, a scene needs \
+             about a dozen"
         );
     }
 }
