@@ -115,13 +115,14 @@ fn backs_of_one_sided_surfaces_are_not_seen_and_throw_shadows() {
     assert_sees(&[wall(0.0, 0.0, 1), wall(9.0, 0.0, 0)], &[sheet, mirror], &[], [0.5; 3]);
     assert_sees(&[wall(0.0, 0.0, 1), back(9.0, 0)], &[sheet, mirror], &[], [0.8, 0.6, 0.4]);
     // Of two triangles at one place, the front is seen, from either side.
-    let (vertices, triangles) =
-        ([[-2.0, -2.0], [2.0, -2.0], [0.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0)), [[0, 1, 2], [0, 2, 1]]);
-    for triangles in [&triangles[..], &triangles[..1]] {
-        let mesh = Mesh { vertices: &vertices, triangles, normals: None, uvs: None, colors: None };
+    const CORNERS: [Vec3; 3] =
+        [Vec3::new(-2.0, -2.0, 0.0), Vec3::new(2.0, -2.0, 0.0), Vec3::new(0.0, 2.0, 0.0)];
+    const BOTH: [[u16; 3]; 2] = [[0, 2, 1], [0, 1, 2]];
+    for triangles in [&BOTH[..], &BOTH[1..]] {
+        let mesh = Mesh { vertices: &CORNERS, triangles, normals: None, uvs: None, colors: None };
         assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.8, 0.6, 0.4]);
     }
-    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 2, 1]], normals: None, uvs: None, colors: None };
+    let mesh = Mesh { vertices: &CORNERS, triangles: &BOTH[..1], normals: None, uvs: None, colors: None };
     assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.5; 3]);
     // Both sides throw shadows.
     let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
@@ -217,16 +218,11 @@ fn textures_change_the_colors_of_optics() {
 
 #[test]
 fn vertices_have_colors() {
-    let vertices = [[-2.0, -1.0], [2.0, -1.0], [0.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
-    // 188 is the code of about half of the light.
-    let colors = [[255, 0, 188], [0, 255, 188], [0, 0, 188]];
-    let mesh = Mesh {
-        vertices: &vertices,
-        triangles: &[[0, 1, 2]],
-        normals: None,
-        uvs: None,
-        colors: Some(&colors),
-    };
+    const CORNERS: [Vec3; 3] =
+        [Vec3::new(-2.0, -1.0, 0.0), Vec3::new(2.0, -1.0, 0.0), Vec3::new(0.0, 2.0, 0.0)];
+    const COLORS: [[u8; 3]; 3] = [[255, 0, 188], [0, 255, 188], [0, 0, 188]];
+    let mesh =
+        Mesh { vertices: &CORNERS, triangles: &[[0, 1, 2]], normals: None, uvs: None, colors: Some(&COLORS) };
     let shown = Material { ambient: 0.9, ..Material::matte(LinearRgb::new(1.0, 0.5, 1.0)) };
     let half = 0.9 * ((188.0f64 / 255.0 + 0.055) / 1.055).powf(2.4);
     assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[shown], &[], [0.3, 0.15, half]);

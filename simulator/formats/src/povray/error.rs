@@ -40,8 +40,10 @@ pub enum Lack {
     Area,
     /// A lens with blades: POV-Ray's aperture is round.
     Blades,
-    /// Bump maps: POV-Ray tilts normals by another rule.
+    /// Bump maps and normal maps: POV-Ray tilts normals by another rule.
     Bumps,
+    /// A map of a color of the optics.
+    ColorMap,
     /// A light that falls off with a linear term.
     Falloff,
     /// Mirrored or refracted rays in a lobe.
@@ -53,6 +55,12 @@ pub enum Lack {
     /// Texture coordinates of a CSG, of instances, of a polyhedron, quadric or implicit surface, or of a mesh
     /// without its own; or of a mesh that has a texture in space as well.
     Place,
+    /// A surface that is seen from one side only and throws shadows from both.
+    Sides,
+    /// A thin sheet with an index of refraction other than 1.
+    Thin,
+    /// Colors at the vertices of a mesh.
+    VertexColors,
     /// An image with another number of pixels than its width times its height.
     Pixels,
     /// Falloff of reflections with distance.
@@ -73,6 +81,7 @@ impl fmt::Display for Lack {
             Self::Area => "its flat lights are as bright from all sides",
             Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
+            Self::ColorMap => "its finishes have one color of reflection and emission",
             Self::Falloff => "its lights fall off without a linear term",
             Self::Motion => "it blurs nothing that moves",
             Self::Lobes => "its mirrored and refracted rays are sharp",
@@ -80,11 +89,14 @@ impl fmt::Display for Lack {
             Self::Place => "texture coordinates on this surface have no formula",
             Self::Pixels => "an image has another number of pixels than its width times its height",
             Self::ReflectionFalloff => "its reflections do not fade with distance",
+            Self::Sides => "its surfaces have two sides",
             Self::Sky => "its background gives no light without radiosity",
             Self::Schlick => "Schlick's approximation can be written for opaque surfaces only",
+            Self::Thin => "its surfaces bend light, or mirror none of it by Fresnel's equations",
             Self::TransmissionColor => {
                 "it has one color for both the diffuse and the transmitted light of a surface"
             }
+            Self::VertexColors => "its meshes have whole textures at their vertices, and no factors",
             Self::New => "it is newer than this writer",
         })
     }

@@ -1,6 +1,6 @@
 //! Materials in POV-Ray's language: textures, finishes and interiors.
 
-use rayline::{Falloff, Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics};
+use rayline::{Falloff, Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Sides};
 
 use super::Lack;
 use super::images::Images;
@@ -34,8 +34,10 @@ fn with_maps<'a>(
     let Some((Map { onto, texture }, rest)) = maps.split_first() else {
         return plain(material, coordinates, images);
     };
-    if let Onto::Bump { .. } = onto {
-        return Err(Lack::Bumps);
+    match onto {
+        Onto::Bump { .. } | Onto::Normal { .. } => return Err(Lack::Bumps),
+        Onto::ReflectionColor | Onto::TransmissionColor | Onto::Emission => return Err(Lack::ColorMap),
+        _ => {}
     }
     Pattern::of(texture, coordinates, images)?.textures(&|share| {
         let mut changed = *material;
@@ -58,8 +60,14 @@ fn plain<'a>(
     images: &Images<'_, 'a>,
 ) -> Result<String, Lack> {
     let Material { ambient, diffuse, reflectance, transmittance, .. } = *material;
-    let Optics { fresnel, reflection_color, emission, reflection_falloff, gloss, translucency, .. } =
-        *material.optics.unwrap_or(&Optics::PLAIN);
+    let optics = *material.optics.unwrap_or(&Optics::PLAIN);
+    let Optics { fresnel, reflection_color, emission, reflection_falloff, gloss, translucency, .. } = optics;
+    if optics.sides == Sides::Front {
+        return Err(Lack::Sides);
+    }
+    if optics.thin && material.ior != 1.0 {
+        return Err(Lack::Thin);
+    }
     if gloss.is_some() || translucency.is_some() {
         return Err(Lack::Lobes);
     }

@@ -30,7 +30,7 @@
 //! Render with `File_Gamma=1` and without anti-aliasing. The picture then equals that of
 //! [`Transfer::Linear`](rayline::Transfer::Linear) but for rounding.
 
-use rayline::shape::{Cone, CsgStep, Cylinder, Shape, Sphere};
+use rayline::shape::{Cone, CsgStep, Cylinder, Model, Shape, Sphere};
 use rayline::{Background, Camera, Lens, Light, LinearRgb, Material, Object, Scene, Settings, Sky, Vec3};
 
 use super::images::Images;
@@ -179,6 +179,17 @@ fn places(shape: &Shape<'_>) -> Vec<Vec3> {
     }
 }
 
+/// Whether a mesh has colors at its vertices.
+fn has_vertex_colors(shape: &Shape<'_>) -> bool {
+    match shape {
+        Shape::Mesh(mesh) => mesh.colors.is_some(),
+        Shape::Instances(instances) => {
+            matches!(instances.model, Model::Mesh(mesh) if mesh.colors.is_some())
+        }
+        _ => false,
+    }
+}
+
 /// All objects with their materials. The transparent faces of one material are written as one object.
 fn objects<'a>(scene: &Scene<'a>, images: &Images<'_, 'a>) -> Result<String, PovrayError> {
     let mut text = String::new();
@@ -189,6 +200,9 @@ fn objects<'a>(scene: &Scene<'a>, images: &Images<'_, 'a>) -> Result<String, Pov
             return Err(PovrayError::UnknownMaterial(index));
         };
         let (kind, geometry) = shape(&object.shape).ok_or(PovrayError::NotOneSolid(index))?;
+        if has_vertex_colors(&object.shape) {
+            return Err(PovrayError::Material { index: number, lack: Lack::VertexColors });
+        }
         let own = if is_on_surface(material) {
             let texture = texture(material, &coordinates(&object.shape), images);
             let texture = texture.map_err(|lack| PovrayError::Material { index: number, lack })?;

@@ -34,6 +34,7 @@ const MESH: Mesh<'static> = Mesh {
     triangles: &[[0, 1, 2], [2, 1, 0]],
     normals: Some(&[UP, UP, UP]),
     uvs: Some(&[[0.0, 0.0], [0.0, 1.0], [1.0, -59.0]]),
+    colors: Some(&[[0, 128, 255], [1, 2, 3], [9, 8, 7]]),
 };
 
 /// Every kind of shape.
@@ -121,6 +122,8 @@ fn everything(arena: &Bump) -> Scene<'_> {
         outside: Medium { ior: 1.25, absorption: GRAY },
         gloss: Some(30.0),
         translucency: Some(0.5),
+        sides: Sides::Front,
+        thin: false,
     };
     let materials = textures.into_iter().chain(more).map(|color| Material {
         color,
