@@ -10,8 +10,8 @@ use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
 use rayline_simulator::{
-    BOARDS, Bench, BinaryColorTheme, Display, LoadedScene, Mode, Number, OutputSettings,
-    OutputSettingsBuilder, RenderOptions, SAMPLERS, Show,
+    BOARDS, Bench, BinaryColorTheme, Display, LoadedScene, Mode, ModelView, Number, OpenOptions,
+    OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up,
 };
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -218,6 +218,25 @@ pub(crate) struct SceneArgs {
     /// OBJ (.obj) or glTF (.gltf, .glb)
     #[arg(value_name = "SCENE")]
     pub(crate) source: PathBuf,
+    /// The axis that points up in a model without a camera of its own [default: y]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true, value_parser = named(&AXES))]
+    up: Option<Up>,
+    /// The direction from which a model without a camera of its own is seen, in degrees: 0,0 in front of it,
+    /// 90,0 to the right, 180,0 behind it, 0,90 above [default: about 24,20]
+    #[arg(
+        long,
+        value_name = "AZIMUTH,ELEVATION",
+        allow_hyphen_values = true,
+        value_parser = direction,
+    )]
+    from: Option<(f32, f32)>,
+}
+
+impl SceneArgs {
+    /// The options for opening the scene.
+    pub(crate) const fn options(&self) -> OpenOptions {
+        OpenOptions { view: ModelView { up: self.up, from: self.from } }
+    }
 }
 
 /// The options that decide the colors of the pixels.
@@ -365,6 +384,9 @@ struct SamplingArgs {
     seed: Option<u32>,
 }
 
+const AXES: [(&str, Up); 6] =
+    [("x", Up::X), ("y", Up::Y), ("z", Up::Z), ("-x", Up::MinusX), ("-y", Up::MinusY), ("-z", Up::MinusZ)];
+
 const AREA_LIGHTS: [(&str, AreaLights); 2] =
     [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
 
@@ -452,6 +474,13 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
 }
 
+/// Parses an azimuth and an elevation.
+fn direction(text: &str) -> Result<(f32, f32), &'static str> {
+    pair(&text.replace(MINUS, "-"), ",")
+        .filter(|(azimuth, elevation): &(f32, f32)| azimuth.abs() <= 360.0 && elevation.abs() <= 90.0)
+        .ok_or("expected an azimuth from -360 to 360 and an elevation from -90 to 90 degrees, such as 30,20")
+}
+
 /// Parses any column and line. The size of the picture, which is not known here, decides whether the pixel
 /// exists.
 fn pixel(text: &str) -> Result<(i64, i64), &'static str> {
@@ -506,6 +535,12 @@ mod tests {
         assert_eq!(pixel("-1,0"), Ok((-1, 0)));
         for bad in ["7", "--x", "1,2,3"] {
             assert!(pixel(bad).is_err(), "{bad}");
+        }
+        assert_eq!(direction("-30.5,90"), Ok((-30.5, 90.0)));
+        // A minus sign that was marked for clap.
+        assert_eq!(direction(&format!("{MINUS}30,-5")), Ok((-30.0, -5.0)));
+        for bad in ["30", "361,0", "0,91", "nan,0", "0,inf", "1,2,3"] {
+            assert!(direction(bad).is_err(), "{bad}");
         }
         assert_eq!(share("0.25"), Ok(0.25));
         for bad in ["NaN", "-0.1", "1.1", "x"] {

@@ -15,7 +15,9 @@ use rayline_simulator::{
     check_writable, half_blocks, on_panel, render_in_passes, render_watched, report_pixel, write_file,
 };
 
-use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, Window};
+use crate::cli::{
+    BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, SceneArgs, Window,
+};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -39,8 +41,8 @@ pub(crate) fn run(cli: Cli) -> Outcome {
 const SHOWCASE: &str = "classic";
 
 /// Opens a scene, and prints its notes to standard error: what was added to the file or left out.
-fn open<'a>(source: &Path, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
-    let scene = LoadedScene::open(source, arena)?;
+fn open<'a>(arguments: &SceneArgs, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
+    let scene = LoadedScene::open_with(&arguments.source, &arguments.options(), arena)?;
     if !quiet {
         print_notes(&scene)?;
     }
@@ -65,7 +67,7 @@ fn showcase() -> Outcome {
 
 fn render(arguments: &Render) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.png", scene.name));
     let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
     if let Some(stats) = &arguments.stats {
@@ -110,7 +112,7 @@ enum Way {
 
 fn record(arguments: &Record) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.gif", scene.name));
     let file = FilmFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
     let (length, way) = match &arguments.script {
@@ -167,7 +169,7 @@ fn scenes() -> Outcome {
 
 fn pixel(arguments: &Pixel) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, false)?;
+    let scene = open(&arguments.scene, &arena, false)?;
     let report = report_pixel(&scene, &arguments.look.options(&scene), arguments.pixel);
     let report = report.map_err(|error| match error {
         ReportError::Render(error) => explain(&scene, error),
@@ -181,7 +183,7 @@ fn convert(arguments: &Convert) -> Outcome {
     // Refuse to overwrite the source: its names and comments would be lost.
     check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let bytes = file.write(&scene.scene, &scene.settings)?;
     if !arguments.quiet {
@@ -206,7 +208,7 @@ fn bake(arguments: &Convert) -> Outcome {
 
 fn fit(arguments: &CheckArgs) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, false)?;
+    let scene = open(&arguments.scene, &arena, false)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let (width, height) = arguments.size;
     let bounces = arguments.bounces.unwrap_or(scene.settings.bounces);
@@ -281,7 +283,13 @@ fn window(arguments: &Window) -> Outcome {
         let _ = print_notes(scene);
         arguments.picture.options(scene)
     };
-    Ok(show_window(WindowScene { source, options: &options, panel, save: &mut save })?)
+    Ok(show_window(WindowScene {
+        source,
+        open: arguments.scene.options(),
+        options: &options,
+        panel,
+        save: &mut save,
+    })?)
 }
 
 #[cfg(not(feature = "window"))]
@@ -323,7 +331,8 @@ fn bench(arguments: &BenchArgs) -> Outcome {
 fn convergence(source: &Path, plot: &Path) -> Outcome {
     check_writable(plot)?;
     let arena = Bump::new();
-    let scene = open(source, &arena, false)?;
+    let scene = LoadedScene::open(source, &arena)?;
+    print_notes(&scene)?;
     let spinner = ProgressBar::new_spinner().with_message("rendering 4096 samples of each pixel, and fewer");
     spinner.enable_steady_tick(Duration::from_millis(200));
     let settings = Settings { width: 64, height: 48, ..scene.settings };

@@ -50,7 +50,9 @@ pub use orbit::Orbit;
 pub use panel::on_panel;
 pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
-pub use rayline_formats::{LoadError, LoadedScene, animation, gltf, nff, obj, povray, raster, ron};
+pub use rayline_formats::{
+    LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, gltf, nff, obj, povray, raster, ron,
+};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;

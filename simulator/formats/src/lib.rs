@@ -25,7 +25,8 @@ mod source;
 mod space;
 mod text;
 
-pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};
+pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene, OpenOptions};
+pub use model::{ModelView, Up};
 pub use source::{rust_source, to_bytes};
 
 /// Checks whether a scene can be drawn.

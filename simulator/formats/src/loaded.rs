@@ -10,6 +10,7 @@ use rayline::builtin;
 use rayline::{BytesError, Part, Scene, SceneError, Settings};
 
 use crate::gltf::{self, GltfError};
+use crate::model::ModelView;
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
@@ -28,6 +29,13 @@ pub struct LoadedScene<'a> {
     pub notes: Vec<String>,
     /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
+}
+
+/// How files are opened.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OpenOptions {
+    /// The view of a model without a camera of its own.
+    pub view: ModelView,
 }
 
 /// The usual settings of files in Rayline's own formats.
@@ -56,6 +64,11 @@ pub enum LoadError {
     /// `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb`.
     Unknown {
         /// The name.
+        name: String,
+    },
+    /// A view is asked for, but the scene has a camera of its own. Leave out the view.
+    OwnCamera {
+        /// The file, or the name of a built-in scene.
         name: String,
     },
     /// The system cannot read the file. Its text says why.
@@ -96,6 +109,22 @@ impl<'a> LoadedScene<'a> {
     /// # Errors
     /// The scene does not exist or cannot be read.
     pub fn open(source: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
+        Self::open_with(source, &OpenOptions::default(), arena)
+    }
+
+    /// As [`open`](Self::open), with options.
+    ///
+    /// # Errors
+    /// The scene does not exist or cannot be read, or has a camera of its own where the options have a view.
+    pub fn open_with(source: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let scene = Self::read(source, options, arena)?;
+        if options.view != ModelView::default() && scene.has_own_camera() {
+            return Err(LoadError::OwnCamera { name: source.to_string_lossy().into_owned() });
+        }
+        Ok(scene)
+    }
+
+    fn read(source: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
         let ends_in =
             |format| source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(format));
         if ends_in("rayline") {
@@ -105,9 +134,9 @@ impl<'a> LoadedScene<'a> {
         } else if ends_in("nff") {
             Self::read_nff(source, arena)
         } else if ends_in("obj") {
-            Self::read_obj(source, arena)
+            Self::read_obj(source, options, arena)
         } else if ends_in("gltf") || ends_in("glb") {
-            Self::read_gltf(source, arena)
+            Self::read_gltf(source, options, arena)
         } else {
             Self::find(&source.to_string_lossy())
         }
@@ -135,14 +164,14 @@ impl<'a> LoadedScene<'a> {
         Ok(Self { settings, ..Self::of_file(path, import.scene, Import::Ron(import)) })
     }
 
-    fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let mut import = obj::read(arena, path).map_err(LoadError::Obj)?;
+    fn read_obj(path: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let mut import = obj::read(arena, path, options).map_err(LoadError::Obj)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
         Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Obj(import)) })
     }
 
-    fn read_gltf(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let mut import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
+    fn read_gltf(path: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let mut import = gltf::read(arena, path, options).map_err(LoadError::Gltf)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
         Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Gltf(import)) })
     }
@@ -176,6 +205,15 @@ impl<'a> LoadedScene<'a> {
             notes: Vec::new(),
             file: None,
         })
+    }
+
+    /// Whether the camera is that of the file, or of a built-in scene.
+    fn has_own_camera(&self) -> bool {
+        match &self.file {
+            Some((_, Import::Obj(_))) => false,
+            Some((_, Import::Gltf(import))) => import.name_of(Part::Camera).is_some(),
+            _ => true,
+        }
     }
 
     /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.
@@ -248,6 +286,11 @@ impl fmt::Display for LoadError {
                     names.join(", ")
                 )
             }
+            Self::OwnCamera { name } => write!(
+                f,
+                "{name} has a camera of its own, but --up and --from are for models without one; leave them \
+                 out"
+            ),
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
             Self::Obj(error) => error.fmt(f),
@@ -261,7 +304,7 @@ impl fmt::Display for LoadError {
 impl core::error::Error for LoadError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Unknown { .. } => None,
+            Self::Unknown { .. } | Self::OwnCamera { .. } => None,
             Self::Read { error, .. } => Some(error),
             Self::Nff { error, .. } => Some(error),
             Self::Obj(error) => Some(error),

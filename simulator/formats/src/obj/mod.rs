@@ -41,6 +41,7 @@ use rayline::shape::{Mesh, Shape};
 use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
+use crate::OpenOptions;
 use crate::model::{FARTHEST_UV, Whole, view};
 use crate::text;
 
@@ -76,7 +77,8 @@ impl Import<'_> {
 /// # Errors
 /// A file cannot be read, or a line breaks the grammar. A missing MTL file is not an error: it gives a
 /// [note](Import::notes).
-pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
+pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, ObjError> {
+    let view = options.view;
     let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
     let text = text_of(path)?;
     let statements = Statements::new(&text).map_err(|error| error.of(path))?;
@@ -86,9 +88,9 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
     let mut notes = library.notes;
     note_left_out(&statements, &library.names, path, &mut notes);
 
-    let options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
+    let load_options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
     let load_materials = |_: &Path| tobj::load_mtl_buf(&mut library.text.as_bytes());
-    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &options, load_materials)
+    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &load_options, load_materials)
         .map_err(|reason| error(ObjFault::Refused(reason)))?;
     let loaded = loaded.map_err(|reason| error(ObjFault::Refused(reason)))?;
 
@@ -107,14 +109,15 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
         }
     }
     let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
-    let (path, seen, lit) = (path.display(), view::SEEN, view::LIT);
+    let (path, seen, lit) = (path.display(), view.note(), view::LIT);
     notes.push(format!("{path}: OBJ files have no camera and no lights; {seen}, {lit}"));
+    let camera = view.camera(bounds);
     let scene = Scene {
-        camera: view::of(bounds),
-        background: view::BACKGROUND,
+        camera,
+        background: view.background(arena),
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials),
-        lights: &view::LIGHTS,
+        lights: arena.alloc_slice_copy(&view::lights(&camera)),
         motions: &[],
     };
     Ok(Import { scene, resolution: view::SIZE, notes, names })

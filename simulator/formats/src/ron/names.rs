@@ -12,8 +12,8 @@ use serde::Serialize;
 
 use super::RonFault;
 use super::scan::object_names;
-use crate::obj;
 use crate::raster::Raster;
+use crate::{OpenOptions, obj};
 
 /// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [
@@ -108,8 +108,8 @@ impl<'a> Known<'a> {
     }
 
     fn mesh(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let import =
-            obj::read(self.arena, &self.directory.join(name)).map_err(|error| failed(name, error))?;
+        let import = obj::read(self.arena, &self.directory.join(name), &OpenOptions::default())
+            .map_err(|error| failed(name, error))?;
         match import.scene.objects {
             [object] => match &object.shape {
                 Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),

@@ -87,7 +87,7 @@ fn other_formats_are_refused() {
     );
     let error = with_bytes("model.gltf", b"solid cube", |import| import.map(|_| ()).unwrap_err());
     assert_eq!(error, "model.gltf: expected value at line 1 column 1; correct the file");
-    let error = read(&Bump::new(), Path::new("no/such.glb")).unwrap_err();
+    let error = read(&Bump::new(), Path::new("no/such.glb"), &OpenOptions::default()).unwrap_err();
     assert!(error.to_string().starts_with("cannot read no/such.glb: "), "{error}");
 }
 
