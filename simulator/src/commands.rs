@@ -12,7 +12,8 @@ use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
     BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, OutputSettings, Pass,
     Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
-    check_writable, half_blocks, on_panel, render_in_passes, render_watched, report_pixel, write_file,
+    check_writable, half_blocks, is_standard_output, on_panel, render_in_passes, render_watched,
+    report_pixel, write_file,
 };
 
 use crate::cli::{
@@ -62,7 +63,7 @@ fn showcase() -> Outcome {
     if io::stdout().is_terminal() {
         show(&picture)?;
     }
-    say(&file, &picture, time)
+    say(&file, &picture, time, Report::Output)
 }
 
 fn render(arguments: &Render) -> Outcome {
@@ -70,9 +71,12 @@ fn render(arguments: &Render) -> Outcome {
     let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.png", scene.name));
     let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    let mut outputs = vec![file.path()];
     if let Some(stats) = &arguments.stats {
         check_writable(stats)?;
+        outputs.push(stats);
     }
+    let report = Report::beside(&outputs, arguments.quiet)?;
     let options = RenderOptions {
         show: arguments.show,
         lines: arguments.lines.clone(),
@@ -81,7 +85,7 @@ fn render(arguments: &Render) -> Outcome {
     };
     let panel = arguments.picture.panel()?;
     let (picture, time) = if arguments.passes {
-        in_passes(&scene, &options, panel.as_ref(), arguments.quiet)?
+        in_passes(&scene, &options, panel.as_ref(), report != Report::Output)?
     } else {
         timed(&scene, &options, arguments.quiet)?
     };
@@ -100,7 +104,7 @@ fn render(arguments: &Render) -> Outcome {
         json.push(b'\n');
         write_file(stats, &json)?;
     }
-    if arguments.quiet { Ok(()) } else { say(&file, &picture, time) }
+    say(&file, &picture, time, report)
 }
 
 /// The way of a film through a scene.
@@ -115,6 +119,7 @@ fn record(arguments: &Record) -> Outcome {
     let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.gif", scene.name));
     let file = FilmFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    let report = Report::beside(&[file.path()], arguments.quiet)?;
     let (length, way) = match &arguments.script {
         Some(path) => {
             let script = Animation::read(path, &scene)?;
@@ -151,12 +156,9 @@ fn record(arguments: &Record) -> Outcome {
     };
     let bytes = file.write(length, frame)?;
     bar.finish_and_clear();
-    if !arguments.quiet {
-        let ((width, height), path) = (size, file.path().display());
-        let (frames, time) = (length.frames(), start.elapsed().as_secs_f64());
-        writeln!(io::stdout(), "{path}: {width}x{height}, {frames} frames, {bytes} bytes, in {time:.2} s")?;
-    }
-    Ok(())
+    let ((width, height), path) = (size, file.path().display());
+    let (frames, time) = (length.frames(), start.elapsed().as_secs_f64());
+    report.say(&format!("{path}: {width}x{height}, {frames} frames, {bytes} bytes, in {time:.2} s"))
 }
 
 fn scenes() -> Outcome {
@@ -179,17 +181,18 @@ fn pixel(arguments: &Pixel) -> Outcome {
 }
 
 fn convert(arguments: &Convert) -> Outcome {
-    let file = SceneFile::new(&arguments.output, arguments.number)?;
+    convert_to(arguments, &SceneFile::new(&arguments.output, arguments.number)?)
+}
+
+fn convert_to(arguments: &Convert, file: &SceneFile) -> Outcome {
     // Refuse to overwrite the source: its names and comments would be lost.
     check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
     let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
+    let report = Report::beside(&[file.path()], arguments.quiet)?;
     let bytes = file.write(&scene.scene, &scene.settings)?;
-    if !arguments.quiet {
-        writeln!(io::stdout(), "{}: {bytes} bytes; {}", file.path().display(), counts(&scene.scene))?;
-    }
-    Ok(())
+    report.say(&format!("{}: {bytes} bytes; {}", file.path().display(), counts(&scene.scene)))
 }
 
 /// The numbers of objects, materials and lights in a scene, as text.
@@ -200,10 +203,7 @@ fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
 }
 
 fn bake(arguments: &Convert) -> Outcome {
-    match arguments.output.extension() {
-        Some(extension) if extension == "rs" => convert(arguments),
-        _ => Err(format!("cannot write {}: Rust source is in .rs files", arguments.output.display()).into()),
-    }
+    convert_to(arguments, &SceneFile::rust(&arguments.output, arguments.number)?)
 }
 
 fn fit(arguments: &CheckArgs) -> Outcome {
@@ -214,10 +214,20 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     let bounces = arguments.bounces.unwrap_or(scene.settings.bounces);
     let settings = Settings { width, height, bounces, ..scene.settings };
     let boards = BOARDS.iter().filter(|board| arguments.board.as_ref().is_none_or(|name| name == board.name));
-    let demands = Demands::new(&scene.scene, boards, settings).map_err(|error| explain(&scene, error))?;
+    const PARTS: u64 = 1000;
+    let bar = progress("part", PARTS, false)?;
+    let demands = Demands::watched(&scene.scene, boards, settings, &|number, part| {
+        bar.set_message(format!("{} in {number}", scene.name));
+        bar.set_position((part * PARTS as f64) as u64);
+    });
+    bar.finish_and_clear();
+    let demands = demands.map_err(|error| explain(&scene, error))?;
     let mut out = io::stdout();
     writeln!(out, "{}: {}; {width}x{height}, {bounces} bounces", scene.name, counts(&scene.scene))?;
-    if let Some(Demand { mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
+    if let Some(Demand { step, mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
+        if *step > 1 {
+            writeln!(out, "estimated from one pixel of {step} in one line of {step}:")?;
+        }
         writeln!(
             out,
             "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; from elsewhere at most {most_rays}\n"
@@ -264,9 +274,13 @@ fn gallery(arguments: &GalleryArgs) -> Outcome {
 
 #[cfg(feature = "window")]
 fn window(arguments: &Window) -> Outcome {
+    use rayline_simulator::files::STANDARD_INPUT;
     use rayline_simulator::{WindowScene, show_window};
 
     let source = &arguments.scene.source;
+    if source == Path::new(STANDARD_INPUT) {
+        return Err("a window reads its file again when it changes, so it needs a file in place of -".into());
+    }
     let panel = arguments.picture.panel()?;
     let name = source.file_stem().unwrap_or_default().to_string_lossy();
     let file = PictureFile::new(&PathBuf::from(format!("{name}.png")))?;
@@ -276,7 +290,7 @@ fn window(arguments: &Window) -> Outcome {
         // The user was not asked for a name, so choose one that does not exist.
         let file = file.untaken();
         file.write(&picture)?;
-        say(&file, &picture, start.elapsed())
+        say(&file, &picture, start.elapsed(), Report::Output)
     };
     let options = |scene: &LoadedScene<'_>| {
         // Nothing can be done if standard error takes no notes.
@@ -330,6 +344,7 @@ fn bench(arguments: &BenchArgs) -> Outcome {
 /// Measures the error of small pictures against the number of samples.
 fn convergence(source: &Path, plot: &Path) -> Outcome {
     check_writable(plot)?;
+    Report::beside(&[plot], false)?;
     let arena = Bump::new();
     let scene = LoadedScene::open(source, &arena)?;
     print_notes(&scene)?;
@@ -339,7 +354,7 @@ fn convergence(source: &Path, plot: &Path) -> Outcome {
     let measured = Convergence::measure(&scene.scene, settings).map_err(|error| explain(&scene, error))?;
     spinner.finish_and_clear();
     write_file(plot, measured.plot().as_bytes())?;
-    Ok(write!(io::stdout(), "{}", measured.table())?)
+    Report::beside(&[plot], false)?.say(measured.table().trim_end())
 }
 
 /// A progress bar for so many lines, frames or scenes. It is shown if standard error is a terminal.
@@ -431,11 +446,41 @@ fn explain(scene: &LoadedScene<'_>, error: RenderError) -> Box<dyn Error> {
     }
 }
 
-fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
+fn say(file: &PictureFile, picture: &Picture, time: Duration, report: Report) -> Outcome {
     let (Picture { width, height, .. }, rays) = (picture, picture.rays.total());
     let path = file.path().display();
-    writeln!(io::stdout(), "{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64())?;
-    Ok(())
+    report.say(&format!("{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64()))
+}
+
+/// Where a command reports what it has written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Report {
+    /// To standard output.
+    Output,
+    /// To standard error, because an output is written to standard output.
+    Error,
+    Nowhere,
+}
+
+impl Report {
+    /// The report of a command that writes these files.
+    fn beside(files: &[&Path], quiet: bool) -> Result<Self, &'static str> {
+        match files.iter().filter(|file| is_standard_output(file)).count() {
+            2.. => Err("two files cannot be written to standard output; name another one of them"),
+            _ if quiet => Ok(Self::Nowhere),
+            1 => Ok(Self::Error),
+            _ => Ok(Self::Output),
+        }
+    }
+
+    fn say(self, line: &str) -> Outcome {
+        match self {
+            Self::Output => writeln!(io::stdout(), "{line}")?,
+            Self::Error => writeln!(io::stderr(), "{line}")?,
+            Self::Nowhere => {}
+        }
+        Ok(())
+    }
 }
 
 /// Shows a picture in the terminal, as large as fits.

@@ -42,7 +42,7 @@ pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneFile};
 pub use display::Display;
 pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};
-pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
+pub use file::{FileError, PictureFile, check_apart, check_writable, is_standard_output, write_file};
 pub use film::FilmFile;
 pub use gallery::{Gallery, GalleryError};
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
@@ -51,7 +51,8 @@ pub use panel::on_panel;
 pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use rayline_formats::{
-    LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, gltf, nff, obj, povray, raster, ron,
+    Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files, gltf, nff, obj, povray,
+    raster, ron,
 };
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};

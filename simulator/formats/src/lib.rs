@@ -5,12 +5,14 @@
 //! - [`animation`] reads key frames of a scene;
 //! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
-//! - [`raster`] reads and writes images.
+//! - [`raster`] reads and writes images;
+//! - [`files`] reads the bytes of all of them, within limits.
 //!
 //! Nothing here traces a ray. The workspace builds the crate with fewer optimizations than the rest: its code
 //! is long, and runs once for each file.
 
 pub mod animation;
+pub mod files;
 pub mod gltf;
 mod loaded;
 mod model;
@@ -25,7 +27,7 @@ mod source;
 mod space;
 mod text;
 
-pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene, OpenOptions};
+pub use loaded::{FILE_SETTINGS, Format, LoadError, LoadedScene, OpenOptions};
 pub use model::{ModelView, Up};
 pub use source::{rust_source, to_bytes};
 

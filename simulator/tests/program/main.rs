@@ -5,6 +5,8 @@
 
 mod bench;
 mod errors;
+#[cfg(unix)]
+mod files;
 mod films;
 mod measurements;
 mod pictures;

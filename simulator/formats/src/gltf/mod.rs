@@ -67,7 +67,6 @@ mod nodes;
 mod tests;
 mod textures;
 
-use std::fs;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -76,7 +75,8 @@ use rayline::shape::Shape;
 use rayline::{Object, Part, Scene};
 
 use crate::OpenOptions;
-use crate::model::view;
+use crate::files::Files;
+use crate::model::{ModelView, view};
 use crate::notes::Notes;
 use accessor::{Lists, MOST};
 use buffers::Buffers;
@@ -132,11 +132,20 @@ impl Import<'_> {
 /// A file cannot be read, or a part of it is wrong. An image that does not exist or has another format is not
 /// an error: it gives a [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, GltfError> {
+    read_with(arena, options.view, &Files::new(path, options.allow_paths))
+}
+
+/// Reads a scene by the reader of its files.
+pub(crate) fn read_with<'a>(
+    arena: &'a Bump,
+    view: ModelView,
+    files: &Files,
+) -> Result<Import<'a>, GltfError> {
+    let path = files.scene();
     let error = |Wrong { place, fault }| GltfError { path: path.to_owned(), place, fault };
     let unreadable = |reason: std::io::Error| error(GltfFault::Unreadable(reason.to_string()).into());
-    let bytes = fs::read(path).map_err(unreadable)?;
-    let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let mut import = of_bytes(arena, &bytes, folder, options).map_err(error)?;
+    let bytes = files.read(path).map_err(unreadable)?;
+    let mut import = of_bytes(arena, &bytes, view, files).map_err(error)?;
     for note in &mut import.notes {
         *note = format!("{}: {note}", path.display());
     }
@@ -146,11 +155,11 @@ pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<I
 fn of_bytes<'a>(
     arena: &'a Bump,
     bytes: &[u8],
-    folder: &Path,
-    options: &OpenOptions,
+    model_view: ModelView,
+    files: &Files,
 ) -> Result<Import<'a>, Wrong> {
     let (root, binary) = container::open(bytes)?;
-    let buffers = Buffers::read(&root, folder, binary)?;
+    let buffers = Buffers::read(&root, files, binary)?;
     let lists = Lists { root: &root, buffers: &buffers };
     let mut notes = Notes::default();
     for extension in container::unknown_extensions(&root.extensions_used) {
@@ -181,8 +190,8 @@ fn of_bytes<'a>(
             (camera, size)
         }
         None => {
-            notes.add("no camera", options.view.note());
-            (options.view.camera(bounds), view::SIZE)
+            notes.add("no camera", model_view.note());
+            (model_view.camera(bounds), view::SIZE)
         }
     };
     let lights = match lights.is_empty() {
@@ -195,7 +204,7 @@ fn of_bytes<'a>(
     (names.materials, names.lights) = (materials.names, of_lights);
     let scene = Scene {
         camera,
-        background: options.view.background(arena),
+        background: model_view.background(arena),
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials.all),
         lights,

@@ -32,7 +32,6 @@ mod statements;
 mod tests;
 
 use std::collections::HashSet;
-use std::fs;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -42,7 +41,8 @@ use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
 use crate::OpenOptions;
-use crate::model::{FARTHEST_UV, Whole, view};
+use crate::files::Files;
+use crate::model::{FARTHEST_UV, ModelView, Whole, view};
 use crate::text;
 
 pub use error::{ObjError, ObjFault};
@@ -78,12 +78,21 @@ impl Import<'_> {
 /// A file cannot be read, or a line breaks the grammar. A missing MTL file is not an error: it gives a
 /// [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, ObjError> {
-    let view = options.view;
+    read_with(arena, path, options.view, &Files::new(path, options.allow_paths))
+}
+
+/// Reads a scene by the reader of its files. `path` may be a file that the scene refers to.
+pub(crate) fn read_with<'a>(
+    arena: &'a Bump,
+    path: &Path,
+    view: ModelView,
+    files: &Files,
+) -> Result<Import<'a>, ObjError> {
     let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
-    let text = text_of(path)?;
+    let text = text_of(path, files)?;
     let statements = Statements::new(&text).map_err(|error| error.of(path))?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let library = materials::read(folder, &statements.libraries)?;
+    let library = materials::read(folder, &statements.libraries, files)?;
 
     let mut notes = library.notes;
     note_left_out(&statements, &library.names, path, &mut notes);
@@ -174,9 +183,9 @@ fn meshes<'a>(arena: &'a Bump, mesh: &tobj::Mesh, name: &str, notes: &mut Vec<St
 }
 
 /// The text of a file.
-fn text_of(path: &Path) -> Result<String, ObjError> {
+fn text_of(path: &Path, files: &Files) -> Result<String, ObjError> {
     let error = |line, fault| ObjError { path: path.to_owned(), line, fault };
-    let bytes = fs::read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
+    let bytes = files.read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
     text::of_bytes(&bytes).map(str::to_owned).map_err(|line| error(Some(line), ObjFault::NotUtf8))
 }
 

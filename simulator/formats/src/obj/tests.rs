@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
 use core::mem::MaybeUninit;
+use std::fs;
 
 use proptest::prelude::*;
 use rayline::{LinearRgb, Material, PreparedScene};

@@ -200,8 +200,10 @@ fn nothing_is_read_from_outside_of_the_folder() {
     ];
     for uri in outside {
         let shown = uri.escape_debug();
-        let expected =
-            format!("buffer 0: `{shown}` is not in the folder of the file or below it; move it there");
+        let expected = format!(
+            "buffer 0: `{shown}` is not in the folder of the file or below it; move it there, or use \
+             --allow-paths"
+        );
         refused(|file| file["buffers"][0]["uri"] = json!(uri), &expected);
     }
     let mut file = cube();

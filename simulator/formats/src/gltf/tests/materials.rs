@@ -1,5 +1,7 @@
 //! Tests of materials and textures.
 
+use std::fs;
+
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::{

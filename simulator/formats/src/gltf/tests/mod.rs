@@ -8,6 +8,8 @@ mod materials;
 mod properties;
 mod seen;
 
+use std::fs;
+
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::shape::{Mesh, Shape};
