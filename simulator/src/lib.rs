@@ -21,6 +21,7 @@ mod bench;
 mod check;
 mod convert;
 mod display;
+mod distinct;
 mod file;
 mod film;
 mod gallery;

@@ -271,3 +271,65 @@ fn refused(reason: impl Into<Box<dyn core::error::Error + Send + Sync>>) -> io::
 fn mebibytes(bytes: u64) -> String {
     if bytes < 1 << 20 { format!("{bytes} bytes") } else { format!("{} MiB", bytes >> 20) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told<T>(result: io::Result<T>) -> String {
+        result.map(|_| ()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn sources_are_read_up_to_the_limit() {
+        assert_eq!(limited(&b"12345"[..], Vec::new(), 5).unwrap(), b"12345");
+        let endless = io::repeat(7);
+        assert_eq!(
+            told(limited(endless, Vec::new(), 5)),
+            "it has more than 5 bytes, which is the limit; use a smaller file"
+        );
+        assert_eq!(mebibytes(MAX_FILE_BYTES), "512 MiB");
+    }
+
+    #[test]
+    fn references_and_pixels_are_counted_for_the_whole_scene() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = folder.path().join("scene.ron");
+        std::fs::write(folder.path().join("part.obj"), "v 0 0 0").unwrap();
+        let files = Files::new(&scene, false);
+        let part = files.reference(folder.path(), "part.obj").unwrap();
+        for _ in 0..MAX_REFERENCES {
+            assert_eq!(files.read(&part).unwrap(), b"v 0 0 0");
+        }
+        assert_eq!(told(files.read(&part)), "the scene refers to more than 4096 files; use fewer");
+        files.take_pixels(MAX_PIXELS - 1).unwrap();
+        files.take_pixels(1).unwrap();
+        assert_eq!(
+            told(files.take_pixels(1)),
+            "the pictures of the scene have more than 67108864 pixels together; use smaller ones"
+        );
+    }
+
+    #[test]
+    fn paths_stay_in_the_folder() {
+        let files = Files::new(Path::new("scenes/scene.ron"), false);
+        let refer = |folder: &str, name: &str| files.reference(Path::new(folder), name).ok();
+        let inside = |path: &str| Some(Path::new("scenes").join(path));
+        assert_eq!(refer("scenes", "wood.png"), inside("wood.png"));
+        assert_eq!(refer("scenes", "./a/../b/wood.png"), inside("b/wood.png"));
+        assert_eq!(refer("scenes/a", "../wood.png"), inside("wood.png"));
+        for (folder, name) in [
+            ("scenes", "../wood.png"),
+            ("scenes", "a/../../wood.png"),
+            ("scenes", "/wood.png"),
+            ("scenes", "C:\\wood.png"),
+            ("scenes", "c:/wood.png"),
+            ("scenes/a", "../../wood.png"),
+            ("elsewhere", "wood.png"),
+        ] {
+            assert_eq!(refer(folder, name), None, "{folder} {name}");
+        }
+        let all = Files::new(Path::new("scenes/scene.ron"), true);
+        assert_eq!(all.reference(Path::new("scenes"), "/wood.png").unwrap(), Path::new("/wood.png"));
+    }
+}

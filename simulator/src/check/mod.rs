@@ -20,14 +20,15 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 
 use rayline::math::Fixed;
 use rayline::shape::Shape;
-use rayline::{Object, PreparedScene, RayCounts, Real, Renderer, Scene, SceneError, Settings};
+use rayline::{Object, RayCounts, Real, Renderer, Scene, SceneError, Settings};
 
 use rayon::prelude::*;
 
 pub use boards::{BOARDS, Board};
 use counted::Counted;
 
-use crate::picture::memory_for;
+use crate::distinct::distinct;
+use crate::picture::{memory_for, prepared, seen};
 use crate::table::{Table, thousands};
 use crate::{Number, RenderError};
 
@@ -36,7 +37,12 @@ use crate::{Number, RenderError};
 /// # Errors
 /// The fault of the scene.
 pub fn check(scene: &Scene<'_>) -> Result<(), SceneError> {
-    PreparedScene::<f32, _>::new(scene, &mut memory_for::<f32>(scene)).map(|_| ())
+    let kept = distinct(scene);
+    let seen = seen(scene, kept.as_deref());
+    match prepared::<f32>(scene, &seen, &mut memory_for::<f32>(&seen)) {
+        Err(RenderError::Scene(error)) => Err(error),
+        _ => Ok(()),
+    }
 }
 
 /// The resources of a board that a scene takes.
@@ -118,14 +124,17 @@ impl Traced {
         settings: Settings,
         progress: &(dyn Fn(f64) + Sync),
     ) -> Result<Self, RenderError> {
-        let mut memory = memory_for::<R>(scene);
         let of_mesh = |object: &Object<Shape<'_>>| match &object.shape {
             Shape::Mesh(mesh) => mesh.const_bytes::<R>() as u64,
             _ => 0,
         };
         let baked_bytes: u64 = scene.objects.iter().map(of_mesh).sum();
-        let prepared_bytes = memory.len() as u64 - baked_bytes;
-        let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+        let prepared_bytes = scene.bytes::<R>() as u64 - baked_bytes;
+        // A board has all objects of the scene, but the rays are the same without the repeated ones.
+        let kept = distinct(scene);
+        let seen = seen(scene, kept.as_deref());
+        let mut memory = memory_for::<R>(&seen);
+        let prepared = prepared::<R>(scene, &seen, &mut memory)?;
         let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
         let step = step(settings.width, settings.height);
         let every = |side: u32| (0..side as u16).step_by(step as usize);

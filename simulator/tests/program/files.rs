@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 use rayline_simulator::raster::Raster;
 
@@ -275,7 +276,29 @@ fn large_scenes_and_pictures_take_seconds() {
     let bench = Bench::new();
     let balls = "s 0 0 0 1\n".repeat(60_000);
     bench.write("equal.nff", BALL.replace("s 0 0 0 1\n", &balls));
-    bench.render_in_time(&["equal.nff"], Stdio::null());
+    // So does a scene that names one mesh of 800 triangles 3,000 times.
+    let vertex =
+        |index: u32| format!("v {} {} 0\n", f64::from(index % 21) / 20.0, f64::from(index / 21) / 20.0);
+    let face = |index: u32| {
+        let first = index / 20 * 21 + index % 20 + 1;
+        format!("f {first} {} {} {}\n", first + 1, first + 22, first + 21)
+    };
+    let mesh: String = (0..441).map(vertex).chain((0..400).map(face)).collect();
+    bench.write("mesh.obj", mesh);
+    let object = "(shape: Mesh(\"mesh.obj\"), material: 0),";
+    bench.write("in.ppm", RED);
+    bench.write(
+        "meshes.ron",
+        scene("in.ppm", "mesh.obj").replace("(shape: Mesh(\"mesh.obj\"), material: 0)", &object.repeat(3000)),
+    );
+    for equal in ["equal.nff", "meshes.ron"] {
+        let start = Instant::now();
+        for arguments in [&["render", equal, "--size", "320x240"][..], &["check", equal]] {
+            assert!(bench.run_in_time(arguments, Stdio::null()).status.success(), "{equal}");
+        }
+        // Ten times as long as it takes, for machines that do other things as well.
+        assert!(start.elapsed() < Duration::from_secs(15), "{equal}: {:?}", start.elapsed());
+    }
     let ball = |index: u32| {
         format!(
             "\"{index}\": (shape: Sphere(center: ({index}, 0, 0), radius: 0.4), material: \"{}\"),",
