@@ -9,16 +9,17 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
+use rayline_simulator::files::limits;
 use rayline_simulator::{
-    BOARDS, Bench, BinaryColorTheme, Display, LoadedScene, Mode, Number, OutputSettings,
-    OutputSettingsBuilder, RenderOptions, SAMPLERS, Show,
+    BOARDS, Bench, BinaryColorTheme, Display, Format, LoadedScene, Mode, ModelView, Number, OpenOptions,
+    OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up,
 };
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
 ///
 /// Without a command, it renders the scene `classic`, shows it in the terminal and writes rayline.png.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 100)]
+#[command(version, max_term_width = 100, after_long_help = limits())]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
@@ -76,7 +77,7 @@ pub(crate) enum Command {
 pub(crate) struct Render {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The file to write: .png or .ppm [default: the scene's name with .png]
+    /// The file to write: .png or .ppm; - for a PNG to standard output [default: the scene's name with .png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
@@ -94,7 +95,8 @@ pub(crate) struct Render {
     /// Render only the lines from A up to but not including B, into a picture of B-A lines
     #[arg(long, value_name = "A..B", value_parser = lines)]
     pub(crate) lines: Option<Range<u32>>,
-    /// Write statistics of the picture as JSON: rays by kind, rays that were cut, seconds, bytes
+    /// Write statistics of the picture as JSON: rays by kind, rays that were cut, seconds, bytes; - for
+    /// standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) stats: Option<PathBuf>,
     /// Print nothing but errors
@@ -106,8 +108,8 @@ pub(crate) struct Render {
 pub(crate) struct Record {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The file to write: .gif with 256 colors in each frame, or .png or .apng with all colors [default: the
-    /// scene's name with .gif]
+    /// The file to write: .gif with 256 colors in each frame, or .png or .apng with all colors; - for a GIF
+    /// to standard output [default: the scene's name with .gif]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// A file with key frames, which also has the length of the film
@@ -141,7 +143,7 @@ pub(crate) struct Pixel {
 pub(crate) struct Convert {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The file to write
+    /// The file to write; - for RON to standard output, or for Rust source with `bake`
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
     /// For Rust source: the number system of the program, `f32` or `fixed`; meshes are prepared for it
@@ -215,9 +217,47 @@ pub(crate) struct BenchArgs {
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
     /// The name of a built-in scene, or a file: Rayline's own (.ron, .rayline), NFF (.nff), Wavefront
-    /// OBJ (.obj) or glTF (.gltf, .glb)
-    #[arg(value_name = "SCENE")]
+    /// OBJ (.obj) or glTF (.gltf, .glb); - for standard input
+    #[arg(value_name = "SCENE", long_help = scene_help())]
     pub(crate) source: PathBuf,
+    /// The axis that points up in a model without a camera of its own [default: y]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true, value_parser = named(&AXES))]
+    up: Option<Up>,
+    /// The direction from which a model without a camera of its own is seen, in degrees: 0,0 in front of it,
+    /// 90,0 to the right, 180,0 behind it, 0,90 above [default: about 24,20]
+    #[arg(
+        long,
+        value_name = "AZIMUTH,ELEVATION",
+        allow_hyphen_values = true,
+        value_parser = direction,
+    )]
+    from: Option<(f32, f32)>,
+    /// The format of the scene, for standard input and files with another extension [default: by the
+    /// extension; for standard input by its first bytes, unless it is NFF or OBJ]
+    #[arg(long, value_name = "FORMAT", value_parser = named(&Format::EXTENSIONS))]
+    format: Option<Format>,
+    /// Let the scene refer to files outside of its own folder
+    #[arg(long)]
+    allow_paths: bool,
+}
+
+impl SceneArgs {
+    /// The options for opening the scene.
+    pub(crate) const fn options(&self) -> OpenOptions {
+        let view = ModelView { up: self.up, from: self.from };
+        OpenOptions { view, format: self.format, allow_paths: self.allow_paths }
+    }
+}
+
+fn scene_help() -> String {
+    format!(
+        "The name of a built-in scene, or a file: Rayline's own (.ron, .rayline), NFF (.nff), Wavefront OBJ \
+         (.obj) or glTF (.gltf, .glb); - for standard input.\n\n\
+         A scene may refer to files in its own folder and below: for standard input, in the current folder. \
+         Symbolic links are followed, but not out of it. With --allow-paths, it may refer to all \
+         files.\n\n{}",
+        limits()
+    )
 }
 
 /// The options that decide the colors of the pixels.
@@ -366,6 +406,9 @@ struct SamplingArgs {
     seed: Option<u32>,
 }
 
+const AXES: [(&str, Up); 6] =
+    [("x", Up::X), ("y", Up::Y), ("z", Up::Z), ("-x", Up::MinusX), ("-y", Up::MinusY), ("-z", Up::MinusZ)];
+
 const AREA_LIGHTS: [(&str, AreaLights); 2] =
     [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
 
@@ -453,6 +496,13 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
 }
 
+/// Parses an azimuth and an elevation.
+fn direction(text: &str) -> Result<(f32, f32), &'static str> {
+    pair(&text.replace(MINUS, "-"), ",")
+        .filter(|(azimuth, elevation): &(f32, f32)| azimuth.abs() <= 360.0 && elevation.abs() <= 90.0)
+        .ok_or("expected an azimuth from -360 to 360 and an elevation from -90 to 90 degrees, such as 30,20")
+}
+
 /// Parses any column and line. The size of the picture, which is not known here, decides whether the pixel
 /// exists.
 fn pixel(text: &str) -> Result<(i64, i64), &'static str> {
@@ -507,6 +557,12 @@ mod tests {
         assert_eq!(pixel("-1,0"), Ok((-1, 0)));
         for bad in ["7", "--x", "1,2,3"] {
             assert!(pixel(bad).is_err(), "{bad}");
+        }
+        assert_eq!(direction("-30.5,90"), Ok((-30.5, 90.0)));
+        // A minus sign that was marked for clap.
+        assert_eq!(direction(&format!("{MINUS}30,-5")), Ok((-30.0, -5.0)));
+        for bad in ["30", "361,0", "0,91", "nan,0", "0,inf", "1,2,3"] {
+            assert!(direction(bad).is_err(), "{bad}");
         }
         assert_eq!(share("0.25"), Ok(0.25));
         for bad in ["NaN", "-0.1", "1.1", "x"] {

@@ -12,10 +12,13 @@ use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
     BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, OutputSettings, Pass,
     Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
-    check_writable, half_blocks, on_panel, render_in_passes, render_watched, report_pixel, write_file,
+    check_writable, half_blocks, is_standard_output, on_panel, render_in_passes, render_watched,
+    report_pixel, write_file,
 };
 
-use crate::cli::{BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, Window};
+use crate::cli::{
+    BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, SceneArgs, Window,
+};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -39,8 +42,8 @@ pub(crate) fn run(cli: Cli) -> Outcome {
 const SHOWCASE: &str = "classic";
 
 /// Opens a scene, and prints its notes to standard error: what was added to the file or left out.
-fn open<'a>(source: &Path, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
-    let scene = LoadedScene::open(source, arena)?;
+fn open<'a>(arguments: &SceneArgs, arena: &'a Bump, quiet: bool) -> Result<LoadedScene<'a>, Box<dyn Error>> {
+    let scene = LoadedScene::open_with(&arguments.source, &arguments.options(), arena)?;
     if !quiet {
         print_notes(&scene)?;
     }
@@ -60,17 +63,20 @@ fn showcase() -> Outcome {
     if io::stdout().is_terminal() {
         show(&picture)?;
     }
-    say(&file, &picture, time)
+    say(&file, &picture, time, Report::Output)
 }
 
 fn render(arguments: &Render) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.png", scene.name));
     let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    let mut outputs = vec![file.path()];
     if let Some(stats) = &arguments.stats {
         check_writable(stats)?;
+        outputs.push(stats);
     }
+    let report = Report::beside(&outputs, arguments.quiet)?;
     let options = RenderOptions {
         show: arguments.show,
         lines: arguments.lines.clone(),
@@ -79,7 +85,7 @@ fn render(arguments: &Render) -> Outcome {
     };
     let panel = arguments.picture.panel()?;
     let (picture, time) = if arguments.passes {
-        in_passes(&scene, &options, panel.as_ref(), arguments.quiet)?
+        in_passes(&scene, &options, panel.as_ref(), report != Report::Output)?
     } else {
         timed(&scene, &options, arguments.quiet)?
     };
@@ -98,7 +104,7 @@ fn render(arguments: &Render) -> Outcome {
         json.push(b'\n');
         write_file(stats, &json)?;
     }
-    if arguments.quiet { Ok(()) } else { say(&file, &picture, time) }
+    say(&file, &picture, time, report)
 }
 
 /// The way of a film through a scene.
@@ -110,9 +116,10 @@ enum Way {
 
 fn record(arguments: &Record) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     let own_name = || PathBuf::from(format!("{}.gif", scene.name));
     let file = FilmFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    let report = Report::beside(&[file.path()], arguments.quiet)?;
     let (length, way) = match &arguments.script {
         Some(path) => {
             let script = Animation::read(path, &scene)?;
@@ -149,12 +156,9 @@ fn record(arguments: &Record) -> Outcome {
     };
     let bytes = file.write(length, frame)?;
     bar.finish_and_clear();
-    if !arguments.quiet {
-        let ((width, height), path) = (size, file.path().display());
-        let (frames, time) = (length.frames(), start.elapsed().as_secs_f64());
-        writeln!(io::stdout(), "{path}: {width}x{height}, {frames} frames, {bytes} bytes, in {time:.2} s")?;
-    }
-    Ok(())
+    let ((width, height), path) = (size, file.path().display());
+    let (frames, time) = (length.frames(), start.elapsed().as_secs_f64());
+    report.say(&format!("{path}: {width}x{height}, {frames} frames, {bytes} bytes, in {time:.2} s"))
 }
 
 fn scenes() -> Outcome {
@@ -167,7 +171,7 @@ fn scenes() -> Outcome {
 
 fn pixel(arguments: &Pixel) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, false)?;
+    let scene = open(&arguments.scene, &arena, false)?;
     let report = report_pixel(&scene, &arguments.look.options(&scene), arguments.pixel);
     let report = report.map_err(|error| match error {
         ReportError::Render(error) => explain(&scene, error),
@@ -177,11 +181,14 @@ fn pixel(arguments: &Pixel) -> Outcome {
 }
 
 fn convert(arguments: &Convert) -> Outcome {
-    let file = SceneFile::new(&arguments.output, arguments.number)?;
+    convert_to(arguments, &SceneFile::new(&arguments.output, arguments.number)?)
+}
+
+fn convert_to(arguments: &Convert, file: &SceneFile) -> Outcome {
     // Refuse to overwrite the source: its names and comments would be lost.
     check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, arguments.quiet)?;
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let contents = file.contents(&scene.scene, &scene.settings, &arena)?;
     if !arguments.quiet {
@@ -189,17 +196,15 @@ fn convert(arguments: &Convert) -> Outcome {
             writeln!(io::stderr(), "note: {} takes {} MB", path.display(), length / 1_000_000)?;
         }
     }
+    let report = Report::beside(&[file.path()], arguments.quiet)?;
     contents.write()?;
-    if !arguments.quiet {
-        let (path, length) = (file.path().display(), contents.length());
-        let beside = match contents.pictures() {
-            0 => String::new(),
-            1 => " and 1 picture".to_owned(),
-            count => format!(" and {count} pictures"),
-        };
-        writeln!(io::stdout(), "{path}: {length} bytes{beside}; {}", counts(&scene.scene))?;
-    }
-    Ok(())
+    let (path, length) = (file.path().display(), contents.length());
+    let beside = match contents.pictures() {
+        0 => String::new(),
+        1 => " and 1 picture".to_owned(),
+        count => format!(" and {count} pictures"),
+    };
+    report.say(&format!("{path}: {length} bytes{beside}; {}", counts(&scene.scene)))
 }
 
 /// The numbers of objects, materials and lights in a scene, as text.
@@ -210,24 +215,31 @@ fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
 }
 
 fn bake(arguments: &Convert) -> Outcome {
-    match arguments.output.extension() {
-        Some(extension) if extension == "rs" => convert(arguments),
-        _ => Err(format!("cannot write {}: Rust source is in .rs files", arguments.output.display()).into()),
-    }
+    convert_to(arguments, &SceneFile::rust(&arguments.output, arguments.number)?)
 }
 
 fn fit(arguments: &CheckArgs) -> Outcome {
     let arena = Bump::new();
-    let scene = open(&arguments.scene.source, &arena, false)?;
+    let scene = open(&arguments.scene, &arena, false)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
     let (width, height) = arguments.size;
     let bounces = arguments.bounces.unwrap_or(scene.settings.bounces);
     let settings = Settings { width, height, bounces, ..scene.settings };
     let boards = BOARDS.iter().filter(|board| arguments.board.as_ref().is_none_or(|name| name == board.name));
-    let demands = Demands::new(&scene.scene, boards, settings).map_err(|error| explain(&scene, error))?;
+    const PARTS: u64 = 1000;
+    let bar = progress("part", PARTS, false)?;
+    let demands = Demands::watched(&scene.scene, boards, settings, &|number, part| {
+        bar.set_message(format!("{} in {number}", scene.name));
+        bar.set_position((part * PARTS as f64) as u64);
+    });
+    bar.finish_and_clear();
+    let demands = demands.map_err(|error| explain(&scene, error))?;
     let mut out = io::stdout();
     writeln!(out, "{}: {}; {width}x{height}, {bounces} bounces", scene.name, counts(&scene.scene))?;
-    if let Some(Demand { mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
+    if let Some(Demand { step, mean_rays, worst_rays, most_rays, .. }) = demands.0.first() {
+        if *step > 1 {
+            writeln!(out, "estimated from one pixel of {step} in one line of {step}:")?;
+        }
         writeln!(
             out,
             "{mean_rays:.1} rays a pixel, {worst_rays} in the worst pixel; from elsewhere at most {most_rays}\n"
@@ -274,9 +286,13 @@ fn gallery(arguments: &GalleryArgs) -> Outcome {
 
 #[cfg(feature = "window")]
 fn window(arguments: &Window) -> Outcome {
+    use rayline_simulator::files::STANDARD_INPUT;
     use rayline_simulator::{WindowScene, show_window};
 
     let source = &arguments.scene.source;
+    if source == Path::new(STANDARD_INPUT) {
+        return Err("a window reads its file again when it changes, so it needs a file in place of -".into());
+    }
     let panel = arguments.picture.panel()?;
     let name = source.file_stem().unwrap_or_default().to_string_lossy();
     let file = PictureFile::new(&PathBuf::from(format!("{name}.png")))?;
@@ -286,14 +302,20 @@ fn window(arguments: &Window) -> Outcome {
         // The user was not asked for a name, so choose one that does not exist.
         let file = file.untaken();
         file.write(&picture)?;
-        say(&file, &picture, start.elapsed())
+        say(&file, &picture, start.elapsed(), Report::Output)
     };
     let options = |scene: &LoadedScene<'_>| {
         // Nothing can be done if standard error takes no notes.
         let _ = print_notes(scene);
         arguments.picture.options(scene)
     };
-    Ok(show_window(WindowScene { source, options: &options, panel, save: &mut save })?)
+    Ok(show_window(WindowScene {
+        source,
+        open: arguments.scene.options(),
+        options: &options,
+        panel,
+        save: &mut save,
+    })?)
 }
 
 #[cfg(not(feature = "window"))]
@@ -334,15 +356,17 @@ fn bench(arguments: &BenchArgs) -> Outcome {
 /// Measures the error of small pictures against the number of samples.
 fn convergence(source: &Path, plot: &Path) -> Outcome {
     check_writable(plot)?;
+    Report::beside(&[plot], false)?;
     let arena = Bump::new();
-    let scene = open(source, &arena, false)?;
+    let scene = LoadedScene::open(source, &arena)?;
+    print_notes(&scene)?;
     let spinner = ProgressBar::new_spinner().with_message("rendering 4096 samples of each pixel, and fewer");
     spinner.enable_steady_tick(Duration::from_millis(200));
     let settings = Settings { width: 64, height: 48, ..scene.settings };
     let measured = Convergence::measure(&scene.scene, settings).map_err(|error| explain(&scene, error))?;
     spinner.finish_and_clear();
     write_file(plot, measured.plot().as_bytes())?;
-    Ok(write!(io::stdout(), "{}", measured.table())?)
+    Report::beside(&[plot], false)?.say(measured.table().trim_end())
 }
 
 /// A progress bar for so many lines, frames or scenes. It is shown if standard error is a terminal.
@@ -434,11 +458,41 @@ fn explain(scene: &LoadedScene<'_>, error: RenderError) -> Box<dyn Error> {
     }
 }
 
-fn say(file: &PictureFile, picture: &Picture, time: Duration) -> Outcome {
+fn say(file: &PictureFile, picture: &Picture, time: Duration, report: Report) -> Outcome {
     let (Picture { width, height, .. }, rays) = (picture, picture.rays.total());
     let path = file.path().display();
-    writeln!(io::stdout(), "{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64())?;
-    Ok(())
+    report.say(&format!("{path}: {width}x{height}, {rays} rays in {:.2} s", time.as_secs_f64()))
+}
+
+/// Where a command reports what it has written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Report {
+    /// To standard output.
+    Output,
+    /// To standard error, because an output is written to standard output.
+    Error,
+    Nowhere,
+}
+
+impl Report {
+    /// The report of a command that writes these files.
+    fn beside(files: &[&Path], quiet: bool) -> Result<Self, &'static str> {
+        match files.iter().filter(|file| is_standard_output(file)).count() {
+            2.. => Err("two files cannot be written to standard output; name another one of them"),
+            _ if quiet => Ok(Self::Nowhere),
+            1 => Ok(Self::Error),
+            _ => Ok(Self::Output),
+        }
+    }
+
+    fn say(self, line: &str) -> Outcome {
+        match self {
+            Self::Output => writeln!(io::stdout(), "{line}")?,
+            Self::Error => writeln!(io::stderr(), "{line}")?,
+            Self::Nowhere => {}
+        }
+        Ok(())
+    }
 }
 
 /// Shows a picture in the terminal, as large as fits.

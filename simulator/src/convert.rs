@@ -9,7 +9,7 @@ use rayline::{BytesError, Scene, Settings};
 use rayline_formats::povray::{PovrayError, to_povray};
 use rayline_formats::{FILE_SETTINGS, Pictures, rust_source, to_bytes};
 
-use crate::file::{extension, write_beside};
+use crate::file::{extension, is_nameless, write_beside};
 use crate::{FileError, Number, check_writable, ron};
 
 /// A file that a scene will be written to. Its name is checked before the scene is read.
@@ -37,6 +37,8 @@ enum Format {
 pub enum ConvertError {
     /// The extension is unknown. Name a `.ron`, `.rayline`, `.pov` or `.rs` file.
     Extension(PathBuf),
+    /// Rust source is wanted, and the extension is another. Name a `.rs` file.
+    NotRust(PathBuf),
     /// POV-Ray's language cannot express the scene. Remove the part that the error names.
     Povray(PovrayError),
     /// The scene cannot be written as Rust source. Remove the part that the error names.
@@ -52,8 +54,8 @@ pub enum ConvertError {
 }
 
 impl SceneFile {
-    /// Checks the name of the file, and that there is a directory for it. Rust source is for programs that
-    /// compute in `number`.
+    /// Checks the name of the file, and that there is a directory for it. Standard output (`-`), devices and
+    /// pipes without an extension get RON. Rust source is for programs that compute in `number`.
     ///
     /// # Errors
     /// The extension is unknown, the directory is missing, or Rust source is wanted for `f64`.
@@ -62,12 +64,27 @@ impl SceneFile {
             Some("ron") => Format::Ron,
             Some("rayline") => Format::Bytes,
             Some("pov") => Format::Povray,
-            Some("rs") if number == Number::F64 => return Err(ConvertError::Number),
-            Some("rs") => Format::Rust(number),
+            Some("rs") => return Self::rust(path, number),
+            _ if is_nameless(path) => Format::Ron,
             _ => return Err(ConvertError::Extension(path.to_owned())),
         };
         check_writable(path).map_err(ConvertError::File)?;
         Ok(Self { path: path.to_owned(), format })
+    }
+
+    /// A file of Rust source. Standard output, devices and pipes need no extension.
+    ///
+    /// # Errors
+    /// The extension is not `.rs`, the directory is missing, or `number` is `f64`.
+    pub fn rust(path: &Path, number: Number) -> Result<Self, ConvertError> {
+        if extension(path).as_deref() != Some("rs") && !is_nameless(path) {
+            return Err(ConvertError::NotRust(path.to_owned()));
+        }
+        if number == Number::F64 {
+            return Err(ConvertError::Number);
+        }
+        check_writable(path).map_err(ConvertError::File)?;
+        Ok(Self { path: path.to_owned(), format: Format::Rust(number) })
     }
 
     /// The path of the file.
@@ -149,6 +166,9 @@ impl fmt::Display for ConvertError {
             Self::Extension(path) => {
                 write!(f, "cannot write {}: scenes are .ron, .rayline, .pov or .rs files", path.display())
             }
+            Self::NotRust(path) => {
+                write!(f, "cannot write {}: Rust source is in .rs files", path.display())
+            }
             Self::Povray(error) => error.fmt(f),
             Self::Rust(error) => error.fmt(f),
             Self::Number => {
@@ -164,7 +184,7 @@ impl fmt::Display for ConvertError {
 impl core::error::Error for ConvertError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Extension(_) | Self::Number => None,
+            Self::Extension(_) | Self::NotRust(_) | Self::Number => None,
             Self::Povray(error) => Some(error),
             Self::Rust(error) => Some(error),
             Self::Format(error) => Some(error),

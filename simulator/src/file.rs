@@ -1,9 +1,12 @@
 //! Writing of files, whole or not at all.
 
 use core::fmt;
+use std::fs;
 use std::io::{self, Write};
 use std::iter;
 use std::path::{Component, Path, PathBuf};
+
+use rayline_formats::files::STANDARD_INPUT;
 
 use crate::Picture;
 use crate::raster::{to_png, to_ppm};
@@ -39,7 +42,8 @@ pub enum FileError {
 }
 
 impl PictureFile {
-    /// Checks the name of the file, and that there is a directory for it.
+    /// Checks the name of the file, and that there is a directory for it. Standard output (`-`), devices and
+    /// pipes without an extension get a PNG file.
     ///
     /// # Errors
     /// The extension is neither `.png` nor `.ppm`, or the directory is missing.
@@ -47,6 +51,7 @@ impl PictureFile {
         let format = match extension(path).as_deref() {
             Some("png") => Format::Png,
             Some("ppm") => Format::Ppm,
+            _ if is_nameless(path) => Format::Png,
             _ => return Err(FileError::Extension(path.to_owned())),
         };
         check_writable(path)?;
@@ -87,16 +92,80 @@ impl PictureFile {
     }
 }
 
+/// The way in which bytes get to a path.
+enum Way {
+    /// To standard output.
+    Output,
+    /// To standard error.
+    Error,
+    /// Through a device, a named pipe, a socket or a file that is open already: it stays, and gets the bytes.
+    Through(PathBuf),
+    /// To a regular file, which is replaced whole. This path is no symbolic link to it.
+    Replace(PathBuf),
+}
+
+impl Way {
+    /// The way to the file that this path leads to, by symbolic links or without.
+    fn to(path: &Path) -> io::Result<Self> {
+        /// As many as Linux follows.
+        const MOST_LINKS: usize = 40;
+        if path == Path::new(STANDARD_OUTPUT) {
+            return Ok(Self::Output);
+        }
+        let mut path = path.to_owned();
+        for _ in 0..=MOST_LINKS {
+            match path.to_str().unwrap_or_default() {
+                "/dev/stdout" | "/dev/fd/1" | "/proc/self/fd/1" => return Ok(Self::Output),
+                "/dev/stderr" | "/dev/fd/2" | "/proc/self/fd/2" => return Ok(Self::Error),
+                // The files that are open already look like links to files.
+                _ if path.starts_with("/dev/fd") || path.starts_with("/proc") => {
+                    return Ok(Self::Through(path));
+                }
+                _ => {}
+            }
+            if let Ok(target) = path.read_link() {
+                path = directory_of(&path).join(target);
+                continue;
+            }
+            return Ok(match path.metadata() {
+                Ok(data) if !data.is_file() && !data.is_dir() => Self::Through(path),
+                _ => Self::Replace(path),
+            });
+        }
+        Err(io::Error::other("its symbolic links lead in a circle; name another file"))
+    }
+}
+
+/// The path that stands for standard output.
+pub(crate) const STANDARD_OUTPUT: &str = "-";
+
+/// Whether bytes that are written to this path go to standard output, so that nothing else may be written
+/// there.
+pub fn is_standard_output(path: &Path) -> bool {
+    matches!(Way::to(path), Ok(Way::Output))
+}
+
+/// Whether a path has no extension that tells a format because it is no file: it is standard output, or a
+/// device or pipe.
+pub(crate) fn is_nameless(path: &Path) -> bool {
+    !matches!(Way::to(path), Ok(Way::Replace(_)) | Err(_))
+}
+
 /// Refuses a file that surely cannot be written, before its contents are computed.
 ///
 /// # Errors
 /// The name is that of a directory, or its directory is missing.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
     let refuse = |error| Err(FileError::Io { path: path.to_owned(), error });
-    if path.is_dir() {
+    let file = match Way::to(path) {
+        Ok(Way::Replace(file)) => file,
+        Ok(_) => return Ok(()),
+        Err(error) => return refuse(error),
+    };
+    if file.is_dir() {
         return refuse(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory; name a file in it"));
     }
-    let Some(missing) = missing_part_of(directory_of(path)) else { return Ok(()) };
+    let Some(missing) = missing_part_of(directory_of(&file)) else { return Ok(()) };
     let reason = format!("there is no directory {}; create it first", missing.display());
     refuse(io::Error::new(io::ErrorKind::NotFound, reason))
 }
@@ -117,6 +186,9 @@ fn missing_part_of(directory: &Path) -> Option<&Path> {
 /// # Errors
 /// Both are the same file.
 pub fn check_apart(path: &Path, source: &Path) -> Result<(), FileError> {
+    if is_nameless(path) || source == Path::new(STANDARD_INPUT) {
+        return Ok(());
+    }
     match (path.canonicalize(), source.canonicalize()) {
         (Ok(file), Ok(source)) if file == source => {
             let reason = "it is the file that the scene is read from; name another file";
@@ -136,18 +208,34 @@ fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Writes a file under a temporary name and renames it, so that no other program reads half of it.
+/// Writes bytes to a path: to standard output for `-`, and through devices, pipes and sockets.
+///
+/// A regular file is written under a temporary name and renamed, so that no other program reads half of it.
+/// Symbolic links to it stay, and so do its permissions.
 ///
 /// # Errors
-/// The system refused. An existing file of this name is then unchanged.
+/// The system refused. An existing regular file of this name is then unchanged.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    let write = || -> io::Result<()> {
-        let mut file = temporary(path)?;
-        file.write_all(bytes)?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    write().map_err(|error| FileError::Io { path: path.to_owned(), error })
+    let write_to = |mut out: Box<dyn Write>| out.write_all(bytes).and_then(|()| out.flush());
+    let written = Way::to(path).and_then(|way| match way {
+        Way::Output => write_to(Box::new(io::stdout().lock())),
+        Way::Error => write_to(Box::new(io::stderr().lock())),
+        Way::Through(path) => write_to(Box::new(fs::OpenOptions::new().append(true).open(path)?)),
+        Way::Replace(target) => replace(&target, bytes),
+    });
+    written.map_err(|error| FileError::Io { path: path.to_owned(), error })
+}
+
+/// Replaces a regular file whole, or creates it.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = temporary(path)?;
+    file.write_all(bytes)?;
+    if let Ok(known) = path.metadata() {
+        keep_owner(&known, file.path());
+        file.as_file().set_permissions(known.permissions())?;
+    }
+    file.persist(path).map_err(|error| error.error)?;
+    Ok(())
 }
 
 /// A file in the directory of `path`, which vanishes unless it is renamed.
@@ -157,7 +245,7 @@ fn temporary(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     {
         // The permissions of any new file (the umask still applies), not those of a temporary file.
         use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
+        builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.prefix(".rayline-").tempfile_in(directory_of(path))
 }
@@ -196,6 +284,17 @@ fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.persist_noclobber(path).map_err(|error| error.error)?;
     Ok(())
 }
+
+/// Gives a file the owner and the group of another, as far as the system allows.
+#[cfg(unix)]
+fn keep_owner(known: &fs::Metadata, path: &Path) {
+    use std::os::unix::fs::{MetadataExt, chown};
+    // A user may not give files away, but the pictures that root writes again stay those of the user.
+    let _ = chown(path, Some(known.uid()), Some(known.gid()));
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &fs::Metadata, _: &Path) {}
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

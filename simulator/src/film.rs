@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayline_formats::animation::Length;
 
 use crate::Picture;
-use crate::file::{FileError, check_writable, extension, write_file};
+use crate::file::{FileError, check_writable, extension, is_nameless, write_file};
 
 /// A file that moving pictures will be written to. Its name is checked before they are rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,7 +31,8 @@ enum Film<'b> {
 }
 
 impl FilmFile {
-    /// Checks the name of the file, and that there is a directory for it.
+    /// Checks the name of the file, and that there is a directory for it. Standard output (`-`), devices and
+    /// pipes without an extension get a GIF.
     ///
     /// # Errors
     /// The extension is neither `.gif`, `.png` nor `.apng`, or the directory is missing.
@@ -39,6 +40,7 @@ impl FilmFile {
         let format = match extension(path).as_deref() {
             Some("gif") => Format::Gif,
             Some("png" | "apng") => Format::Apng,
+            _ if is_nameless(path) => Format::Gif,
             _ => return Err(FileError::FilmExtension(path.to_owned())),
         };
         check_writable(path)?;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::{Sampling, Settings, Transfer};
+use rayline_formats::files::read_regular;
 
 use crate::povray::{self, RunError};
 use crate::table::Table;
@@ -106,7 +107,7 @@ impl Gallery {
     /// See [`GalleryError`]. Pictures that were written before the error stay.
     pub fn write(&self, say: &dyn Fn(&str)) -> Result<(), GalleryError> {
         let page = self.directory.join("README.md");
-        if fs::read_to_string(&page).is_ok_and(|text| !text.starts_with(HEAD)) {
+        if read_regular(&page).is_ok_and(|text| !text.starts_with(HEAD.as_bytes())) {
             return Err(GalleryError::NotOurs(page));
         }
         let mut exhibits = Vec::new();
@@ -145,7 +146,8 @@ impl Gallery {
         let reference = draw(meant, Number::F64)?;
         let rays = seen.rays.total();
         let linear = Settings { transfer: Transfer::Linear, ..meant };
-        let text = fs::read_to_string(file).unwrap_or_default();
+        let text = read_regular(file).unwrap_or_default();
+        let text = String::from_utf8_lossy(&text);
         let remark = |key| {
             let line = text.lines().find_map(|line| line.trim_start().strip_prefix(key));
             line.unwrap_or_default().trim().to_owned()

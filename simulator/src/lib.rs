@@ -21,6 +21,7 @@ mod bench;
 mod check;
 mod convert;
 mod display;
+mod distinct;
 mod file;
 mod film;
 mod gallery;
@@ -42,7 +43,7 @@ pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneContents, SceneFile};
 pub use display::Display;
 pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};
-pub use file::{FileError, PictureFile, check_apart, check_writable, write_file};
+pub use file::{FileError, PictureFile, check_apart, check_writable, is_standard_output, write_file};
 pub use film::FilmFile;
 pub use gallery::{Gallery, GalleryError};
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
@@ -50,7 +51,10 @@ pub use orbit::Orbit;
 pub use panel::on_panel;
 pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
-pub use rayline_formats::{LoadError, LoadedScene, animation, gltf, nff, obj, povray, raster, ron};
+pub use rayline_formats::{
+    Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files, gltf, nff, obj, povray,
+    raster, ron,
+};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;

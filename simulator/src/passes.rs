@@ -1,10 +1,11 @@
 //! Pictures in passes: every pass adds a sample to each pixel.
 
 use rayline::math::Fixed;
-use rayline::{Light16, PixelSum, PreparedScene, RayCounts, Real, Renderer, Scene};
+use rayline::{Light16, PixelSum, RayCounts, Real, Renderer, Scene};
 use rayon::prelude::*;
 
-use crate::picture::{Lights, blank, many, memory_for, pool};
+use crate::distinct::distinct;
+use crate::picture::{Lights, blank, many, memory_for, pool, prepared, seen};
 use crate::{Number, Picture, RenderError, RenderOptions};
 
 /// A pass that is complete.
@@ -40,9 +41,11 @@ fn passes_in<R: Real, E: From<RenderError>>(
     options: &RenderOptions,
     pass_done: &mut dyn FnMut(&Picture, Pass) -> Result<(), E>,
 ) -> Result<Picture, E> {
-    let mut memory = memory_for::<R>(scene);
+    let kept = distinct(scene);
+    let seen = seen(scene, kept.as_deref());
+    let mut memory = memory_for::<R>(&seen);
     let prepared_bytes = memory.len();
-    let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+    let prepared = prepared::<R>(scene, &seen, &mut memory)?;
     let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
     let (width, height, pool) = (renderer.width(), renderer.height(), pool(options)?);
     let rgb = blank(width, height)?;

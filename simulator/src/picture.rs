@@ -9,13 +9,15 @@ use core::mem::MaybeUninit;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::limits::LINES_AT_ONCE;
 use rayline::math::Fixed;
+use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Light16, LineError, PreparedScene, Quantizer, RayCounts, Real, Renderer, Scene, SceneError,
-    Settings, SettingsError,
+    DisplayColor, Light16, LineError, Object, PreparedScene, Quantizer, RayCounts, Real, Renderer, Scene,
+    SceneError, Settings, SettingsError,
 };
 use rayon::prelude::*;
 
 use crate::display::ForColor;
+use crate::distinct::distinct;
 use crate::realtime::Bands;
 use crate::{Mode, Number, RenderOptions, Show};
 
@@ -108,9 +110,11 @@ fn render_in<R: Real>(
     options: &RenderOptions,
     line_done: &(dyn Fn() + Sync),
 ) -> Result<Picture, RenderError> {
-    let mut memory = memory_for::<R>(scene);
+    let kept = distinct(scene);
+    let seen = seen(scene, kept.as_deref());
+    let mut memory = memory_for::<R>(&seen);
     let prepared_bytes = memory.len();
-    let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+    let prepared = prepared::<R>(scene, &seen, &mut memory)?;
     let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
     let lines = options.lines.clone().unwrap_or(0..renderer.height());
     if lines.end > renderer.height() {
@@ -134,6 +138,23 @@ fn render_in<R: Real>(
 /// The threads that render.
 pub(crate) fn pool(options: &RenderOptions) -> Result<rayon::ThreadPool, RenderError> {
     rayon::ThreadPoolBuilder::new().num_threads(options.threads).build().map_err(RenderError::Threads)
+}
+
+/// The scene with only these of its objects, if any are given: those that [`distinct`] keeps.
+pub(crate) fn seen<'a>(scene: &Scene<'a>, kept: Option<&'a [Object<Shape<'a>>]>) -> Scene<'a> {
+    Scene { objects: kept.unwrap_or(scene.objects), ..*scene }
+}
+
+/// Prepares what is `seen` of a scene; errors name the parts of the whole scene.
+pub(crate) fn prepared<'m, R: Real>(
+    scene: &Scene<'_>,
+    seen: &Scene<'m>,
+    memory: &'m mut [MaybeUninit<u8>],
+) -> Result<PreparedScene<'m, R>, RenderError> {
+    PreparedScene::new(seen, memory).map_err(|error| {
+        let whole = PreparedScene::<R, _>::new(scene, &mut memory_for::<R>(scene)).map(|_| ());
+        RenderError::Scene(whole.err().unwrap_or(error))
+    })
 }
 
 /// Memory to lend for a prepared scene.

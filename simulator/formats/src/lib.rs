@@ -6,12 +6,14 @@
 //! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
 //! - [`Pictures`] are the files of images beside the file of a scene;
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
-//! - [`raster`] reads and writes images.
+//! - [`raster`] reads and writes images;
+//! - [`files`] reads the bytes of all of them, within limits.
 //!
 //! Nothing here traces a ray. The workspace builds the crate with fewer optimizations than the rest: its code
 //! is long, and runs once for each file.
 
 pub mod animation;
+pub mod files;
 pub mod gltf;
 mod loaded;
 mod model;
@@ -27,7 +29,8 @@ mod source;
 mod space;
 mod text;
 
-pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};
+pub use loaded::{FILE_SETTINGS, Format, LoadError, LoadedScene, OpenOptions};
+pub use model::{ModelView, Up};
 pub use pictures::Pictures;
 pub use source::{rust_source, to_bytes};
 

@@ -9,11 +9,14 @@ use bumpalo::Bump;
 use rayline::builtin;
 use rayline::{BytesError, Part, Scene, SceneError, Settings, Transfer};
 
+use crate::files::Files;
 use crate::gltf::{self, GltfError};
+use crate::model::ModelView;
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
 use crate::obj::{self, ObjError};
 use crate::ron::{self, Position, RonError};
+use crate::text::without_mark;
 
 /// A built-in scene or a scene from a file, with the settings of its picture.
 #[derive(Clone, Debug)]
@@ -28,6 +31,62 @@ pub struct LoadedScene<'a> {
     pub notes: Vec<String>,
     /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
+}
+
+/// The format of a scene's file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Rayline's own text format: [`ron`].
+    Ron,
+    /// Rayline's own bytes: [`Scene::from_bytes`].
+    Rayline,
+    /// Neutral File Format: [`nff`].
+    Nff,
+    /// Wavefront OBJ: [`obj`].
+    Obj,
+    /// glTF, as JSON or as a binary file: [`gltf`].
+    Gltf,
+}
+
+impl Format {
+    /// The formats with the extensions of their files.
+    pub const EXTENSIONS: [(&str, Self); 6] = [
+        ("ron", Self::Ron),
+        ("rayline", Self::Rayline),
+        ("nff", Self::Nff),
+        ("obj", Self::Obj),
+        ("gltf", Self::Gltf),
+        ("glb", Self::Gltf),
+    ];
+
+    /// The format that a file's name tells.
+    fn of_name(path: &Path) -> Option<Self> {
+        let extension = path.extension()?;
+        let known = Self::EXTENSIONS.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name))?;
+        Some(known.1)
+    }
+
+    /// The format that the first bytes tell, for those formats that cannot be mistaken.
+    fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        let text = without_mark(bytes).trim_ascii_start();
+        match text {
+            [b'g', b'l', b'T', b'F', ..] | [b'{', ..] => Some(Self::Gltf),
+            [b'R', b'A', b'Y', b'L', ..] => Some(Self::Rayline),
+            [b'S', b'c', b'e', b'n', b'e', ..] | [b'(' | b'/', ..] => Some(Self::Ron),
+            _ => None,
+        }
+    }
+}
+
+/// How files are opened.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OpenOptions {
+    /// The view of a model without a camera of its own.
+    pub view: ModelView,
+    /// The format of the file; `None`: as its name tells, or the first bytes of standard input.
+    pub format: Option<Format>,
+    /// Lets files refer to any other file, not only to those in the folder of the scene or below it.
+    pub allow_paths: bool,
 }
 
 /// The usual settings of files in Rayline's own formats.
@@ -52,10 +111,17 @@ enum Import<'a> {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LoadError {
+    /// The first bytes of standard input do not tell their format. Name it.
+    Format,
     /// There is no built-in scene of this name. Use one of the built-in scenes, or a file that ends in
     /// `.ron`, `.rayline`, `.nff`, `.obj`, `.gltf` or `.glb`.
     Unknown {
         /// The name.
+        name: String,
+    },
+    /// A view is asked for, but the scene has a camera of its own. Leave out the view.
+    OwnCamera {
+        /// The file, or the name of a built-in scene.
         name: String,
     },
     /// The system cannot read the file. Its text says why.
@@ -96,25 +162,44 @@ impl<'a> LoadedScene<'a> {
     /// # Errors
     /// The scene does not exist or cannot be read.
     pub fn open(source: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let ends_in =
-            |format| source.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(format));
-        if ends_in("rayline") {
-            Self::read_bytes(source, arena)
-        } else if ends_in("ron") {
-            Self::read_ron(source, arena)
-        } else if ends_in("nff") {
-            Self::read_nff(source, arena)
-        } else if ends_in("obj") {
-            Self::read_obj(source, arena)
-        } else if ends_in("gltf") || ends_in("glb") {
-            Self::read_gltf(source, arena)
-        } else {
-            Self::find(&source.to_string_lossy())
+        Self::open_with(source, &OpenOptions::default(), arena)
+    }
+
+    /// As [`open`](Self::open), with options. A scene of the name
+    /// [`STANDARD_INPUT`](crate::files::STANDARD_INPUT) is read from there, and the files that it refers to
+    /// are those in the current folder.
+    ///
+    /// # Errors
+    /// The scene does not exist or cannot be read, or has a camera of its own where the options have a view.
+    pub fn open_with(source: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let scene = Self::read(source, options, arena)?;
+        if options.view != ModelView::default() && scene.has_own_camera() {
+            return Err(LoadError::OwnCamera { name: source.to_string_lossy().into_owned() });
+        }
+        Ok(scene)
+    }
+
+    fn read(source: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let files = &*arena.alloc(Files::new(source, options.allow_paths));
+        let refused = |error| LoadError::Read { path: files.scene().to_owned(), error };
+        let format = match options.format.or_else(|| Format::of_name(source)) {
+            Some(format) => format,
+            None if files.is_standard_input() => {
+                files.look(Format::of_bytes).map_err(refused)?.ok_or(LoadError::Format)?
+            }
+            None => return Self::find(&source.to_string_lossy()),
+        };
+        match format {
+            Format::Rayline => Self::read_bytes(files, arena),
+            Format::Ron => Self::read_ron(files, arena),
+            Format::Nff => Self::read_nff(files, arena),
+            Format::Obj => Self::read_obj(files, options, arena),
+            Format::Gltf => Self::read_gltf(files, options, arena),
         }
     }
 
-    fn read_bytes(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let bytes = arena.alloc_slice_copy(&read(path)?);
+    fn read_bytes(files: &Files, arena: &'a Bump) -> Result<Self, LoadError> {
+        let bytes = arena.alloc_slice_copy(&read(files)?);
         let mut room = bytes.len().saturating_mul(16).max(1 << 12);
         let most = bytes.len().saturating_mul(256).clamp(1 << 16, 1 << 30);
         let scene = loop {
@@ -123,43 +208,45 @@ impl<'a> LoadedScene<'a> {
                 Ok(scene) => break scene,
                 // No description takes more than 256 times the memory of its bytes.
                 Err(BytesError::Memory { .. }) if room < most => room = room.saturating_mul(4),
-                Err(error) => return Err(LoadError::Bytes { path: path.to_owned(), error }),
+                Err(error) => return Err(LoadError::Bytes { path: files.scene().to_owned(), error }),
             }
         };
-        Ok(Self::of_file(path, scene, Import::Bytes))
+        Ok(Self::of_file(files, scene, Import::Bytes))
     }
 
-    fn read_ron(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let import = ron::read(arena, path).map_err(LoadError::Ron)?;
+    fn read_ron(files: &'a Files, arena: &'a Bump) -> Result<Self, LoadError> {
+        let import = ron::read_with(arena, files).map_err(LoadError::Ron)?;
         let settings = import.settings.over(FILE_SETTINGS);
-        Ok(Self { settings, ..Self::of_file(path, import.scene, Import::Ron(import)) })
+        Ok(Self { settings, ..Self::of_file(files, import.scene, Import::Ron(import)) })
     }
 
-    fn read_obj(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let mut import = obj::read(arena, path).map_err(LoadError::Obj)?;
+    fn read_obj(files: &Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let import = obj::read_with(arena, files.scene(), options.view, files);
+        let mut import = import.map_err(LoadError::Obj)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
-        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Obj(import)) })
+        Ok(Self { settings, notes, ..Self::of_file(files, import.scene, Import::Obj(import)) })
     }
 
-    fn read_gltf(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let mut import = gltf::read(arena, path).map_err(LoadError::Gltf)?;
+    fn read_gltf(files: &Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+        let mut import = gltf::read_with(arena, options.view, files).map_err(LoadError::Gltf)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
-        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Gltf(import)) })
+        Ok(Self { settings, notes, ..Self::of_file(files, import.scene, Import::Gltf(import)) })
     }
 
-    fn read_nff(path: &Path, arena: &'a Bump) -> Result<Self, LoadError> {
-        let bytes = read(path)?;
-        let mut import = nff::parse_bytes(arena, &bytes)
-            .map_err(|error| LoadError::Nff { path: path.to_owned(), error })?;
+    fn read_nff(files: &Files, arena: &'a Bump) -> Result<Self, LoadError> {
+        let mut import = nff::parse_bytes(arena, &read(files)?)
+            .map_err(|error| LoadError::Nff { path: files.scene().to_owned(), error })?;
         let settings = Settings { transfer: Transfer::Linear, ..of_size(import.resolution) };
         let notes = core::mem::take(&mut import.notes);
-        Ok(Self { settings, notes, ..Self::of_file(path, import.scene, Import::Nff(import)) })
+        Ok(Self { settings, notes, ..Self::of_file(files, import.scene, Import::Nff(import)) })
     }
 
     /// A scene from a file, with the usual settings.
-    fn of_file(path: &Path, scene: Scene<'a>, import: Import<'a>) -> Self {
+    fn of_file(files: &Files, scene: Scene<'a>, import: Import<'a>) -> Self {
+        let path = files.scene();
+        let name = if files.is_standard_input() { Path::new("stdin") } else { path };
         Self {
-            name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            name: name.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
             scene,
             settings: FILE_SETTINGS,
             notes: Vec::new(),
@@ -177,6 +264,15 @@ impl<'a> LoadedScene<'a> {
             notes: Vec::new(),
             file: None,
         })
+    }
+
+    /// Whether the camera is that of the file, or of a built-in scene.
+    fn has_own_camera(&self) -> bool {
+        match &self.file {
+            Some((_, Import::Obj(_))) => false,
+            Some((_, Import::Gltf(import))) => import.name_of(Part::Camera).is_some(),
+            _ => true,
+        }
     }
 
     /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.
@@ -230,14 +326,18 @@ impl Import<'_> {
     }
 }
 
-/// The bytes of a file.
-fn read(path: &Path) -> Result<Vec<u8>, LoadError> {
-    std::fs::read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })
+/// The bytes of the scene's file.
+fn read(files: &Files) -> Result<Vec<u8>, LoadError> {
+    let path = files.scene();
+    files.read(path).map_err(|error| LoadError::Read { path: path.to_owned(), error })
 }
 
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Format => f.write_str(
+                "the format of standard input is not known; name it with --format, as in --format obj",
+            ),
             Self::Unknown { name } => {
                 let names = builtin::ALL.map(|builtin| builtin.name);
                 let meant = nearest(name, names);
@@ -249,6 +349,11 @@ impl fmt::Display for LoadError {
                     names.join(", ")
                 )
             }
+            Self::OwnCamera { name } => write!(
+                f,
+                "{name} has a camera of its own, but --up and --from are for models without one; leave them \
+                 out"
+            ),
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Self::Nff { path, error } => write!(f, "{}:{}: {}", path.display(), error.line, error.fault),
             Self::Obj(error) => error.fmt(f),
@@ -262,7 +367,7 @@ impl fmt::Display for LoadError {
 impl core::error::Error for LoadError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Unknown { .. } => None,
+            Self::Format | Self::Unknown { .. } | Self::OwnCamera { .. } => None,
             Self::Read { error, .. } => Some(error),
             Self::Nff { error, .. } => Some(error),
             Self::Obj(error) => Some(error),

@@ -8,6 +8,8 @@ use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
+use crate::files::MAX_PIXELS;
+
 /// An image of pixels, line by line from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Raster {
@@ -25,7 +27,7 @@ pub struct Raster {
 pub enum RasterError {
     /// They do not begin like a PNG, JPEG or PPM file. Convert the image to one of these formats.
     Format,
-    /// The image has more than this many pixels a side, or takes too much memory. Use a smaller one.
+    /// The image has more than 65535 pixels a side, or more than [`MAX_PIXELS`]. Use a smaller one.
     Size,
     /// The image is broken, or in a form of its format that is not supported. The text says what is wrong.
     Broken(String),
@@ -33,7 +35,7 @@ pub enum RasterError {
 
 /// The longest side.
 const MOST_SIDE: usize = u16::MAX as usize;
-/// The most bytes of an image.
+/// The most bytes that a decoder may take.
 const MOST_BYTES: usize = 1 << 29;
 
 impl Raster {
@@ -127,7 +129,7 @@ impl Raster {
 
 /// Refuses images that are too large.
 fn check((width, height): (usize, usize)) -> Result<(), RasterError> {
-    let is_small = width <= MOST_SIDE && height <= MOST_SIDE && width * height <= MOST_BYTES / 4;
+    let is_small = width <= MOST_SIDE && height <= MOST_SIDE && width * height <= MAX_PIXELS;
     if is_small { Ok(()) } else { Err(RasterError::Size) }
 }
 
@@ -241,7 +243,9 @@ impl fmt::Display for RasterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Format => f.write_str("it is no PNG, JPEG or PPM file; convert it to one of them"),
-            Self::Size => write!(f, "it is too large; use at most {MOST_SIDE} pixels a side and 2^27 in all"),
+            Self::Size => {
+                write!(f, "it is too large; use at most {MOST_SIDE} pixels a side and {MAX_PIXELS} in all")
+            }
             Self::Broken(reason) => f.write_str(reason),
         }
     }

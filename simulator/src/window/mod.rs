@@ -20,7 +20,7 @@ use bumpalo::Bump;
 use embedded_graphics_simulator::OutputSettings;
 use rayline::{DrawError, Scene, SceneError, SettingsError};
 
-use crate::{LoadError, LoadedScene, RenderOptions};
+use crate::{LoadError, LoadedScene, OpenOptions, RenderOptions};
 use screen::Screen;
 use view::{Next, View};
 
@@ -56,6 +56,8 @@ pub type Save<'s> = dyn FnMut(&Scene<'_>, &RenderOptions) -> Result<(), Box<dyn 
 pub struct WindowScene<'w> {
     /// The name of a built-in scene, or the file, which is watched.
     pub source: &'w Path,
+    /// How the file is opened.
+    pub open: OpenOptions,
     /// The options for a scene that was read: called for each version of the file. Keys change some of them.
     pub options: &'w dyn Fn(&LoadedScene<'_>) -> RenderOptions,
     /// The look of the panel; `None`: small pictures are enlarged.
@@ -74,19 +76,20 @@ pub struct WindowScene<'w> {
 /// # Errors
 /// There is no display, the first version of the scene is refused, or `save` failed.
 pub fn show_window(window: WindowScene<'_>) -> Result<(), WindowError> {
-    let WindowScene { source, options, panel, save } = window;
+    let WindowScene { source, open, options, panel, save } = window;
     let mut file = Watched::new(source);
     let arena = Bump::new();
-    let scene = LoadedScene::open(source, &arena).map_err(WindowError::Load)?;
+    let scene = LoadedScene::open_with(source, &open, &arena).map_err(WindowError::Load)?;
     let screen = Screen::open(&format!("rayline: {}", scene.name))?;
     let mut view = View::new(screen, options(&scene), panel, save);
     let mut next = view.show(&scene, &mut file)?;
     while next != Next::Close {
         let arena = Bump::new();
-        let shown = LoadedScene::open(source, &arena).map_err(WindowError::Load).and_then(|scene| {
-            view.set_settings(options(&scene).settings);
-            view.show(&scene, &mut file)
-        });
+        let shown =
+            LoadedScene::open_with(source, &open, &arena).map_err(WindowError::Load).and_then(|scene| {
+                view.set_settings(options(&scene).settings);
+                view.show(&scene, &mut file)
+            });
         next = match shown {
             Err(error) if error.is_of_the_scene() => view.tell(&error, &mut file)?,
             shown => shown?,

@@ -1,9 +1,16 @@
 //! Runs the program in a temporary directory.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 use rayline_simulator::raster::Raster;
+
+/// The time after which a test takes the program for one that hangs: machines may be busy.
+const DEADLINE: Duration = Duration::from_secs(60);
 
 /// A temporary directory in which `rayline` runs.
 pub(crate) struct Bench {
@@ -33,11 +40,45 @@ impl Bench {
     }
 
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_rayline"))
-            .args(arguments)
-            .current_dir(self.directory.path())
-            .output()
-            .unwrap()
+        self.command(arguments).output().unwrap()
+    }
+
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rayline"));
+        command.args(arguments).current_dir(self.directory.path());
+        command
+    }
+
+    /// Runs the program with this standard input, and fails if it takes longer than a [`DEADLINE`].
+    pub(crate) fn run_in_time(&self, arguments: &[&str], input: impl Into<Stdio>) -> Output {
+        let mut command = self.command(arguments);
+        let mut child = command.stdin(input).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        // The pipes are emptied meanwhile: the program would wait for that.
+        fn reader(mut pipe: impl Read + Send + 'static) -> JoinHandle<Vec<u8>> {
+            std::thread::spawn(move || {
+                let mut bytes = Vec::new();
+                pipe.read_to_end(&mut bytes).unwrap();
+                bytes
+            })
+        }
+        let (stdout, stderr) = (reader(child.stdout.take().unwrap()), reader(child.stderr.take().unwrap()));
+        let start = Instant::now();
+        let status = loop {
+            if let Some(status) = child.try_wait().unwrap() {
+                break status;
+            }
+            if start.elapsed() > DEADLINE {
+                child.kill().unwrap();
+                panic!("{arguments:?} takes more than {DEADLINE:?}");
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        };
+        Output { status, stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
+    }
+
+    /// A file as standard input.
+    pub(crate) fn open(&self, name: &str) -> File {
+        File::open(self.path(name)).unwrap()
     }
 
     /// The standard output of a run that must succeed without standard error.

@@ -6,6 +6,8 @@
 mod bench;
 mod errors;
 mod exports;
+#[cfg(unix)]
+mod files;
 mod films;
 mod measurements;
 mod pictures;

@@ -1,31 +1,30 @@
 //! Buffers: the bytes that a file has or refers to.
 
 use std::borrow::Cow;
-use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::PathBuf;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::Root;
+use crate::files::{Files, MAX_SCENE_BYTES};
 
 /// The most bytes of all buffers together.
-const MOST: usize = 1 << 30;
+const MOST: usize = MAX_SCENE_BYTES as usize;
 
 /// All buffers of a file.
 #[derive(Debug)]
 pub(super) struct Buffers<'f> {
     root: &'f Root,
-    /// The folder of the file.
-    folder: &'f Path,
+    files: &'f Files,
     bytes: Vec<Cow<'f, [u8]>>,
 }
 
 impl<'f> Buffers<'f> {
     /// Reads all buffers; `binary` is the first buffer of a binary file.
-    pub(super) fn read(root: &'f Root, folder: &'f Path, binary: Option<&'f [u8]>) -> Result<Self, Wrong> {
-        let mut all = Self { root, folder, bytes: Vec::new() };
+    pub(super) fn read(root: &'f Root, files: &'f Files, binary: Option<&'f [u8]>) -> Result<Self, Wrong> {
+        let mut all = Self { root, files, bytes: Vec::new() };
         let mut sum = 0usize;
         for (index, buffer) in root.buffers.iter().enumerate() {
             let bytes = match (&buffer.uri, binary) {
@@ -64,7 +63,8 @@ impl<'f> Buffers<'f> {
         Ok((bytes, view.byte_stride))
     }
 
-    /// The bytes of a URI: those in a `data:` URI, or those of a file in the folder or below.
+    /// The bytes of a URI: those in a `data:` URI, or those of a file in the folder or below, or with
+    /// `--allow-paths` of any file.
     pub(super) fn resource(&self, uri: &str) -> Result<Cow<'f, [u8]>, GltfFault> {
         if let Some(data) = strip_scheme(uri, "data:") {
             let (_, text) = data
@@ -73,8 +73,10 @@ impl<'f> Buffers<'f> {
             let bytes = BASE64_STANDARD.decode(text.trim_ascii());
             return Ok(Cow::Owned(bytes.map_err(|error| GltfFault::NotBase64(error.to_string()))?));
         }
-        let path = self.folder.join(below(uri).ok_or_else(|| GltfFault::Outside(uri.to_owned()))?);
-        match fs::read(&path) {
+        let outside = || GltfFault::Outside(uri.to_owned());
+        let name = name_in(uri).ok_or_else(outside)?;
+        let path = self.files.reference(self.files.folder(), name).map_err(|_| outside())?;
+        match self.files.read(&path) {
             Ok(bytes) => Ok(Cow::Owned(bytes)),
             Err(error) => Err(GltfFault::Unreadable(format!("cannot read {}: {error}", path.display()))),
         }
@@ -86,15 +88,14 @@ fn strip_scheme<'u>(uri: &'u str, scheme: &str) -> Option<&'u str> {
     start.eq_ignore_ascii_case(scheme).then_some(rest)
 }
 
-/// The relative path of a URI, if it stays in the folder of the file.
-fn below(uri: &str) -> Option<PathBuf> {
+/// The path in a URI.
+fn name_in(uri: &str) -> Option<PathBuf> {
     let path = unescaped(uri)?;
     // These characters may belong to a scheme, a drive, or a separator of other systems.
     if path.is_empty() || path.contains([':', '\\', '\0']) {
         return None;
     }
-    let path = PathBuf::from(path);
-    path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)).then_some(path)
+    Some(PathBuf::from(path))
 }
 
 /// The text of a URI in which some characters are written as `%` and two hexadecimal digits.

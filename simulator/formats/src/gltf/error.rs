@@ -164,7 +164,12 @@ impl fmt::Display for GltfFault {
                 write!(f, "there is no {what} {named}: there are {count}, counted from 0; correct the number")
             }
             Self::Outside(uri) => {
-                write!(f, "`{}` is not in the folder of the file or below it; move it there", Excerpt(uri))
+                write!(
+                    f,
+                    "`{}` is not in the folder of the file or below it; move it there, or use \
+                     --allow-paths",
+                    Excerpt(uri)
+                )
             }
             Self::NotBase64(reason) => {
                 write!(f, "its bytes are not in base64: {reason}; export the file again")

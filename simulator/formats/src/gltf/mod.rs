@@ -67,7 +67,6 @@ mod nodes;
 mod tests;
 mod textures;
 
-use std::fs;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -75,7 +74,9 @@ use rayline::limits::MAX_COUNT;
 use rayline::shape::Shape;
 use rayline::{Object, Part, Scene};
 
-use crate::model::view;
+use crate::OpenOptions;
+use crate::files::Files;
+use crate::model::{ModelView, view};
 use crate::notes::Notes;
 use accessor::{Lists, MOST};
 use buffers::Buffers;
@@ -130,21 +131,35 @@ impl Import<'_> {
 /// # Errors
 /// A file cannot be read, or a part of it is wrong. An image that does not exist or has another format is not
 /// an error: it gives a [note](Import::notes).
-pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, GltfError> {
+pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, GltfError> {
+    read_with(arena, options.view, &Files::new(path, options.allow_paths))
+}
+
+/// Reads a scene by the reader of its files.
+pub(crate) fn read_with<'a>(
+    arena: &'a Bump,
+    view: ModelView,
+    files: &Files,
+) -> Result<Import<'a>, GltfError> {
+    let path = files.scene();
     let error = |Wrong { place, fault }| GltfError { path: path.to_owned(), place, fault };
     let unreadable = |reason: std::io::Error| error(GltfFault::Unreadable(reason.to_string()).into());
-    let bytes = fs::read(path).map_err(unreadable)?;
-    let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let mut import = of_bytes(arena, &bytes, folder).map_err(error)?;
+    let bytes = files.read(path).map_err(unreadable)?;
+    let mut import = of_bytes(arena, &bytes, view, files).map_err(error)?;
     for note in &mut import.notes {
         *note = format!("{}: {note}", path.display());
     }
     Ok(import)
 }
 
-fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'a>, Wrong> {
+fn of_bytes<'a>(
+    arena: &'a Bump,
+    bytes: &[u8],
+    model_view: ModelView,
+    files: &Files,
+) -> Result<Import<'a>, Wrong> {
     let (root, binary) = container::open(bytes)?;
-    let buffers = Buffers::read(&root, folder, binary)?;
+    let buffers = Buffers::read(&root, files, binary)?;
     let lists = Lists { root: &root, buffers: &buffers };
     let mut notes = Notes::default();
     for extension in container::unknown_extensions(&root.extensions_used) {
@@ -169,26 +184,30 @@ fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'
     let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
     let camera = cameras::first(&root, &nodes, bounds, &mut notes)?;
     let (lights, of_lights) = lights::of(&root, &nodes, bounds, &mut notes)?;
-    if camera.is_none() {
-        notes.add("no camera", view::SEEN);
-    }
-    if lights.is_empty() {
-        notes.add("no light", format!("it is {}", view::LIT));
-    }
     let (camera, resolution) = match camera {
         Some((camera, size, called)) => {
             names.camera = Some(called);
             (camera, size)
         }
-        None => (view::of(bounds), view::SIZE),
+        None => {
+            notes.add("no camera", model_view.note());
+            (model_view.camera(bounds), view::SIZE)
+        }
+    };
+    let lights = match lights.is_empty() {
+        true => {
+            notes.add("no light", format!("it is {}", view::LIT));
+            arena.alloc_slice_copy(&view::lights(&camera))
+        }
+        false => arena.alloc_slice_copy(&lights),
     };
     (names.materials, names.lights) = (materials.names, of_lights);
     let scene = Scene {
         camera,
-        background: view::BACKGROUND,
+        background: model_view.background(arena),
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials.all),
-        lights: if lights.is_empty() { &view::LIGHTS } else { arena.alloc_slice_copy(&lights) },
+        lights,
         motions: &[],
     };
     Ok(Import { scene, resolution, notes: notes.lines(), names })

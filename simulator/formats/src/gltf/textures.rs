@@ -9,6 +9,7 @@ use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement};
 use super::accessor::Lists;
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Sampler, TextureInfo};
+use crate::files::MAX_PIXELS;
 use crate::notes::Notes;
 use crate::raster::Raster;
 
@@ -18,7 +19,7 @@ const CLAMP_TO_EDGE: u32 = 33071;
 const MIRRORED_REPEAT: u32 = 33648;
 
 /// The most pixels of all images together.
-const MOST: usize = 1 << 26;
+const MOST: usize = MAX_PIXELS;
 
 /// The set of texture coordinates that a texture uses, and their transform (`KHR_texture_transform`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

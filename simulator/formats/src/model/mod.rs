@@ -4,6 +4,7 @@ mod pieces;
 pub(crate) mod view;
 
 pub(crate) use pieces::Whole;
+pub use view::{ModelView, Up};
 
 /// The largest texture coordinate in fixed point.
 pub(crate) const FARTHEST_UV: f32 = 59.0;

@@ -8,7 +8,7 @@ use rayline::{Background, Camera, Light, LinearRgb, Material, Object, Scene, Tex
 use super::objects::{self, Made};
 use super::tokens::Tokens;
 use super::{Import, Lines, NffError, NffFault};
-use crate::model::view;
+use crate::model::{ModelView, view};
 use crate::notes::Notes;
 
 /// The parts of the scene that were read so far.
@@ -117,8 +117,8 @@ impl<'a> Reader<'a> {
             None => {
                 let bounds = objects::bounds(&self.objects);
                 let bounds = bounds.ok_or(NffError { line: last_line, fault: NffFault::NoView })?;
-                added(format!("it has no view (`v`); {}", view::SEEN));
-                (view::of(bounds), view::SIZE)
+                added(format!("it has no view (`v`); {}", ModelView::default().note()));
+                (ModelView::default().camera(bounds), view::SIZE)
             }
         };
         let uncolored = LinearRgb::gray(1.0 / (self.lights.len() as f32).sqrt());
@@ -128,7 +128,9 @@ impl<'a> Reader<'a> {
             .collect();
         if lights.is_empty() && !self.objects.is_empty() {
             added(format!("it has no light (`l`); {}", view::LIT));
-            lights.push(view::light(&camera));
+            // Materials of NFF have no ambient light.
+            let [key, _] = view::lights(&camera);
+            lights.push(key);
         }
         let scene = Scene {
             camera,

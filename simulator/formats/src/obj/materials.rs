@@ -6,6 +6,7 @@ use rayline::{LinearRgb, Material, Texture};
 
 use super::error::{LineError, ObjError, ObjFault};
 use super::statements::{lines, number};
+use crate::files::Files;
 
 /// The material of meshes without one.
 pub(super) const GRAY: Material<'static> =
@@ -25,18 +26,22 @@ pub(super) struct Library {
 }
 
 /// Reads the MTL files of these names.
-pub(super) fn read(folder: &Path, names: &[(usize, String)]) -> Result<Library, ObjError> {
+pub(super) fn read(folder: &Path, names: &[(usize, String)], files: &Files) -> Result<Library, ObjError> {
     let mut library = Library::default();
     for (_, name) in names {
         // A name may contain spaces, or a line may have several names.
-        let whole = folder.join(name);
-        let paths = if whole.is_file() {
-            vec![whole]
-        } else {
-            name.split_whitespace().map(|name| folder.join(name)).collect()
-        };
-        for path in paths {
-            match super::text_of(&path) {
+        let is_one = files.reference(folder, name).is_ok_and(|path| path.is_file());
+        let names = if is_one { vec![&**name] } else { name.split_whitespace().collect() };
+        for name in names {
+            let path = match files.reference(folder, name) {
+                Ok(path) => path,
+                Err(reason) => {
+                    let name = name.escape_debug();
+                    library.notes.push(format!("`{name}`: its materials are left out: {reason}"));
+                    continue;
+                }
+            };
+            match super::text_of(&path, files) {
                 Ok(text) => library.add(&path, &text).map_err(|error| error.of(&path))?,
                 Err(ObjError { fault: ObjFault::Unreadable(reason), .. }) => {
                     library.notes.push(format!("{}: its materials are left out: {reason}", path.display()));

@@ -32,7 +32,6 @@ mod statements;
 mod tests;
 
 use std::collections::HashSet;
-use std::fs;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -41,7 +40,9 @@ use rayline::shape::{Mesh, Shape};
 use rayline::{Object, Part, Scene, Vec3};
 use tobj::LoadOptions;
 
-use crate::model::{FARTHEST_UV, Whole, view};
+use crate::OpenOptions;
+use crate::files::Files;
+use crate::model::{FARTHEST_UV, ModelView, Whole, view};
 use crate::text;
 
 pub use error::{ObjError, ObjFault};
@@ -76,19 +77,29 @@ impl Import<'_> {
 /// # Errors
 /// A file cannot be read, or a line breaks the grammar. A missing MTL file is not an error: it gives a
 /// [note](Import::notes).
-pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
+pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, ObjError> {
+    read_with(arena, path, options.view, &Files::new(path, options.allow_paths))
+}
+
+/// Reads a scene by the reader of its files. `path` may be a file that the scene refers to.
+pub(crate) fn read_with<'a>(
+    arena: &'a Bump,
+    path: &Path,
+    view: ModelView,
+    files: &Files,
+) -> Result<Import<'a>, ObjError> {
     let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
-    let text = text_of(path)?;
+    let text = text_of(path, files)?;
     let statements = Statements::new(&text).map_err(|error| error.of(path))?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let library = materials::read(folder, &statements.libraries)?;
+    let library = materials::read(folder, &statements.libraries, files)?;
 
     let mut notes = library.notes;
     note_left_out(&statements, &library.names, path, &mut notes);
 
-    let options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
+    let load_options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
     let load_materials = |_: &Path| tobj::load_mtl_buf(&mut library.text.as_bytes());
-    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &options, load_materials)
+    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &load_options, load_materials)
         .map_err(|reason| error(ObjFault::Refused(reason)))?;
     let loaded = loaded.map_err(|reason| error(ObjFault::Refused(reason)))?;
 
@@ -107,14 +118,15 @@ pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, ObjError> {
         }
     }
     let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
-    let (path, seen, lit) = (path.display(), view::SEEN, view::LIT);
+    let (path, seen, lit) = (path.display(), view.note(), view::LIT);
     notes.push(format!("{path}: OBJ files have no camera and no lights; {seen}, {lit}"));
+    let camera = view.camera(bounds);
     let scene = Scene {
-        camera: view::of(bounds),
-        background: view::BACKGROUND,
+        camera,
+        background: view.background(arena),
         objects: arena.alloc_slice_copy(&objects),
         materials: arena.alloc_slice_copy(&materials),
-        lights: &view::LIGHTS,
+        lights: arena.alloc_slice_copy(&view::lights(&camera)),
         motions: &[],
     };
     Ok(Import { scene, resolution: view::SIZE, notes, names })
@@ -172,9 +184,9 @@ fn meshes<'a>(arena: &'a Bump, mesh: &tobj::Mesh, name: &str, notes: &mut Vec<St
 }
 
 /// The text of a file.
-fn text_of(path: &Path) -> Result<String, ObjError> {
+fn text_of(path: &Path, files: &Files) -> Result<String, ObjError> {
     let error = |line, fault| ObjError { path: path.to_owned(), line, fault };
-    let bytes = fs::read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
+    let bytes = files.read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
     text::of_bytes(&bytes).map(str::to_owned).map_err(|line| error(Some(line), ObjFault::NotUtf8))
 }
 

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
 use core::mem::MaybeUninit;
+use std::fs;
 
 use proptest::prelude::*;
 use rayline::{LinearRgb, Material, PreparedScene};
@@ -55,7 +56,7 @@ fn with_files<T>(obj: &str, mtl: &str, look: impl FnOnce(Result<Import<'_>, Stri
     fs::write(folder.path().join("colors.mtl"), mtl).unwrap();
     let arena = Bump::new();
     let shown = |error: ObjError| error.to_string().replace(&format!("{}/", folder.path().display()), "");
-    let import = read(&arena, &path).map(|import| Import {
+    let import = read(&arena, &path, &OpenOptions::default()).map(|import| Import {
         notes: import
             .notes
             .iter()
@@ -282,9 +283,9 @@ fn files_that_are_not_text_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.obj");
     fs::write(&path, b"# fine\nv \xff").unwrap();
-    let error = read(&Bump::new(), &path).unwrap_err();
+    let error = read(&Bump::new(), &path, &OpenOptions::default()).unwrap_err();
     assert_eq!((error.line, error.fault), (Some(2), ObjFault::NotUtf8));
-    let error = read(&Bump::new(), &folder.path().join("none.obj")).unwrap_err();
+    let error = read(&Bump::new(), &folder.path().join("none.obj"), &OpenOptions::default()).unwrap_err();
     assert!(error.to_string().starts_with("cannot read "), "{error}");
 }
 

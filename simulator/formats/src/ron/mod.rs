@@ -43,7 +43,7 @@
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
 //!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`;
 //!   `Image(file: "wood.png", ends: Mirror)` says otherwise. A PNG file with a palette of 4 or 8 bits keeps
-//!   it. Names are relative to the folder of the scene's file.
+//!   it. Names are relative to the folder of the scene's file, and stay in it; see [`files`](crate::files).
 //! - `settings` of the scene say how its picture is meant to be drawn, see [`FileSettings`]; options of the
 //!   command line overrule them.
 //! - `Some` and the inner parentheses of `Sphere((center: …))` are omitted.
@@ -58,7 +58,7 @@ mod tests;
 
 use core::mem::MaybeUninit;
 use std::collections::HashSet;
-use std::fs;
+use std::io;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -68,6 +68,7 @@ use ron::Options;
 use ron::extensions::Extensions;
 use serde::de::DeserializeOwned;
 
+use crate::files::{self, Files};
 use crate::{Pictures, text};
 
 /// The reason why RON cannot express a scene.
@@ -111,22 +112,26 @@ impl Import<'_> {
 /// such as a negative radius, are found by [`PreparedScene::new`](rayline::PreparedScene::new);
 /// [`Import::position_of`] gives the position of such an error.
 pub fn read<'a>(arena: &'a Bump, path: &Path) -> Result<Import<'a>, RonError> {
-    let text = arena.alloc_str(&read_text(path)?);
-    let directory = arena.alloc_str(&path.parent().unwrap_or(Path::new("")).to_string_lossy());
-    parse(arena, text, Path::new(directory))
-        .map_err(|(position, fault)| RonError::new(path, Some(position), fault))
+    read_with(arena, arena.alloc(Files::new(path, false)))
+}
+
+/// Reads a scene by the reader of its files.
+pub(crate) fn read_with<'a>(arena: &'a Bump, files: &'a Files) -> Result<Import<'a>, RonError> {
+    let path = files.scene();
+    let text = arena.alloc_str(&text_of(path, files.read(path))?);
+    parse(arena, text, files).map_err(|(position, fault)| RonError::new(path, Some(position), fault))
 }
 
 /// Reads a value that is not a scene from a file.
 pub(crate) fn read_value<T: DeserializeOwned>(path: &Path) -> Result<T, RonError> {
-    options().from_str(&read_text(path)?).map_err(|error| {
+    options().from_str(&text_of(path, files::read_regular(path))?).map_err(|error| {
         let (position, fault) = RonFault::from_ron(error, None);
         RonError::new(path, Some(position), fault)
     })
 }
 
-fn read_text(path: &Path) -> Result<String, RonError> {
-    let bytes = fs::read(path).map_err(|io| RonError::new(path, None, RonFault::Read(io)))?;
+fn text_of(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<String, RonError> {
+    let bytes = bytes.map_err(|io| RonError::new(path, None, RonFault::Read(io)))?;
     let not_utf8 = |line| RonError::new(path, Some(Position { line, column: 1 }), RonFault::NotUtf8);
     text::of_bytes(&bytes).map(str::to_owned).map_err(not_utf8)
 }
@@ -138,12 +143,8 @@ fn options() -> Options {
     )
 }
 
-/// Reads a scene from a text. Names of files are relative to `directory`.
-fn parse<'a>(
-    arena: &'a Bump,
-    text: &'a str,
-    directory: &'a Path,
-) -> Result<Import<'a>, (Position, RonFault)> {
+/// Reads a scene from a text. Names of files are relative to the folder of the scene.
+fn parse<'a>(arena: &'a Bump, text: &'a str, files: &'a Files) -> Result<Import<'a>, (Position, RonFault)> {
     let materials = scan::material_names(text).map_err(|error| RonFault::from_ron(error, None))?;
     let mut seen = HashSet::new();
     for (index, name) in materials.iter().enumerate() {
@@ -155,7 +156,7 @@ fn parse<'a>(
             ));
         }
     }
-    let known = &*arena.alloc(Known::new(arena, directory, text, &materials));
+    let known = &*arena.alloc(Known::new(arena, files, text, &materials));
     let names = arena.alloc(move |what: &'static str, name: &str| known.find(what, name));
     // Eight bytes for each character are enough for lists of numbers with two digits.
     let mut bytes = text.len().saturating_mul(8).max(1 << 10);

@@ -1,8 +1,8 @@
 //! The items that names in a file stand for.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::PathBuf;
 
 use bumpalo::Bump;
 use png::BitDepth;
@@ -13,8 +13,10 @@ use serde::Serialize;
 
 use super::RonFault;
 use super::scan::object_names;
+use crate::files::Files;
+use crate::model::ModelView;
 use crate::obj;
-use crate::raster::{Indexed, Raster};
+use crate::raster::Indexed;
 
 /// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [
@@ -34,12 +36,13 @@ pub const PRESETS: [(&str, Material<'static>); 11] = [
 /// The items that one file can refer to by name.
 pub(super) struct Known<'a> {
     arena: &'a Bump,
-    /// The directory that names of files are relative to.
-    directory: &'a Path,
-    /// The names of the file's own materials.
-    materials: &'a [&'a str],
+    files: &'a Files,
+    /// The names of the file's own materials, with their numbers.
+    materials: HashMap<String, usize>,
     /// The text of the file, where the names of its objects stand.
     text: &'a str,
+    /// The names of the file's own objects, with their numbers: they are read when one is looked up.
+    objects: OnceCell<HashMap<String, usize>>,
     /// A cache of the items that were found, by kind and name. Names are often used several times, and the
     /// file is read again if the memory was too small.
     found: RefCell<HashMap<(String, String), &'a [u8]>>,
@@ -48,9 +51,16 @@ pub(super) struct Known<'a> {
 }
 
 impl<'a> Known<'a> {
-    pub(super) fn new(arena: &'a Bump, directory: &'a Path, text: &'a str, materials: &[String]) -> Self {
-        let materials = arena.alloc_slice_fill_iter(materials.iter().map(|name| &*arena.alloc_str(name)));
-        Self { arena, directory, materials, text, found: RefCell::default(), unknown: RefCell::default() }
+    pub(super) fn new(arena: &'a Bump, files: &'a Files, text: &'a str, materials: &[String]) -> Self {
+        Self {
+            arena,
+            files,
+            materials: numbered(materials),
+            text,
+            objects: OnceCell::new(),
+            found: RefCell::default(),
+            unknown: RefCell::default(),
+        }
     }
 
     /// The fault of the last name that was not found, if there was one.
@@ -85,21 +95,25 @@ impl<'a> Known<'a> {
     }
 
     fn own_material(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let number = self.materials.iter().position(|known| *known == name);
+        let number = self.materials.get(name).copied();
         let number = number.ok_or_else(|| match preset(name) {
             Some(_) => RonFault::PresetInObject { name: name.to_owned() },
-            None => RonFault::unknown("material in this file", name, self.materials),
+            None => RonFault::unknown("material in this file", name, &in_order(&self.materials)),
         })?;
         self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
     }
 
     fn own_object(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let objects = object_names(self.text).map_err(|error| RonFault::from_ron(error, None).1)?;
-        let number = objects.iter().position(|known| known == name).ok_or_else(|| {
-            let names: Vec<&str> = objects.iter().map(String::as_str).collect();
-            RonFault::unknown("object in this file", name, &names)
-        })?;
-        self.bytes(name, &u16::try_from(number).unwrap_or(u16::MAX))
+        let objects = match self.objects.get() {
+            Some(objects) => objects,
+            None => {
+                let names = object_names(self.text).map_err(|error| RonFault::from_ron(error, None).1)?;
+                self.objects.get_or_init(|| numbered(&names))
+            }
+        };
+        let unknown = || RonFault::unknown("object in this file", name, &in_order(objects));
+        let number = objects.get(name).ok_or_else(unknown)?;
+        self.bytes(name, &u16::try_from(*number).unwrap_or(u16::MAX))
     }
 
     fn preset(&self, name: &str) -> Result<&'a [u8], RonFault> {
@@ -109,8 +123,9 @@ impl<'a> Known<'a> {
     }
 
     fn mesh(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let import =
-            obj::read(self.arena, &self.directory.join(name)).map_err(|error| failed(name, error))?;
+        let path = self.path(name)?;
+        let import = obj::read_with(self.arena, &path, ModelView::default(), self.files)
+            .map_err(|error| failed(name, error))?;
         match import.scene.objects {
             [object] => match &object.shape {
                 Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),
@@ -127,15 +142,17 @@ impl<'a> Known<'a> {
     }
 
     fn image(&self, name: &str) -> Result<&'a [u8], RonFault> {
-        let bytes = std::fs::read(self.directory.join(name)).map_err(|error| failed(name, error))?;
+        let path = self.path(name)?;
+        let bytes = self.files.read(&path).map_err(|error| failed(name, error))?;
         if let Some(Indexed { width, height, depth, indices, palette }) = Indexed::decode(&bytes) {
+            self.files.take_pixels(width as usize * height as usize).map_err(|error| failed(name, error))?;
             let pixels = match depth {
                 BitDepth::Four => Pixels::Palette4 { indices: &indices, palette: &palette },
                 _ => Pixels::Palette8 { indices: &indices, palette: &palette },
             };
             return self.picture(name, (width, height), pixels);
         }
-        let picture = Raster::decode(&bytes).map_err(|error| failed(name, error))?;
+        let picture = self.files.decode(&bytes).map_err(|error| failed(name, error))?;
         self.picture(name, (picture.width, picture.height), Pixels::Rgb888(&picture.rgb()))
     }
 
@@ -157,10 +174,31 @@ impl<'a> Known<'a> {
         self.bytes(name, &image)
     }
 
+    /// The path of a file that the scene names.
+    fn path(&self, name: &str) -> Result<PathBuf, RonFault> {
+        self.files.reference(self.files.folder(), name).map_err(|error| failed(name, error))
+    }
+
     fn bytes<T: Serialize>(&self, name: &str, value: &T) -> Result<&'a [u8], RonFault> {
         let bytes = postcard::to_allocvec(value).map_err(|error| failed(name, error))?;
         Ok(self.arena.alloc_slice_copy(&bytes))
     }
+}
+
+/// The names with their numbers; of names that occur several times, the first.
+fn numbered(names: &[String]) -> HashMap<String, usize> {
+    let mut numbers = HashMap::new();
+    for (number, name) in names.iter().enumerate() {
+        numbers.entry(name.clone()).or_insert(number);
+    }
+    numbers
+}
+
+/// The names in the order of their numbers.
+fn in_order(names: &HashMap<String, usize>) -> Vec<&str> {
+    let mut names: Vec<_> = names.iter().map(|(name, number)| (number, name.as_str())).collect();
+    names.sort_unstable();
+    names.into_iter().map(|(_, name)| name).collect()
 }
 
 /// The preset of this name.

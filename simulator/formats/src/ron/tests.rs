@@ -167,7 +167,7 @@ fn everything(arena: &Bump) -> Scene<'_> {
 }
 
 fn parsed<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, (Position, RonFault)> {
-    parse(arena, arena.alloc_str(text), Path::new("."))
+    parse(arena, arena.alloc_str(text), arena.alloc(Files::new(Path::new("scene.ron"), false)))
 }
 
 #[test]

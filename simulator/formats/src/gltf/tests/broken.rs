@@ -87,7 +87,7 @@ fn other_formats_are_refused() {
     );
     let error = with_bytes("model.gltf", b"solid cube", |import| import.map(|_| ()).unwrap_err());
     assert_eq!(error, "model.gltf: expected value at line 1 column 1; correct the file");
-    let error = read(&Bump::new(), Path::new("no/such.glb")).unwrap_err();
+    let error = read(&Bump::new(), Path::new("no/such.glb"), &OpenOptions::default()).unwrap_err();
     assert!(error.to_string().starts_with("cannot read no/such.glb: "), "{error}");
 }
 
@@ -200,8 +200,10 @@ fn nothing_is_read_from_outside_of_the_folder() {
     ];
     for uri in outside {
         let shown = uri.escape_debug();
-        let expected =
-            format!("buffer 0: `{shown}` is not in the folder of the file or below it; move it there");
+        let expected = format!(
+            "buffer 0: `{shown}` is not in the folder of the file or below it; move it there, or use \
+             --allow-paths"
+        );
         refused(|file| file["buffers"][0]["uri"] = json!(uri), &expected);
     }
     let mut file = cube();

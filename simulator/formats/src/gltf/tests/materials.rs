@@ -1,5 +1,7 @@
 //! Tests of materials and textures.
 
+use std::fs;
+
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::{
@@ -285,7 +287,7 @@ fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
     let path = folder.path().join("model.gltf");
     fs::write(&path, file.to_string()).unwrap();
     let arena = Bump::new();
-    let import = read(&arena, &path).unwrap();
+    let import = read(&arena, &path, &OpenOptions::default()).unwrap();
     let Pixels::Rgb888(pixels) = image(import.scene.materials[0].color).pixels else { unreachable!() };
     assert!(pixels.len() == 192 && pixels.iter().all(|code| code.abs_diff(200) <= 2), "{pixels:?}");
 

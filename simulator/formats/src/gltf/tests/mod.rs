@@ -8,6 +8,8 @@ mod materials;
 mod properties;
 mod seen;
 
+use std::fs;
+
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::shape::{Mesh, Shape};
@@ -111,7 +113,7 @@ pub(super) fn with_bytes<T>(
     fs::write(&path, bytes).unwrap();
     let clean = |text: String| text.replace(&format!("{}/", folder.path().display()), "");
     let arena = Bump::new();
-    let import = read(&arena, &path)
+    let import = read(&arena, &path, &OpenOptions::default())
         .map(|import| Import { notes: import.notes.into_iter().map(clean).collect(), ..import });
     look(import.map_err(|error| clean(error.to_string())))
 }
