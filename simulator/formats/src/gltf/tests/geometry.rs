@@ -226,6 +226,6 @@ fn notes_list_what_is_left_out() {
     with_file(&cube(), |import| {
         assert_eq!(import.notes.len(), 2, "{:?}", import.notes);
         assert!(import.notes[0].starts_with("model.gltf: no camera: the whole model is seen from the front"));
-        assert_eq!(import.notes[1], "model.gltf: no light: it is lit from the upper left");
+        assert_eq!(import.notes[1], "model.gltf: no light: it is lit from beside the camera and by a sky");
     });
 }

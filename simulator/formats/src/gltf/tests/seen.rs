@@ -141,7 +141,7 @@ fn lights_are_brought_to_one_measure() {
 #[test]
 fn lights_without_light_are_said() {
     with_file(&lit(json!({ "type": "point", "intensity": 0, "range": 5 })), |import| {
-        assert_eq!(import.scene.lights, view::LIGHTS);
+        assert_eq!(import.scene.lights, view::lights(&import.scene.camera));
         assert_eq!(
             import.notes[0],
             "model.gltf: node 1 `Lamp`, light 0: its range is left out: it shines at any distance"
