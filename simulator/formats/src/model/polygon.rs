@@ -16,8 +16,8 @@ pub(crate) struct Polygons {
 /// The largest part of a polygon's area by which its triangles may differ.
 const TOLERANCE: f64 = 1e-6;
 
-/// The most corners of a polygon whose ears are cut: for spikes along a circle, the time grows with the square
-/// of their number, to two seconds.
+/// The most corners of a polygon whose ears are cut: for spikes along a circle, the time grows with the
+/// square of their number, to two seconds.
 pub(crate) const MOST_CORNERS: usize = 1 << 16;
 
 /// The normal of a polygon: the mean of those of its triangles, weighted by area (Newell's method). Its

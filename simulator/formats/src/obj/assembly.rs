@@ -10,6 +10,7 @@ use rayline::limits::MAX_COUNT;
 use super::error::{LineError, ObjFault};
 use super::statements::{Contents, Corner, Face};
 use crate::model::{FARTHEST_UV, Moved, Whole, polygon};
+use crate::nff::Excerpt;
 use crate::notes::Notes;
 
 /// The faces of a file, checked.
@@ -53,6 +54,15 @@ pub(super) struct Assembled {
     uvs: Option<Vec<[f32; 2]>>,
 }
 
+/// How the vertices of a mesh get texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Uvs {
+    None,
+    AsGiven,
+    /// In each face by whole numbers.
+    Reduced,
+}
+
 /// The source of a corner's normal, which tells vertices at one place apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Source {
@@ -85,11 +95,7 @@ impl<'c> Faces<'c> {
         }
         let used = faces.all.iter().flat_map(|placed| faces.corners(placed));
         faces.moved = Moved::of(used.map(|corner| faces.file_vertex(corner.vertex)));
-        let normals: Vec<_> = faces
-            .all
-            .iter()
-            .map(|placed| polygon::normal(&faces.places(placed)).try_normalize().unwrap_or(DVec3::ZERO))
-            .collect();
+        let normals: Vec<_> = faces.all.iter().map(|placed| faces.face_normal(placed)).collect();
         for (placed, normal) in faces.all.iter_mut().zip(normals) {
             placed.normal = normal;
         }
@@ -137,6 +143,15 @@ impl<'c> Faces<'c> {
         self.corners(placed).iter().map(|corner| self.moved.vertex(self.file_vertex(corner.vertex))).collect()
     }
 
+    /// The unit normal of a face; zero for a face without an area. Normals of the file tell which side is the
+    /// front, whatever the order of the corners.
+    fn face_normal(&self, placed: &Placed) -> DVec3 {
+        let normal = polygon::normal(&self.places(placed)).try_normalize().unwrap_or(DVec3::ZERO);
+        let given = self.corners(placed).iter().find_map(|corner| self.given_normal(corner));
+        let is_back = given.is_some_and(|(_, given)| given.dot(normal) < 0.0);
+        if is_back { -normal } else { normal }
+    }
+
     /// The position of a corner's texture coordinates, if they are there, and the coordinates.
     fn uv(&self, corner: &Corner) -> Option<(u32, [f64; 2])> {
         let position = corner.uv?;
@@ -150,8 +165,8 @@ impl<'c> Faces<'c> {
         normal.is_finite().then_some((position, *normal))
     }
 
-    /// Sums up the normals of smoothing groups at their vertices, each weighted by the angle of its face there
-    /// (Thürmer and Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998).
+    /// Sums up the normals of smoothing groups at their vertices, each weighted by the angle of its face
+    /// there (Thürmer and Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998).
     fn smooth(&mut self) {
         let mut smooth = HashMap::new();
         for placed in &self.all {
@@ -206,73 +221,78 @@ impl<'c> Faces<'c> {
         [Group { name: name.clone(), material, faces: with }, Group { name, material, faces: without }]
     }
 
+    /// The faces of a group, with their positions.
+    fn of<'g>(&'g self, group: &'g Group) -> impl Iterator<Item = (usize, &'g Placed)> {
+        group.faces.iter().filter_map(|index| Some((*index, self.all.get(*index)?)))
+    }
+
     /// The triangles of a group. Texture coordinates may be reduced by whole numbers if textures repeat.
     pub(super) fn assemble(&self, group: &Group, repeats: bool, notes: &mut Notes) -> Assembled {
-        let faces = || group.faces.iter().filter_map(|index| Some((*index, self.all.get(*index)?)));
-        let corners = || faces().flat_map(|(_, placed)| self.corners(placed));
-        let has_normals = faces().any(|(_, placed)| {
+        let has_normals = self.of(group).any(|(_, placed)| {
             placed.face.smoothing > 0
                 || self.corners(placed).iter().any(|corner| self.given_normal(corner).is_some())
         });
-        let part = format!("{}: `{}`", self.path, crate::nff::Excerpt(&group.name));
-        let known = corners().filter(|corner| self.uv(corner).is_some()).count();
-        let mut has_uvs = known > 0 && known == corners().count();
-        if known > 0 && !has_uvs {
-            notes.add(&*part, "texture coordinates are left out: not all of its corners have them");
-        }
-        let is_far = |uv: [f64; 2]| uv.iter().any(|number| number.abs() > f64::from(FARTHEST_UV));
-        let beyond = has_uvs && corners().filter_map(|corner| self.uv(corner)).any(|(_, uv)| is_far(uv));
-        let period = |placed: &Placed| if beyond && repeats { self.period(placed) } else { [0.0; 2] };
-        let reduced = |period: [f64; 2], corner: &Corner| {
-            let (position, [u, v]) = self.uv(corner)?;
-            Some((position, period.map(|number| number as i64), [u - period[0], v - period[1]]))
-        };
-        if beyond
-            && faces().any(|(_, placed)| {
-                let (period, corners) = (period(placed), self.corners(placed).iter());
-                corners.filter_map(|corner| reduced(period, corner)).any(|(.., uv)| is_far(uv))
-            })
-        {
-            notes.add(&*part, "texture coordinates are left out: some are beyond ±59");
-            has_uvs = false;
-        }
-        let mut mesh = Assembled { uvs: has_uvs.then(Vec::new), ..Assembled::default() };
+        let uvs = self.uvs_of(group, repeats, notes);
+        let mut mesh = Assembled { uvs: (uvs != Uvs::None).then(Vec::new), ..Assembled::default() };
         let (mut polygons, mut known) = (polygon::Polygons::default(), HashMap::new());
-        for (index, placed) in faces() {
+        for (index, placed) in self.of(group) {
             let (triangles, covers) = polygons.triangles(&self.places(placed));
             if !covers {
-                let line = format!("{}:{}", self.path, placed.face.line);
-                notes.add(
-                    line,
-                    format!(
-                        "cut as a fan: a face that crosses itself, or has notches and more than {} corners",
-                        polygon::MOST_CORNERS
-                    ),
-                );
+                let most = polygon::MOST_CORNERS;
+                let what = "cut as a fan: a face that crosses itself, or has notches and more than";
+                notes.add(format!("{}:{}", self.path, placed.face.line), format!("{what} {most} corners"));
             }
-            let period = period(placed);
-            let vertices: Vec<u32> = (self.corners(placed).iter())
-                .map(|corner| {
-                    let uv = if has_uvs { reduced(period, corner) } else { None };
-                    let source = if has_normals { self.source(placed, index, corner) } else { Source::None };
-                    let identity: Identity = (corner.vertex, uv.map(|(at, period, _)| (at, period)), source);
-                    *known.entry(identity).or_insert_with(|| {
-                        mesh.vertices.push(self.moved.rounded(self.file_vertex(corner.vertex)));
-                        if let (Some(uvs), Some((.., [u, v]))) = (&mut mesh.uvs, uv) {
-                            uvs.push([u as f32, v as f32]);
-                        }
-                        if has_normals {
-                            mesh.normals.push(self.normal(placed, source, corner.vertex));
-                        }
-                        (mesh.vertices.len() - 1) as u32
-                    })
+            let period = if uvs == Uvs::Reduced { self.period(placed) } else { [0.0; 2] };
+            let vertex = |corner: &Corner| {
+                let uv = if uvs == Uvs::None { None } else { self.reduced(corner, period) };
+                let source = if has_normals { self.source(index, placed, corner) } else { Source::None };
+                let identity: Identity = (corner.vertex, uv.map(|(at, period, _)| (at, period)), source);
+                *known.entry(identity).or_insert_with(|| {
+                    let normal = has_normals.then(|| self.normal(placed, source, corner.vertex));
+                    let place = self.moved.rounded(self.file_vertex(corner.vertex));
+                    mesh.add_vertex(place, uv.map(|(.., uv)| uv), normal)
                 })
-                .collect();
+            };
+            let vertices: Vec<u32> = self.corners(placed).iter().map(vertex).collect();
             let vertex = |corner: u32| vertices.get(corner as usize).copied().unwrap_or_default();
-            let triangles = triangles.iter().map(|triangle| triangle.map(vertex));
-            mesh.add(triangles, vertices.len() > 4);
+            mesh.add_triangles(triangles.iter().map(|triangle| triangle.map(vertex)), vertices.len() > 4);
         }
         mesh
+    }
+
+    /// How the vertices of a group get texture coordinates, with a note if they are left out.
+    fn uvs_of(&self, group: &Group, repeats: bool, notes: &mut Notes) -> Uvs {
+        let corners = || self.of(group).flat_map(|(_, placed)| self.corners(placed));
+        let known = corners().filter(|corner| self.uv(corner).is_some()).count();
+        if known == 0 {
+            return Uvs::None;
+        }
+        let mut note = |what: &str| {
+            notes.add(format!("{}: `{}`", self.path, Excerpt(&group.name)), what);
+            Uvs::None
+        };
+        if known != corners().count() {
+            return note("texture coordinates are left out: not all of its corners have them");
+        }
+        let is_far = |(.., uv): (u32, [i64; 2], [f64; 2])| {
+            uv.iter().any(|number| number.abs() > f64::from(FARTHEST_UV))
+        };
+        let reaches_far = |placed: &Placed, period| {
+            self.corners(placed).iter().filter_map(|corner| self.reduced(corner, period)).any(is_far)
+        };
+        if !self.of(group).any(|(_, placed)| reaches_far(placed, [0.0; 2])) {
+            return Uvs::AsGiven;
+        }
+        if repeats && !self.of(group).any(|(_, placed)| reaches_far(placed, self.period(placed))) {
+            return Uvs::Reduced;
+        }
+        note("texture coordinates are left out: some are beyond ±59")
+    }
+
+    /// The position of a corner's texture coordinates, and the coordinates without a whole number of periods.
+    fn reduced(&self, corner: &Corner, period: [f64; 2]) -> Option<(u32, [i64; 2], [f64; 2])> {
+        let (position, [u, v]) = self.uv(corner)?;
+        Some((position, period.map(|number| number as i64), [u - period[0], v - period[1]]))
     }
 
     /// The whole numbers by which the texture coordinates of a face can be reduced.
@@ -284,7 +304,7 @@ impl<'c> Faces<'c> {
         sum.map(|sum| if count > 0.0 { (sum / count).floor() } else { 0.0 })
     }
 
-    fn source(&self, placed: &Placed, index: usize, corner: &Corner) -> Source {
+    fn source(&self, index: usize, placed: &Placed, corner: &Corner) -> Source {
         let group = placed.face.smoothing;
         match self.given_normal(corner) {
             Some((position, _)) => Source::Given(position),
@@ -301,12 +321,7 @@ impl<'c> Faces<'c> {
         let normal = match source {
             Source::Given(position) => self.contents.normals.get(position as usize).copied(),
             Source::Smooth(group) => self.smooth_normal(vertex, group),
-            Source::Flat(_) | Source::None => {
-                // The normals of the file tell which side is the front, whatever the order of the corners.
-                let given = self.corners(placed).iter().find_map(|corner| self.given_normal(corner));
-                let is_back = given.is_some_and(|(_, given)| given.dot(placed.normal) < 0.0);
-                Some(if is_back { -placed.normal } else { placed.normal })
-            }
+            Source::Flat(_) | Source::None => Some(placed.normal),
         };
         let [x, y, z] = normal.unwrap_or_default().as_vec3().to_array();
         Vec3::new(x, y, z)
@@ -314,8 +329,18 @@ impl<'c> Faces<'c> {
 }
 
 impl Assembled {
+    /// Adds a vertex, and returns its position.
+    fn add_vertex(&mut self, place: Vec3, uv: Option<[f64; 2]>, normal: Option<Vec3>) -> u32 {
+        self.vertices.push(place);
+        self.normals.extend(normal);
+        if let (Some(uvs), Some(uv)) = (&mut self.uvs, uv) {
+            uvs.push(uv.map(|number| number as f32));
+        }
+        (self.vertices.len() - 1) as u32
+    }
+
     /// Adds the triangles of a face. A face may go around several times: each triangle is needed once.
-    fn add(&mut self, triangles: impl Iterator<Item = [u32; 3]>, may_repeat: bool) {
+    fn add_triangles(&mut self, triangles: impl Iterator<Item = [u32; 3]>, may_repeat: bool) {
         let mut known = HashSet::new();
         self.triangles.extend(triangles.filter(|triangle| {
             let mut corners = *triangle;

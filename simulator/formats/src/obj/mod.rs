@@ -8,8 +8,8 @@
 //! - `s`: the smoothing group of corners without `vn`: the normal of a vertex is the mean of those of the
 //!   group's faces there, weighted by angle. `s off` and `s 0`: flat.
 //! - `vt`: u and v, if all corners of a mesh have them; reduced by whole numbers where they are beyond ±59.
-//! - `f`: triangles. A convex face becomes a fan around its first corner; from others, ears are cut. Faces may
-//!   come before their vertices.
+//! - `f`: triangles. A convex face becomes a fan around its first corner; from others, ears are cut. Faces
+//!   may come before their vertices.
 //! - `o`, `g`, `usemtl`: each begins a new mesh; one of more than 65535 vertices or triangles becomes
 //!   several.
 //! - `mtllib`: the materials of that file, which is in the folder of the OBJ file or below. Backslashes are
@@ -58,7 +58,7 @@ use rayline::shape::Shape;
 use rayline::{Object, Part, Scene};
 
 use crate::OpenOptions;
-use crate::model::view;
+use crate::model::{Moved, view};
 use crate::nff::Excerpt;
 use crate::notes::Notes;
 use assembly::{Faces, Group};
@@ -78,6 +78,8 @@ pub struct Import<'a> {
     pub notes: Vec<String>,
     /// The name in the file of each object's mesh.
     names: Vec<String>,
+    /// Whether the model was moved or scaled, because it lies or reaches too far.
+    pub(crate) is_moved: bool,
 }
 
 impl Import<'_> {
@@ -106,6 +108,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<I
     let library = Library::read(folder, &contents.libraries, &called, &mut notes);
     let materials = Materials::new(arena, library);
     let faces = Faces::new(&contents, &called, &mut notes).map_err(|error| error.of(path))?;
+    let is_moved = faces.moved != Moved::NOT;
     if let Some(moved) = faces.moved.note() {
         notes.add(&*called, moved);
     }
@@ -126,7 +129,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<I
         lights: arena.alloc_slice_copy(&view::lights(&camera)),
         motions: &[],
     };
-    Ok(Import { scene, resolution: view::SIZE, notes: notes.lines(), names })
+    Ok(Import { scene, resolution: view::SIZE, notes: notes.lines(), names, is_moved })
 }
 
 /// The state for assembling the meshes of a file.

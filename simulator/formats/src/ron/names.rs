@@ -110,6 +110,12 @@ impl<'a> Known<'a> {
     fn mesh(&self, name: &str) -> Result<&'a [u8], RonFault> {
         let import = obj::read(self.arena, &self.directory.join(name), &OpenOptions::default())
             .map_err(|error| failed(name, error))?;
+        if import.is_moved {
+            return Err(failed(
+                name,
+                "it lies or reaches farther than a scene, ±1e6; move it or make it smaller",
+            ));
+        }
         match import.scene.objects {
             [object] => match &object.shape {
                 Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),

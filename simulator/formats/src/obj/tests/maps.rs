@@ -70,7 +70,7 @@ fn a_picture_is_the_color_times_kd() {
 fn options_place_the_picture() {
     with_material("map_Kd -s 2 4 1 -o 0.5 -0.25 0 Wood.png", |import| {
         let (_, placement) = image(&import.scene.materials[0].color);
-        // u · 2 + 0.5 is 0 at u = -0.25, and 1 half a unit later. v · 4 - 0.25 repeats, so it is v · 4 + 0.75.
+        // u · 2 + 0.5 is 0 at u = -0.25, and 1 half a unit later. v · 4 - 0.25 repeats, as v · 4 + 0.75.
         assert_eq!(placement.size, Vec3::new(0.5, 0.25, 1.0));
         assert_eq!(placement.origin, Vec3::new(-0.25, -0.1875, 0.0));
     });
