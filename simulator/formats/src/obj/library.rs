@@ -1,6 +1,6 @@
 //! The statements of MTL files.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use super::lines;
@@ -58,32 +58,34 @@ pub(super) struct Map {
     pub(super) bump: f32,
 }
 
+/// The note about files elsewhere.
+pub(super) const OUTSIDE: &str = "not in the folder of the file or below it";
+
 impl Library {
     /// Reads the MTL files of these names, which are in a folder or below.
     pub(super) fn read(folder: &Path, names: &[(usize, String)], path: &str, notes: &mut Notes) -> Self {
-        let mut library = Self::default();
-        for (line, name) in names {
-            for found in files(folder, name) {
-                let at = format!("{path}:{line}");
-                let outside = "is not in the folder of the file or below it; move it there";
-                match found {
-                    (_, Beside::Found(file)) => library.add_file(&file, &at, notes),
-                    (name, Beside::Instead(file)) => {
-                        let what =
-                            format!("`{}` {outside}: the file of that name here is used", Excerpt(&name));
-                        notes.add(&*at, what);
-                        library.add_file(&file, &at, notes);
+        let (mut library, mut known) = (Self::default(), HashSet::new());
+        for (line, names) in names {
+            for (name, found) in files(folder, names) {
+                let at = format!("{path}:{line}: `{}`", Excerpt(&name));
+                let file = match found {
+                    Beside::Found(file) => file,
+                    Beside::Instead(file) => {
+                        notes.add(&*at, format!("{OUTSIDE}: the file of that name here is used"));
+                        file
                     }
-                    (name, Beside::Missing) => {
-                        notes.add(
-                            at,
-                            format!("there is no file `{}`; its materials are left out", Excerpt(&name)),
-                        );
+                    Beside::Missing => {
+                        notes.add(at, "there is no such file; its materials are left out");
+                        continue;
                     }
-                    (name, Beside::Outside) => {
-                        let what = format!("`{}` {outside}; its materials are left out", Excerpt(&name));
-                        notes.add(at, what);
+                    Beside::Outside => {
+                        notes.add(at, format!("{OUTSIDE}; its materials are left out, so move it there"));
+                        continue;
                     }
+                };
+                // Some programs name the file again for each object.
+                if known.insert(file.clone()) {
+                    library.add_file(&file, &at, notes);
                 }
             }
         }

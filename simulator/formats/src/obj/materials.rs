@@ -6,7 +6,7 @@ use std::rc::Rc;
 use bumpalo::Bump;
 use rayline::{Ends, LinearRgb, Map, Material, Onto, Optics, Placed, Placement, Texture, Vec3};
 
-use super::library::{Described, Library, Map as Mapped};
+use super::library::{Described, Library, Map as Mapped, OUTSIDE};
 use crate::model::{Beside, Pictures, Wrapping, beside, mean_of_codes};
 use crate::nff::Excerpt;
 use crate::notes::Notes;
@@ -160,25 +160,24 @@ impl<'a> Materials<'a> {
         described: &Described,
         notes: &mut Notes,
     ) -> Option<Rc<Raster>> {
-        let name = Excerpt(&map.name);
-        let outside = "is not in the folder of the file or below it";
+        let at = format!("{at}: `{}`", Excerpt(&map.name));
         let file = match beside(&described.folder, &map.name) {
             Beside::Found(file) => file,
             Beside::Instead(file) => {
-                notes.add(&**at, format!("`{name}` {outside}: the file of that name here is used"));
+                notes.add(&*at, format!("{OUTSIDE}: the file of that name here is used"));
                 file
             }
             Beside::Missing => {
-                notes.add(&**at, format!("left out: there is no picture `{name}`"));
+                notes.add(at, "left out: there is no such picture");
                 return None;
             }
             Beside::Outside => {
-                notes.add(&**at, format!("left out: `{name}` {outside}; move it there"));
+                notes.add(at, format!("left out: {OUTSIDE}; move it there"));
                 return None;
             }
         };
         let picture = self.pictures.open(&file);
-        picture.map_err(|reason| notes.add(&**at, format!("`{name}` is left out: {reason}"))).ok()
+        picture.map_err(|reason| notes.add(at, format!("left out: {reason}"))).ok()
     }
 
     fn colored(

@@ -154,12 +154,8 @@ impl Meshes<'_, '_> {
                 && !name.is_empty()
                 && unknown.insert(name)
             {
-                // Each name has a note of its own, unless there are very many.
-                let what = match unknown.len() {
-                    ..=20 => format!("there is no material `{}`; it is gray", Excerpt(name)),
-                    _ => "there is no material of this name; it is gray".to_owned(),
-                };
-                self.notes.add(format!("{}:{}", self.path, line), what);
+                let part = format!("{}:{line}: `{}`", self.path, Excerpt(name));
+                self.notes.add(part, "there is no such material; it is gray");
             }
             let (has_texture, repeats) = self.materials.textures(material);
             // Only faces with texture coordinates show a texture.

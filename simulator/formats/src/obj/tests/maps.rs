@@ -87,19 +87,15 @@ fn options_place_the_picture() {
 #[test]
 fn a_picture_that_is_not_there_is_a_note() {
     let note = |mtl: &str| with_material(mtl, |import| import.notes[0].clone());
-    assert_eq!(note("map_Kd none.png"), "m.mtl:2: left out: there is no picture `none.png`");
-    let outside = "is not in the folder of the file or below it";
-    assert_eq!(
-        note("map_Kd ../none.png"),
-        format!("m.mtl:2: left out: `../none.png` {outside}; move it there")
-    );
-    assert_eq!(
-        note("map_Kd C:\\art\\Wood.png"),
-        format!("m.mtl:2: `C:\\\\art\\\\Wood.png` {outside}: the file of that name here is used")
-    );
+    assert_eq!(note("map_Kd none.png"), "m.mtl:2: `none.png`: left out: there is no such picture");
+    let outside = "not in the folder of the file or below it";
+    let expected = format!("m.mtl:2: `../none.png`: left out: {outside}; move it there");
+    assert_eq!(note("map_Kd ../none.png"), expected);
+    let expected = format!("m.mtl:2: `C:\\\\art\\\\Wood.png`: {outside}: the file of that name here is used");
+    assert_eq!(note("map_Kd C:\\art\\Wood.png"), expected);
     assert_eq!(
         note("map_Kd m.mtl"),
-        "m.mtl:2: `m.mtl` is left out: it is no PNG, JPEG or PPM file; convert it to one of them"
+        "m.mtl:2: `m.mtl`: left out: it is no PNG, JPEG or PPM file; convert it to one of them"
     );
     assert_eq!(note("norm Wood.png"), "m.mtl:2: `norm` is left out");
     assert_eq!(note("map_Ke Wood.png"), "m.mtl:2: `map_Ke` is left out");

@@ -141,7 +141,7 @@ fn names_may_hold_a_number_sign() {
     with_files(&obj, "newmtl Material #1\nKd 1 0 0\nnewmtl Material\nKd 0 0.5 1\n", |import| {
         let import = import.unwrap();
         assert_eq!(color_of(&import, 1), LinearRgb::gray(0.7));
-        assert_eq!(import.notes[0], "model.obj:8: there is no material `Material #2`; it is gray");
+        assert_eq!(import.notes[0], "model.obj:8: `Material #2`: there is no such material; it is gray");
     });
     // Comments are comments all the same.
     let obj = format!("mtllib colors.mtl\n{SQUARE}usemtl a # the first\nf 1 2 3 # \\\nusemtl b\nf 1 3 4#x\n");
