@@ -73,6 +73,11 @@ impl Files {
         &self.scene
     }
 
+    /// Whether the scene may refer to files anywhere.
+    pub fn allows_paths(&self) -> bool {
+        self.allow_paths
+    }
+
     /// Whether the scene is read from standard input.
     pub fn is_standard_input(&self) -> bool {
         self.is_standard_input

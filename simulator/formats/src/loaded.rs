@@ -220,7 +220,7 @@ impl<'a> LoadedScene<'a> {
         Ok(Self { settings, ..Self::of_file(files, import.scene, Import::Ron(import)) })
     }
 
-    fn read_obj(files: &Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
+    fn read_obj(files: &'a Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
         let import = obj::read_with(arena, files.scene(), options.view, files);
         let mut import = import.map_err(LoadError::Obj)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));

@@ -23,6 +23,11 @@ impl Notes {
         }
     }
 
+    /// Adds all notes of another list.
+    pub(crate) fn append(&mut self, other: Self) {
+        self.0.extend(other.0);
+    }
+
     /// The notes as lines of text.
     pub(crate) fn lines(self) -> Vec<String> {
         let line = |Note { what, first, more }| match more {

@@ -47,11 +47,9 @@ fn bad_files_are_answered_with_the_line() {
 #[test]
 fn bad_models_are_answered_with_the_file_and_the_line() {
     let bench = Bench::new();
-    bench.write("square.mtl", "newmtl red\nKd 1 0\nNs many\n");
-    bench.write("bad.obj", SQUARE);
-    assert_eq!(bench.error(&["render", "bad.obj"]), "square.mtl:3: expected a number, found `many`");
-    let unknown = "bad.obj:7: there is no vertex `5`: there are 4 so far, counted from 1; define it or \
-                   correct the number";
+    bench.write("square.mtl", "newmtl red\nKd 1 0\n");
+    let unknown = "bad.obj:7: there is no vertex `5`: there are 4, counted from 1; define it or correct the \
+                   number";
     bench.write("bad.obj", SQUARE.replace("3 4", "3 5"));
     assert_eq!(bench.error(&["pixel", "bad.obj", "0,0"]), unknown);
     bench.write("bad.obj", BALL);
@@ -60,6 +58,15 @@ fn bad_models_are_answered_with_the_file_and_the_line() {
         "bad.obj:1: expected a coordinate of the vertex, found `from`"
     );
     assert!(bench.error(&["render", "missing.obj"]).starts_with("cannot read missing.obj: "));
+}
+
+#[test]
+fn the_view_of_a_model_is_refused_for_scenes_with_a_camera() {
+    let bench = Bench::new();
+    let expected = "classic has a camera of its own, but --up and --from are for models without one; leave \
+                    them out";
+    assert_eq!(bench.error(&["render", "classic", "--up", "-z"]), expected);
+    assert_eq!(bench.error(&["pixel", "classic", "0,0", "--from", "-30,20"]), expected);
 }
 
 #[test]

@@ -17,7 +17,7 @@
 //! - buffers, images: read from the file itself, from `data:` URIs, and from files in its folder or below,
 //!   but from no other place.
 //!
-//! A missing camera or light is added. Animations, skins (meshes keep their rest pose), morph targets, vertex
+//! A missing camera or light is added, and a sky. Animations, skins (meshes keep their rest pose), morph targets, vertex
 //! colors, other cameras, other scenes and all extensions that are not named here are left out.
 //! [`Import::notes`] lists what was added and left out.
 //!

@@ -1,8 +1,18 @@
-//! Parts that all importers of models share: splitting of large meshes, and a default camera and light.
+//! Parts that all importers of models share: triangles of polygons, the place of models that are far away,
+//! splitting of large meshes, pictures, and default surroundings.
 
+mod far;
+mod files;
+mod pictures;
 mod pieces;
+pub(crate) mod polygon;
 pub(crate) mod view;
 
+pub(crate) use far::Moved;
+pub(crate) use files::{Beside, beside};
+#[cfg(test)]
+pub(crate) use pictures::code;
+pub(crate) use pictures::{Pictures, Wrapping, mean_of_codes, of_code};
 pub(crate) use pieces::Whole;
 pub use view::{ModelView, Up};
 

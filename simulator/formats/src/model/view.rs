@@ -56,12 +56,12 @@ pub(crate) const SIZE: (u32, u32) = (640, 480);
 const ASPECT: f32 = 4.0 / 3.0;
 
 /// The colors of the sky: straight above, at the horizon, and straight below.
-const ZENITH: LinearRgb = LinearRgb::new(0.62, 0.72, 0.85);
-const HORIZON: LinearRgb = LinearRgb::new(0.22, 0.29, 0.4);
-const NADIR: LinearRgb = LinearRgb::new(0.03, 0.04, 0.06);
-/// The ambient light of the sky. Materials take a tenth of it: the shadows of a white model are as bright as
-/// half of the sky's mean.
-const AMBIENT: LinearRgb = LinearRgb::new(1.4, 1.7, 2.1);
+const ZENITH: LinearRgb = LinearRgb::new(0.5, 0.57, 0.66);
+const HORIZON: LinearRgb = LinearRgb::new(0.23, 0.28, 0.35);
+const NADIR: LinearRgb = LinearRgb::new(0.028, 0.038, 0.052);
+/// The ambient light, of which materials take a tenth: the shadows of a white model are as bright as half of
+/// the sky's mean. It has no hue, so that a gray model in shadow is never as bluish as the sky.
+const AMBIENT: LinearRgb = LinearRgb::gray(1.7);
 /// The key light. Beside the ambient light, white stays below 1.
 const KEY: LinearRgb = LinearRgb::new(0.82, 0.78, 0.72);
 /// The direction to the key light: to the right, up, and backward, as the camera sees it.
@@ -166,5 +166,115 @@ impl ModelView {
         let [rightward, _, front] = self.up.unwrap_or_default().frame();
         let (sine, cosine) = self.from.map_or(0.0, |(azimuth, _)| azimuth).to_radians().sin_cos();
         rightward * sine + front * cosine
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::indexing_slicing)]
+mod tests {
+    use core::mem::MaybeUninit;
+
+    use rayline::math::Aabb;
+    use rayline::shape::{Cuboid, Sphere};
+    use rayline::{Fresnel, Material, Optics, PreparedScene, Renderer, Scene, Settings};
+
+    use super::*;
+    use crate::model::code;
+
+    const SIDES: [(f32, f32); 8] = [
+        (24.0, 20.0),
+        (0.0, 0.0),
+        (90.0, -30.0),
+        (200.0, 10.0),
+        (-60.0, 45.0),
+        (0.0, 90.0),
+        (0.0, -90.0),
+        (45.0, -5.0),
+    ];
+
+    /// The codes of a picture of 48 by 36 pixels.
+    fn picture(scene: &Scene<'_>) -> Vec<[u8; 3]> {
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+        let prepared = PreparedScene::<f32, _>::new(scene, &mut memory).unwrap();
+        let renderer = Renderer::new(&prepared, Settings::new(48, 36)).unwrap();
+        let light = |x, y| renderer.pixel(x, y, &mut ()).0;
+        (0..36).flat_map(|y| (0..48).map(move |x| light(x, y).channels().map(code))).collect()
+    }
+
+    /// The colors on both sides of the outline of an object, and the brightest color on it.
+    fn outline(shape: Shape<'static>, material: Material<'_>, lights: Option<&[Light]>) -> [Vec<i32>; 2] {
+        let (arena, [mut differences, mut brightest]) = (Bump::new(), [const { Vec::new() }; 2]);
+        for (from, up) in SIDES.into_iter().zip([Up::Y, Up::Z].into_iter().cycle()) {
+            let view = ModelView { up: Some(up), from: Some(from) };
+            let half = Vec3::new(1.0, 1.0, 1.0);
+            let camera = view.camera(Aabb { min: -half, max: half });
+            let default = super::lights(&camera);
+            let (objects, materials) = ([Object::new(shape, 0)], [material]);
+            let background = view.background(&arena);
+            let lights = lights.unwrap_or(&default);
+            let scene =
+                Scene { camera, background, objects: &objects, materials: &materials, lights, motions: &[] };
+            let with = picture(&scene);
+            let is_there: Vec<bool> = {
+                let glow = Optics { emission: LinearRgb::WHITE, ..Optics::PLAIN };
+                let glowing = [Material { optics: Some(&glow), ..Material::matte(LinearRgb::WHITE) }];
+                let seen = picture(&Scene { materials: &glowing, ..scene });
+                seen.iter().map(|pixel| *pixel == [255; 3]).collect()
+            };
+            let beside = |at: usize| [at + 1, at + 48].into_iter().filter(|next| *next < with.len());
+            for (at, next) in (0..with.len()).flat_map(|at| beside(at).map(move |next| (at, next))) {
+                if is_there[at] != is_there[next] {
+                    let pairs = with[at].iter().zip(with[next]);
+                    let difference = pairs.map(|(a, b)| i32::from(a.abs_diff(b))).max();
+                    differences.push(difference.unwrap());
+                }
+            }
+            let codes = with.iter().zip(&is_there).filter(|(_, is_there)| **is_there).map(|(pixel, _)| pixel);
+            brightest.push(codes.flatten().copied().max().map(i32::from).unwrap());
+        }
+        differences.sort_unstable();
+        [differences, brightest]
+    }
+
+    fn cube() -> Shape<'static> {
+        Shape::Cuboid(Cuboid::aligned(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 1.0, 1.0)))
+    }
+
+    /// What a model of a gray looks like is told from the sky beside it, by 6 of 255 codes at the least and
+    /// by far more almost everywhere; and white is not too bright.
+    #[test]
+    fn no_gray_model_blends_into_the_sky() {
+        for gray in [0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 1.0] {
+            let material = Material { ambient: 0.1, ..Material::matte(LinearRgb::gray(gray)) };
+            for shape in [cube(), Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0))] {
+                let [differences, brightest] = outline(shape, material, None);
+                let median = differences[differences.len() / 2];
+                assert!(differences[0] >= 6 && median >= 20, "{gray}: {} {median}", differences[0]);
+                if gray == 1.0 {
+                    assert!(brightest.iter().all(|code| (220..255).contains(code)), "{brightest:?}");
+                }
+            }
+        }
+    }
+
+    /// With nothing but a light from behind, as in a scene of its own lights.
+    #[test]
+    fn a_white_model_without_light_is_seen() {
+        let dark = [Light::Point { position: Vec3::ZERO, color: LinearRgb::gray(0.0) }];
+        let material = Material { ambient: 0.1, ..Material::matte(LinearRgb::WHITE) };
+        let [differences, _] = outline(cube(), material, Some(&dark));
+        assert!(differences[0] >= 6, "{}", differences[0]);
+    }
+
+    /// A ball of gold mirrors light from above and dark from below.
+    #[test]
+    fn metals_have_something_to_mirror() {
+        let gold = LinearRgb::new(1.0, 0.77, 0.34);
+        let optics = Optics { fresnel: Fresnel::Schlick, reflection_color: gold, ..Optics::PLAIN };
+        let mirror =
+            Material { diffuse: 0.0, reflectance: 1.0, optics: Some(&optics), ..Material::matte(gold) };
+        let [differences, brightest] = outline(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), mirror, None);
+        assert!(differences[differences.len() / 2] >= 8, "{}", differences[differences.len() / 2]);
+        assert!(brightest.iter().all(|code| *code >= 120), "{brightest:?}");
     }
 }

@@ -22,8 +22,6 @@ pub struct ObjError {
 pub enum ObjFault {
     /// The system cannot read the file, for this reason.
     Unreadable(String),
-    /// The file is not text. Convert it to UTF-8 or plain ASCII.
-    NotUtf8,
     /// A word is not the expected number or name, or is missing. Write the expected one.
     Expected {
         /// The expected number or name.
@@ -31,30 +29,20 @@ pub enum ObjFault {
         /// The word in the file; empty at the end of the line.
         found: String,
     },
-    /// A number is NaN, infinite, or beyond the limits of a scene. Replace it.
+    /// A number is beyond ±1e30. Replace it.
     OutOfRange {
         /// The meaning of the number.
         meaning: &'static str,
         /// The text in the file.
         found: String,
     },
-    /// A face refers to a vertex, a texture coordinate or a normal that no line before it defines. Define it
-    /// or correct the number.
+    /// A face refers to a vertex that the file does not define. Define it or correct the number.
     Unknown {
-        /// The kind: vertex, texture coordinate or normal.
-        what: &'static str,
-        /// The text in the file.
+        /// The number in the file: from 1, or a negative one that counts back.
         found: String,
-        /// The number of such elements so far.
+        /// The number of vertices in the file; for a negative number, up to this line.
         count: usize,
     },
-    /// A face has fewer than three corners. Remove it or add corners.
-    FewCorners {
-        /// The number of its corners.
-        given: usize,
-    },
-    /// A line of an MTL file describes a material before the first `newmtl`. Name the material first.
-    NoMaterial,
     /// The file has no face with an area. Check that it is an OBJ file.
     NoFaces,
     /// The files have more materials than a scene can hold. Use fewer.
@@ -64,8 +52,6 @@ pub enum ObjFault {
         /// The most materials of a scene.
         most: usize,
     },
-    /// `tobj` refuses the file, for this reason. Correct the file.
-    Refused(tobj::LoadError),
 }
 
 /// A fault with its line. The caller adds the path of the file.
@@ -99,7 +85,6 @@ impl fmt::Display for ObjFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreadable(reason) => f.write_str(reason),
-            Self::NotUtf8 => f.write_str("not a text file; convert it to UTF-8"),
             Self::Expected { expected, found } if found.is_empty() => {
                 write!(f, "the line ends where {expected} must follow")
             }
@@ -107,25 +92,20 @@ impl fmt::Display for ObjFault {
                 write!(f, "expected {expected}, found `{}`", Excerpt(found))
             }
             Self::OutOfRange { meaning, found } => {
-                write!(f, "{meaning} is not a number within ±1e6: `{}`; replace it", Excerpt(found))
+                write!(f, "{meaning} is beyond ±1e30: `{}`; replace it", Excerpt(found))
             }
-            Self::Unknown { what, found, count } => {
+            Self::Unknown { found, count } => {
                 write!(
                     f,
-                    "there is no {what} `{}`: there are {count} so far, counted from 1; define it or correct \
-                     the number",
+                    "there is no vertex `{}`: there are {count}, counted from 1; define it or correct the \
+                     number",
                     Excerpt(found)
                 )
             }
-            Self::FewCorners { given } => {
-                write!(f, "a face has {given} corners; remove it or give it three or more")
-            }
-            Self::NoMaterial => f.write_str("there is no `newmtl` before this line; name the material first"),
             Self::NoFaces => f.write_str("the file has no face with an area; check that it is an OBJ file"),
             Self::TooManyMaterials { given, most } => {
                 write!(f, "the files have {given} materials; use at most {most}")
             }
-            Self::Refused(reason) => write!(f, "{reason}; correct the file"),
         }
     }
 }

@@ -1,31 +1,48 @@
 //! Reading of models in Wavefront OBJ with materials in MTL (Wavefront Technologies, "Advanced Visualizer
-//! Manual", 1990, appendices B and C). The crate `tobj` assembles the meshes.
+//! Manual", 1990, appendices B and C).
 //!
 //! The statements of a file become:
 //!
-//! - `v`, `vn`: vertices; normals, if all corners of a mesh have one.
-//! - `vt`: u and v, if all corners of a mesh have them and none is beyond ±59.
-//! - `f`: triangles; a face with more corners becomes a fan around its first corner.
+//! - `v`, `vn`: vertices and normals. In a mesh with normals, a corner without one gets that of its smoothing
+//!   group or of its face. A model that lies or reaches beyond ±1e6 is moved to the origin and made smaller.
+//! - `s`: the smoothing group of corners without `vn`: the normal of a vertex is the mean of those of the
+//!   group's faces there, weighted by angle. `s off` and `s 0`: flat.
+//! - `vt`: u and v, if all corners of a mesh have them; reduced by whole numbers where they are beyond ±59.
+//! - `f`: triangles. A convex face becomes a fan around its first corner; from others, ears are cut. Faces
+//!   may come before their vertices.
 //! - `o`, `g`, `usemtl`: each begins a new mesh; one of more than 65535 vertices or triangles becomes
 //!   several.
-//! - `mtllib`: the materials of that file.
+//! - `mtllib`: the materials of that file, which is in the folder of the OBJ file or below. Backslashes are
+//!   slashes, and letters may have another case.
 //!
-//! Smoothing groups, lines, points and free-form surfaces are left out. OBJ files have no camera and no
-//! lights, so both are added. [`Import::notes`] lists what was added and left out.
+//! Lines that are not UTF-8 are Latin-1. Lines, points, free-form surfaces and colors of vertices are left
+//! out, and so are lines without their numbers. OBJ files have no camera and no lights, so both are added,
+//! and a sky. [`Import::notes`] lists what was added and left out.
 //!
 //! # Materials
 //! - `Kd`: the color; `diffuse` is 1.
 //! - `Ks`: the mean of the three is the strength of the highlight, and the reflectance if `illum` is 3 to 7.
 //! - `Ns`: the exponent of the highlight; without `Ns` there is no highlight.
-//! - `d`, or `Tr` = 1 - `d`: the transmittance is 1 - `d`; ambient, diffuse and reflectance are multiplied by
-//!   `d`.
+//! - `d`: the transmittance is 1 - `d`; ambient, diffuse and reflectance are multiplied by `d`.
+//! - `Tr`: as `d` = 1 - `Tr`, if there is no `d` and `illum` is 4, 6, 7 or 9, or is missing and `Tr` is below
+//!   1; otherwise the surface is opaque, as many programs write `Tr 1` for that.
 //! - `Ni`: the index of refraction, if the transmittance is not 0.
-//! - `Ke`: if it is not black, the color, with `ambient` 1 and `diffuse` 0.
+//! - `Ke`: the emission, at most 100.
+//! - `map_Kd`: an image on the surface, times `Kd`.
+//! - `map_Ks`: the highlight and the reflectance are multiplied by its brightness.
+//! - `map_d`: the opacity is multiplied by that of the picture, or by its brightness if it is opaque; such a
+//!   surface neither refracts nor mirrors.
+//! - `map_Bump`, `bump`: a bump map, whose height is twice the width of a pixel for `-bm 1`.
+//! - options of maps: `-s`, `-o`, `-clamp` and `-bm`. Pictures are PNG, JPEG or PPM files in the folder of
+//!   the MTL file or below.
 //!
-//! The ambient coefficient is 0.1, because the single added light leaves half of the model dark. `Ka` and
-//! textures (`map_…`) are left out.
+//! The ambient coefficient is 0.1. `Ka`, `Tf` and other maps are left out. If all of a model would be
+//! invisible, it is opaque.
 
+mod assembly;
 mod error;
+mod library;
+mod lines;
 mod materials;
 mod statements;
 #[cfg(test)]
@@ -36,17 +53,19 @@ use std::path::Path;
 
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
-use rayline::shape::{Mesh, Shape};
-use rayline::{Object, Part, Scene, Vec3};
-use tobj::LoadOptions;
+use rayline::shape::Shape;
+use rayline::{Object, Part, Scene};
 
 use crate::OpenOptions;
 use crate::files::Files;
-use crate::model::{FARTHEST_UV, ModelView, Whole, view};
-use crate::text;
-
+use crate::model::{ModelView, Moved, view};
+use crate::nff::Excerpt;
+use crate::notes::Notes;
+use assembly::{Faces, Group};
 pub use error::{ObjError, ObjFault};
-use statements::Statements;
+use library::Library;
+use materials::Materials;
+use statements::Contents;
 
 /// A scene that was read from a file.
 #[derive(Clone, Debug)]
@@ -59,6 +78,8 @@ pub struct Import<'a> {
     pub notes: Vec<String>,
     /// The name in the file of each object's mesh.
     names: Vec<String>,
+    /// Whether the model was moved or scaled, because it lies or reaches too far.
+    pub(crate) is_moved: bool,
 }
 
 impl Import<'_> {
@@ -75,10 +96,10 @@ impl Import<'_> {
 /// Reads a scene from an OBJ file and the MTL files that it refers to. Its lists are kept in `arena`.
 ///
 /// # Errors
-/// A file cannot be read, or a line breaks the grammar. A missing MTL file is not an error: it gives a
-/// [note](Import::notes).
+/// The file cannot be read, or a line breaks the grammar in a way that would give a wrong picture. A missing
+/// MTL file is not an error: it gives a [note](Import::notes).
 pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<Import<'a>, ObjError> {
-    read_with(arena, path, options.view, &Files::new(path, options.allow_paths))
+    read_with(arena, path, options.view, arena.alloc(Files::new(path, options.allow_paths)))
 }
 
 /// Reads a scene by the reader of its files. `path` may be a file that the scene refers to.
@@ -86,111 +107,96 @@ pub(crate) fn read_with<'a>(
     arena: &'a Bump,
     path: &Path,
     view: ModelView,
-    files: &Files,
+    files: &'a Files,
 ) -> Result<Import<'a>, ObjError> {
-    let error = |fault| ObjError { path: path.to_owned(), line: None, fault };
-    let text = text_of(path, files)?;
-    let statements = Statements::new(&text).map_err(|error| error.of(path))?;
+    let error = |line, fault| ObjError { path: path.to_owned(), line, fault };
+    let bytes = files.read(path);
+    let bytes = bytes.map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
+    let (called, mut notes) = (path.display().to_string(), Notes::default());
+    let contents = Contents::read(&bytes, &called, &mut notes).map_err(|error| error.of(path))?;
+    drop(bytes);
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let library = materials::read(folder, &statements.libraries, files)?;
-
-    let mut notes = library.notes;
-    note_left_out(&statements, &library.names, path, &mut notes);
-
-    let load_options = LoadOptions { single_index: true, triangulate: true, ..LoadOptions::default() };
-    let load_materials = |_: &Path| tobj::load_mtl_buf(&mut library.text.as_bytes());
-    let (models, loaded) = tobj::load_obj_buf(&mut statements.text.as_bytes(), &load_options, load_materials)
-        .map_err(|reason| error(ObjFault::Refused(reason)))?;
-    let loaded = loaded.map_err(|reason| error(ObjFault::Refused(reason)))?;
-
-    let mut materials: Vec<_> = loaded.iter().map(materials::material).collect();
-    // The last material is for meshes without one.
-    materials.push(materials::GRAY);
-    let (mut objects, mut names) = (Vec::new(), Vec::new());
-    for tobj::Model { mesh, name } in &models {
-        let meshes = meshes(arena, mesh, name, &mut notes);
-        for mesh_of_piece in meshes {
-            let material = mesh.material_id.unwrap_or(materials.len().saturating_sub(1));
-            let material = u16::try_from(material)
-                .map_err(|_| error(ObjFault::TooManyMaterials { given: materials.len(), most: MAX_COUNT }))?;
-            objects.push(Object::new(Shape::Mesh(mesh_of_piece), material));
-            names.push(name.clone());
-        }
+    let library = Library::read(files, folder, &contents.libraries, &called, &mut notes);
+    let materials = Materials::new(arena, files, library);
+    let faces = Faces::new(&contents, &called, &mut notes).map_err(|error| error.of(path))?;
+    let is_moved = faces.moved != Moved::NOT;
+    if let Some(moved) = faces.moved.note() {
+        notes.add(&*called, moved);
     }
-    let bounds = view::bounds(&objects).ok_or_else(|| error(ObjFault::NoFaces))?;
-    let (path, seen, lit) = (path.display(), view.note(), view::LIT);
-    notes.push(format!("{path}: OBJ files have no camera and no lights; {seen}, {lit}"));
+    let mut meshes =
+        Meshes { arena, materials, objects: Vec::new(), names: Vec::new(), notes, path: &called };
+    meshes.add_all(&contents, &faces).map_err(|fault| error(None, fault))?;
+    let Meshes { mut materials, objects, names, mut notes, .. } = meshes;
+    let bounds = view::bounds(&objects).ok_or_else(|| error(None, ObjFault::NoFaces))?;
+    materials.show(&mut notes, &called);
+    let (seen, lit) = (view.note(), view::LIT);
+    notes.add(&*called, format!("OBJ files have no camera and no lights; {seen}, {lit}"));
     let camera = view.camera(bounds);
     let scene = Scene {
         camera,
         background: view.background(arena),
         objects: arena.alloc_slice_copy(&objects),
-        materials: arena.alloc_slice_copy(&materials),
+        materials: arena.alloc_slice_copy(&materials.all),
         lights: arena.alloc_slice_copy(&view::lights(&camera)),
         motions: &[],
     };
-    Ok(Import { scene, resolution: view::SIZE, notes, names })
+    Ok(Import { scene, resolution: view::SIZE, notes: notes.lines(), names, is_moved })
 }
 
-/// Adds notes about unknown materials and about statements that are left out.
-fn note_left_out(statements: &Statements, known: &[String], path: &Path, notes: &mut Vec<String>) {
-    let unknown = statements.materials.iter().filter(|(_, name)| !known.contains(name));
-    let mut said = HashSet::new();
-    for (line, name) in unknown {
-        if said.insert(name) {
-            notes.push(format!(
-                "{}:{line}: there is no material `{}`; it is gray",
-                path.display(),
-                name.escape_debug()
-            ));
+/// The state for assembling the meshes of a file.
+struct Meshes<'s, 'a> {
+    arena: &'a Bump,
+    materials: Materials<'a>,
+    objects: Vec<Object<Shape<'a>>>,
+    /// The name in the file of each object.
+    names: Vec<String>,
+    notes: Notes,
+    path: &'s str,
+}
+
+impl Meshes<'_, '_> {
+    fn add_all(&mut self, contents: &Contents, faces: &Faces<'_>) -> Result<(), ObjFault> {
+        let mut unknown = HashSet::new();
+        for group in faces.groups() {
+            let name = group.material.and_then(|index| contents.materials.get(index as usize));
+            let material = name.and_then(|(_, name)| self.materials.find(name));
+            if let Some((line, name)) = name
+                && material.is_none()
+                && !name.is_empty()
+                && unknown.insert(name)
+            {
+                let part = format!("{}:{line}: `{}`", self.path, Excerpt(name));
+                self.notes.add(part, "there is no such material; it is gray");
+            }
+            let (has_texture, repeats) = self.materials.textures(material);
+            // Only faces with texture coordinates show a texture.
+            let groups = if has_texture { faces.split(group).to_vec() } else { vec![group] };
+            for group in groups {
+                self.add(faces, &group, material, repeats)?;
+            }
         }
+        Ok(())
     }
-    for (keyword, line) in &statements.left_out {
-        notes.push(format!("{}:{line}: `{keyword}` is left out, here and below", path.display()));
-    }
-}
 
-/// Converts a mesh of `tobj`, with notes about normals and texture coordinates that are left out.
-fn meshes<'a>(arena: &'a Bump, mesh: &tobj::Mesh, name: &str, notes: &mut Vec<String>) -> Vec<Mesh<'a>> {
-    let vertices = vectors(&mesh.positions);
-    let normals = vectors(&mesh.normals);
-    let is_smooth = !normals.is_empty() && normals.len() == vertices.len();
-    if !normals.is_empty() && !is_smooth {
-        notes.push(format!("`{}`: not all of its corners have a normal, so it is flat", name.escape_debug()));
+    fn add(
+        &mut self,
+        faces: &Faces<'_>,
+        group: &Group,
+        material: Option<usize>,
+        repeats: bool,
+    ) -> Result<(), ObjFault> {
+        let assembled = faces.assemble(group, repeats, &mut self.notes);
+        let meshes = assembled.whole().meshes(self.arena);
+        if meshes.is_empty() {
+            return Ok(());
+        }
+        let material = self.materials.id(material, assembled.length_of_uv(), &mut self.notes);
+        let material = u16::try_from(material)
+            .map_err(|_| ObjFault::TooManyMaterials { given: material.saturating_add(1), most: MAX_COUNT })?;
+        for mesh in meshes {
+            self.objects.push(Object::new(Shape::Mesh(mesh), material));
+            self.names.push(group.name.clone());
+        }
+        Ok(())
     }
-    let (uvs, _) = mesh.texcoords.as_chunks::<2>();
-    let is_far = |uv: &[f32; 2]| uv.iter().any(|coordinate| coordinate.abs() > FARTHEST_UV);
-    let flaw = if uvs.len() != vertices.len() {
-        Some("not all of its corners have them")
-    } else if uvs.iter().any(is_far) {
-        Some("some are beyond ±59")
-    } else {
-        None
-    };
-    if let Some(flaw) = flaw
-        && !uvs.is_empty()
-    {
-        notes.push(format!("`{}`: texture coordinates are left out: {flaw}", name.escape_debug()));
-    }
-    let (triangles, _) = mesh.indices.as_chunks::<3>();
-    let whole = Whole {
-        vertices: &vertices,
-        triangles,
-        normals: is_smooth.then_some(&normals),
-        uvs: flaw.is_none().then_some(uvs),
-        colors: None,
-    };
-    whole.meshes(arena)
-}
-
-/// The text of a file.
-fn text_of(path: &Path, files: &Files) -> Result<String, ObjError> {
-    let error = |line, fault| ObjError { path: path.to_owned(), line, fault };
-    let bytes = files.read(path).map_err(|reason| error(None, ObjFault::Unreadable(reason.to_string())))?;
-    text::of_bytes(&bytes).map(str::to_owned).map_err(|line| error(Some(line), ObjFault::NotUtf8))
-}
-
-fn vectors(numbers: &[f32]) -> Vec<Vec3> {
-    let (vectors, _) = numbers.as_chunks::<3>();
-    vectors.iter().map(|[x, y, z]| Vec3::new(*x, *y, *z)).collect()
 }

@@ -126,6 +126,12 @@ impl<'a> Known<'a> {
         let path = self.path(name)?;
         let import = obj::read_with(self.arena, &path, ModelView::default(), self.files)
             .map_err(|error| failed(name, error))?;
+        if import.is_moved {
+            return Err(failed(
+                name,
+                "it lies or reaches farther than a scene, ±1e6; move it or make it smaller",
+            ));
+        }
         match import.scene.objects {
             [object] => match &object.shape {
                 Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),

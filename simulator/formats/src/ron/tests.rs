@@ -1,5 +1,7 @@
 //! Tests with texts that are scenes and texts that are not.
 
+use std::fs;
+
 use rayline::shape::{
     Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh,
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
