@@ -82,6 +82,19 @@ impl<'a> Pictures<'a> {
         Ok(self.placed(picture, Pixels::Rgb888(pixels), Encoding::Srgb, wrapping))
     }
 
+    /// The image of a picture's numbers, as a map of normals has them.
+    ///
+    /// # Errors
+    /// There are too many pixels.
+    pub(crate) fn numbers(
+        &mut self,
+        picture: &Rc<Raster>,
+        wrapping: Wrapping,
+    ) -> Result<&'a Placed<'a>, String> {
+        let pixels = self.pixels(picture, Part::Color([1.0f32; 3].map(f32::to_bits)), || picture.rgb())?;
+        Ok(self.placed(picture, Pixels::Rgb888(pixels), Encoding::Linear, wrapping))
+    }
+
     /// An image of one level for each pixel: its brightness or its opacity, from 0 to 255, as light from 0 to
     /// 1 by the function `light`.
     ///

@@ -16,6 +16,8 @@ use crate::notes::Notes;
 /// The faces of a file, checked.
 pub(super) struct Faces<'c> {
     contents: &'c Contents,
+    /// The colors of vertices, as codes of sRGB.
+    colors: Option<Vec<[u8; 3]>>,
     /// The faces that can be drawn, with their corners.
     all: Vec<Placed>,
     /// The translation and scale of all vertices.
@@ -52,6 +54,8 @@ pub(super) struct Assembled {
     triangles: Vec<[u32; 3]>,
     normals: Vec<Vec3>,
     uvs: Option<Vec<[f32; 2]>>,
+    /// Empty if no vertex of the file has a color.
+    colors: Vec<[u8; 3]>,
 }
 
 /// How the vertices of a mesh get texture coordinates.
@@ -83,7 +87,9 @@ type Identity = (u32, Option<(u32, [i64; 2])>, Source);
 impl<'c> Faces<'c> {
     /// Checks all faces. Missing texture coordinates and normals give notes, missing vertices an error.
     pub(super) fn new(contents: &'c Contents, path: &'c str, notes: &mut Notes) -> Result<Self, LineError> {
-        let mut faces = Self { contents, all: Vec::new(), moved: Moved::NOT, smooth: HashMap::new(), path };
+        let colors = contents.colors();
+        let (all, smooth) = (Vec::new(), HashMap::new());
+        let mut faces = Self { contents, colors, all, moved: Moved::NOT, smooth, path };
         let mut end = 0usize;
         for face in &contents.faces {
             let corners = end..end.saturating_add(face.corners as usize);
@@ -250,6 +256,7 @@ impl<'c> Faces<'c> {
                 *known.entry(identity).or_insert_with(|| {
                     let normal = has_normals.then(|| self.normal(placed, source, corner.vertex));
                     let place = self.moved.rounded(self.file_vertex(corner.vertex));
+                    mesh.colors.extend(self.color(corner.vertex));
                     mesh.add_vertex(place, uv.map(|(.., uv)| uv), normal)
                 })
             };
@@ -287,6 +294,11 @@ impl<'c> Faces<'c> {
             return Uvs::Reduced;
         }
         note("texture coordinates are left out: some are beyond ±59")
+    }
+
+    /// The color of a vertex, if the file has colors.
+    fn color(&self, vertex: u32) -> Option<[u8; 3]> {
+        self.colors.as_ref()?.get(vertex as usize).copied()
     }
 
     /// The position of a corner's texture coordinates, and the coordinates without a whole number of periods.
@@ -350,6 +362,11 @@ impl Assembled {
         }));
     }
 
+    /// Whether the vertices have colors.
+    pub(super) fn is_colored(&self) -> bool {
+        self.colors.iter().any(|codes| *codes != [u8::MAX; 3])
+    }
+
     /// The mesh in the form that is split for the core.
     pub(super) fn whole(&self) -> Whole<'_> {
         Whole {
@@ -357,7 +374,7 @@ impl Assembled {
             triangles: &self.triangles,
             normals: (!self.normals.is_empty()).then_some(&self.normals),
             uvs: self.uvs.as_deref(),
-            colors: None,
+            colors: self.is_colored().then_some(&self.colors),
         }
     }
 

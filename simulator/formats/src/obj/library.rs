@@ -38,11 +38,12 @@ pub(super) struct Described {
     pub(super) transparency: Option<f32>,
     /// `illum`.
     pub(super) model: Option<u8>,
-    /// The maps of color, highlight, opacity and bumps, with the numbers of their lines.
+    /// The maps of color, highlight, opacity, bumps and normals, with the numbers of their lines.
     pub(super) map_color: Option<(String, Map)>,
     pub(super) map_specular: Option<(String, Map)>,
     pub(super) map_opacity: Option<(String, Map)>,
     pub(super) map_bump: Option<(String, Map)>,
+    pub(super) map_normal: Option<(String, Map)>,
 }
 
 /// A picture on a surface, and its options.
@@ -230,7 +231,8 @@ impl Described {
             "map_Bump" | "map_bump" | "bump" | "map_bm" => {
                 self.map_bump = Some((at.to_owned(), Map::of(rest)?))
             }
-            "norm" | "disp" | "decal" | "refl" => return Some(format!("`{keyword}` is left out")),
+            "norm" => self.map_normal = Some((at.to_owned(), Map::of(rest)?)),
+            "disp" | "decal" | "refl" => return Some(format!("`{keyword}` is left out")),
             // Ambient light comes from the default surroundings, as with `Ka`.
             "map_Ka" | "map_ka" | "map_aat" => {}
             other if other.starts_with("map_") => return Some(format!("`{}` is left out", Excerpt(other))),

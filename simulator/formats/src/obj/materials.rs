@@ -34,9 +34,9 @@ pub(super) struct Materials<'a> {
     files: &'a Files,
     library: Library,
     pictures: Pictures<'a>,
-    /// The converted materials, by their position in the library and whether the mesh has texture
-    /// coordinates.
-    known: HashMap<(Option<usize>, bool), usize>,
+    /// The converted materials, by their position in the library, and whether the mesh has texture
+    /// coordinates and colors.
+    known: HashMap<(Option<usize>, bool, bool), usize>,
     pub(super) all: Vec<Material<'a>>,
 }
 
@@ -64,15 +64,25 @@ impl<'a> Materials<'a> {
         (maps().next().is_some(), maps().all(|(_, map)| !map.clamps))
     }
 
-    /// The number in the scene of a material of the library; of a gray one for `None`. `length_of_uv` is the
-    /// length of a unit of texture coordinates on the mesh, if it has them.
-    pub(super) fn id(&mut self, index: Option<usize>, length_of_uv: Option<f64>, notes: &mut Notes) -> usize {
-        let key = (index, length_of_uv.is_some());
+    /// The number in the scene of a material of the library. For `None` it is gray, and white on vertices with
+    /// colors. `length_of_uv` is the length of a unit of texture coordinates on the mesh, if it has them.
+    pub(super) fn id(
+        &mut self,
+        index: Option<usize>,
+        is_colored: bool,
+        length_of_uv: Option<f64>,
+        notes: &mut Notes,
+    ) -> usize {
+        let key = (index, is_colored, length_of_uv.is_some());
         if let Some(id) = self.known.get(&key) {
             return *id;
         }
         let described = index.and_then(|index| self.library.materials.get(index)).cloned();
-        let material = self.material(&described.unwrap_or_default(), length_of_uv, notes);
+        let mut described = described.unwrap_or_default();
+        if is_colored {
+            described.diffuse = described.diffuse.or(Some([1.0; 3]));
+        }
+        let material = self.material(&described, length_of_uv, notes);
         self.known.insert(key, self.all.len());
         self.all.push(material);
         self.all.len() - 1
@@ -158,6 +168,11 @@ impl<'a> Materials<'a> {
             && let Some(bump) = self.bump(map, described, length_of_uv, notes)
         {
             maps.push(bump);
+        }
+        if let Some(map) = &described.map_normal
+            && let Some(normals) = self.normals(map, described, notes)
+        {
+            maps.push(normals);
         }
         Material { maps: self.arena.alloc_slice_copy(&maps), ..material }
     }
@@ -258,8 +273,7 @@ impl<'a> Materials<'a> {
         let picture = self.picture(map, described, notes)?;
         let [red, green, blue] = mean_of_codes(&picture);
         if blue > 0.75 && (0.4..0.6).contains(&red) && (0.4..0.6).contains(&green) {
-            notes.add(&*map.0, "left out: the picture is a map of normals, not of heights");
-            return None;
+            return self.normals(map, described, notes);
         }
         let placed = self.level(map, described, true, notes)?;
         let [across, up] = map.1.scale.map(|scale| f64::from(scale.abs()).max(1e-6));
@@ -274,6 +288,19 @@ impl<'a> Materials<'a> {
         }
         let height = BUMP * step * map.1.bump.clamp(-STEEPEST, STEEPEST);
         Some(Map { onto: Onto::Bump { height, step }, texture: Texture::Placed(placed) })
+    }
+
+    fn normals(
+        &mut self,
+        map: &(String, Mapped),
+        described: &Described,
+        notes: &mut Notes,
+    ) -> Option<Map<'a>> {
+        let picture = self.picture(map, described, notes)?;
+        let wrapping = map.1.wrapping(&map.0, notes);
+        let placed = self.pictures.numbers(&picture, wrapping);
+        let placed = placed.map_err(|reason| notes.add(&*map.0, format!("left out: {reason}"))).ok()?;
+        Some(Map { onto: Onto::Normal { strength: 1.0 }, texture: Texture::Placed(placed) })
     }
 
     /// Makes all materials opaque if none of them would be seen.
@@ -318,8 +345,8 @@ impl Described {
 
     /// Its maps, with their places in the file.
     fn maps(&self) -> impl Iterator<Item = &(String, Mapped)> {
-        let Self { map_color, map_specular, map_opacity, map_bump, .. } = self;
-        [map_color, map_specular, map_opacity, map_bump].into_iter().flatten()
+        let Self { map_color, map_specular, map_opacity, map_bump, map_normal, .. } = self;
+        [map_color, map_specular, map_opacity, map_bump, map_normal].into_iter().flatten()
     }
 }
 

@@ -14,9 +14,11 @@
 //!   several.
 //! - `mtllib`: the materials of that file, which is in the folder of the OBJ file or below. Backslashes are
 //!   slashes, and letters may have another case.
+//! - `v` with three or four more numbers: the last three are the color of the vertex, as codes of sRGB from 0
+//!   to 255 or divided by 255, by which the color of the material is multiplied (white without a material).
 //!
-//! Lines that are not UTF-8 are Latin-1. Lines, points, free-form surfaces and colors of vertices are left
-//! out, and so are lines without their numbers. OBJ files have no camera and no lights, so both are added,
+//! Lines that are not UTF-8 are Latin-1. Lines, points and free-form surfaces are left out, and so are lines
+//! without their numbers. OBJ files have no camera and no lights, so both are added,
 //! and a sky. [`Import::notes`] lists what was added and left out.
 //!
 //! # Materials
@@ -33,6 +35,7 @@
 //! - `map_d`: the opacity is multiplied by that of the picture, or by its brightness if it is opaque; such a
 //!   surface neither refracts nor mirrors.
 //! - `map_Bump`, `bump`: a bump map, whose height is twice the width of a pixel for `-bm 1`.
+//! - `norm`, and `map_Bump` with a picture that is bluish: a normal map.
 //! - options of maps: `-s`, `-o`, `-clamp` and `-bm`. Pictures are PNG, JPEG or PPM files in the folder of
 //!   the MTL file or below.
 //!
@@ -190,7 +193,8 @@ impl Meshes<'_, '_> {
         if meshes.is_empty() {
             return Ok(());
         }
-        let material = self.materials.id(material, assembled.length_of_uv(), &mut self.notes);
+        let material =
+            self.materials.id(material, assembled.is_colored(), assembled.length_of_uv(), &mut self.notes);
         let material = u16::try_from(material)
             .map_err(|_| ObjFault::TooManyMaterials { given: material.saturating_add(1), most: MAX_COUNT })?;
         for mesh in meshes {

@@ -17,6 +17,8 @@ pub(super) const LARGEST: f64 = 1e30;
 pub(super) struct Contents {
     /// The vertices; NaN for those that are no numbers.
     pub(super) vertices: Vec<DVec3>,
+    /// The colors of vertices, up to the last vertex that has one.
+    colors: Vec<[f32; 3]>,
     /// The texture coordinates; NaN for those that are no numbers.
     pub(super) uvs: Vec<[f64; 2]>,
     /// The normals; NaN for those that have no direction.
@@ -29,6 +31,25 @@ pub(super) struct Contents {
     pub(super) materials: Vec<(usize, String)>,
     /// The names of MTL files, with their lines.
     pub(super) libraries: Vec<(usize, String)>,
+}
+
+/// The color of a vertex without one.
+const WHITE: [f32; 3] = [1.0; 3];
+
+impl Contents {
+    /// The colors of all vertices as codes of sRGB; `None` if there are none. Programs write codes from 0 to
+    /// 255, or divided by 255.
+    pub(super) fn colors(&self) -> Option<Vec<[u8; 3]>> {
+        if self.colors.is_empty() {
+            return None;
+        }
+        let is_in_codes = self.colors.iter().flatten().any(|channel| *channel > 1.0);
+        let factor = if is_in_codes { 1.0 } else { 255.0 };
+        let code = |channel: &f32| (channel * factor).round().clamp(0.0, 255.0) as u8;
+        let codes = self.colors.iter().map(|[red, green, blue]| [code(red), code(green), code(blue)]);
+        let missing = self.vertices.len().saturating_sub(self.colors.len());
+        Some(codes.chain(core::iter::repeat_n([u8::MAX; 3], missing)).collect())
+    }
 }
 
 /// A corner of a face: positions in the lists of a file, which may be beyond their ends.
@@ -158,16 +179,21 @@ impl Reader<'_> {
             number(found).ok_or_else(|| ObjFault::Expected { expected, found: found.to_owned() })
         };
         let place = DVec3::new(coordinate()?, coordinate()?, coordinate()?);
-        // One more number is a weight; three or more are a color.
+        // One more number is a weight, three are a color, and four are both.
         let after: Vec<_> = words.collect();
         let place = match *after {
-            [weight] => place / number(weight).unwrap_or(1.0),
-            [] | [_, _] => place,
-            _ => {
-                self.note(line, "colors of vertices are left out");
-                place
-            }
+            [weight] | [weight, _, _, _] => place / number(weight).unwrap_or(1.0),
+            _ => place,
         };
+        if let [.., red, green, blue] = *after {
+            match [red, green, blue].map(number) {
+                [Some(red), Some(green), Some(blue)] => {
+                    self.contents.colors.resize(self.contents.vertices.len(), WHITE);
+                    self.contents.colors.push([red, green, blue].map(|channel| channel as f32));
+                }
+                _ => self.note(line, "the color of the vertex is left out, as it is no number"),
+            }
+        }
         if place.abs().max_element() > LARGEST && place.is_finite() {
             return Err(ObjFault::OutOfRange { meaning: "a coordinate", found: rest.to_owned() });
         }

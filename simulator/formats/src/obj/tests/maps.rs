@@ -97,7 +97,7 @@ fn a_picture_that_is_not_there_is_a_note() {
         note("map_Kd m.mtl"),
         "m.mtl:2: `m.mtl`: left out: it is no PNG, JPEG or PPM file; convert it to one of them"
     );
-    assert_eq!(note("norm Wood.png"), "m.mtl:2: `norm` is left out");
+    assert_eq!(note("disp Wood.png"), "m.mtl:2: `disp` is left out");
     assert_eq!(note("map_Ke Wood.png"), "m.mtl:2: `map_Ke` is left out");
     // A black base is meant to be covered: with and without the picture.
     with_material("Kd 0 0 0\nmap_Kd none.png", |import| {
@@ -144,6 +144,17 @@ fn bumps_are_as_high_as_their_pixels_are_wide() {
             assert!((step - 1.0).abs() < 1e-6 && (height - 2.0 * factor).abs() < 1e-5, "{height} {step}");
         });
     }
+}
+
+#[test]
+fn normal_maps_are_numbers() {
+    with_material("norm Wood.png", |import| {
+        let [map] = import.scene.materials[0].maps else { unreachable!() };
+        assert_eq!(map.onto, Onto::Normal { strength: 1.0 });
+        let (image, _) = image(&map.texture);
+        assert_eq!(image.encoding, rayline::Encoding::Linear);
+        assert_eq!(image.light(0, 0), LinearRgb::new(1.0, 0.0, 0.0));
+    });
 }
 
 #[test]

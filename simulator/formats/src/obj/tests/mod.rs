@@ -7,7 +7,7 @@ use std::fs;
 
 use proptest::prelude::*;
 use rayline::shape::Mesh;
-use rayline::{LinearRgb, Material, Optics, PreparedScene, Vec3};
+use rayline::{LinearRgb, Material, Optics, PreparedScene, Texture, Vec3};
 
 use super::*;
 
@@ -170,6 +170,33 @@ fn corners_without_a_normal_get_that_of_their_face() {
     // In a face with a normal, the others are on its side.
     with_files(&format!("{corners}f 3//1 4 2"), "", |import| {
         assert_eq!(mesh(&import.unwrap(), 0).normals.unwrap(), [up, up, up]);
+    });
+}
+
+#[test]
+fn vertices_have_colors() {
+    let faces = "vt 0 0\nv 1 1 0\nf 1 2 3\n";
+    const CODES: [[u8; 3]; 3] = [[255, 0, 128], [0, 51, 0], [255; 3]];
+    for colored in
+        ["v 0 0 0 1 0 0.502\nv 1 0 0 0 0.2 0\nv 0 1 0\n", "v 0 0 0 255 0 128\nv 1 0 0 1 0 51 0\nv 0 1 0\n"]
+    {
+        with_files(&format!("{colored}{faces}"), "", |import| {
+            let import = import.unwrap();
+            assert_eq!(mesh(&import, 0).colors, Some(&CODES[..]));
+            // The vertices have the whole color.
+            assert_eq!(import.scene.materials[0].color, Texture::Solid(LinearRgb::WHITE));
+            assert_eq!(import.notes.len(), 1, "{:?}", import.notes);
+        });
+    }
+    // White is no color.
+    with_files(&format!("v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0\n{faces}"), "", |import| {
+        let import = import.unwrap();
+        assert_eq!(mesh(&import, 0).colors, None);
+        assert_eq!(import.scene.materials[0].color, Texture::Solid(LinearRgb::gray(0.7)));
+    });
+    with_files(&format!("v 0 0 0 1 x 0\nv 1 0 0\nv 0 1 0\n{faces}"), "", |import| {
+        let expected = "model.obj:1: the color of the vertex is left out, as it is no number";
+        assert_eq!(import.unwrap().notes[0], expected);
     });
 }
 
