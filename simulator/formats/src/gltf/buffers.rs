@@ -88,9 +88,10 @@ fn strip_scheme<'u>(uri: &'u str, scheme: &str) -> Option<&'u str> {
 
 /// The relative path of a URI, if it stays in the folder of the file.
 fn below(uri: &str) -> Option<PathBuf> {
-    let path = unescaped(uri)?;
-    // These characters may belong to a scheme, a drive, or a separator of other systems.
-    if path.is_empty() || path.contains([':', '\\', '\0']) {
+    // Some programs write the separator of their system.
+    let path = unescaped(uri)?.replace('\\', "/");
+    // A colon may belong to a scheme or a drive.
+    if path.is_empty() || path.contains([':', '\0']) {
         return None;
     }
     let path = PathBuf::from(path);

@@ -31,6 +31,7 @@ pub(super) struct Root {
     pub(super) samplers: Vec<Sampler>,
     pub(super) scene: Option<usize>,
     pub(super) scenes: Vec<Scene>,
+    pub(super) skins: Vec<Skin>,
     pub(super) textures: Vec<Texture>,
 }
 
@@ -246,6 +247,9 @@ fn white() -> [f32; 3] {
 pub(super) struct Mesh {
     pub(super) name: Option<String>,
     pub(super) primitives: Vec<Primitive>,
+    /// The weights of morph targets, for nodes without weights of their own.
+    #[serde(default)]
+    pub(super) weights: Vec<f32>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -256,8 +260,9 @@ pub(super) struct Primitive {
     pub(super) material: Option<usize>,
     #[serde(default = "triangles")]
     pub(super) mode: u32,
+    /// The accessors of each morph target, by their meaning.
     #[serde(default)]
-    pub(super) targets: Vec<IgnoredAny>,
+    pub(super) targets: Vec<BTreeMap<String, usize>>,
 }
 
 /// The mode of a primitive: a list of triangles.
@@ -272,7 +277,9 @@ pub(super) struct Node {
     pub(super) camera: Option<usize>,
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
-    pub(super) skin: Option<IgnoredAny>,
+    pub(super) skin: Option<usize>,
+    /// The weights of morph targets; `None` for those of the mesh.
+    pub(super) weights: Option<Vec<f32>>,
     /// Column after column.
     pub(super) matrix: Option<[f32; 16]>,
     /// A quaternion: x, y, z, w.
@@ -287,6 +294,20 @@ pub(super) struct Node {
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: Option<NodeLight>,
+    #[serde(rename = "KHR_node_visibility")]
+    pub(super) visibility: Visibility,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default)]
+pub(super) struct Visibility {
+    pub(super) visible: bool,
+}
+
+impl Default for Visibility {
+    fn default() -> Self {
+        Self { visible: true }
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -342,6 +363,14 @@ pub(super) struct Scene {
     pub(super) name: Option<String>,
     #[serde(default)]
     pub(super) nodes: Vec<usize>,
+}
+
+/// The joints that move the vertices of a mesh.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub(super) inverse_bind_matrices: Option<usize>,
+    pub(super) joints: Vec<usize>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -3,11 +3,16 @@
 //!
 //! The parts of a file become:
 //!
-//! - `scene`: the scene to read; without it the first scene, and without scenes all nodes.
+//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no nodes,
+//!   all nodes.
 //! - nodes: transforms of their meshes, cameras and lights; a mirroring node reverses its triangles, so that
 //!   their fronts stay outside.
 //! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several.
-//! - triangles, strips, fans: triangles; points and lines are left out.
+//! - triangles, strips, fans: triangles; points and lines are left out, and so is a primitive without
+//!   `POSITION`.
+//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the transform
+//!   of the mesh's own node does not count.
+//! - morph targets: the mesh with the default weights, those of the node, else those of the mesh.
 //! - `NORMAL`: smooth normals; a mesh without them is flat.
 //! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else 0;
 //!   transformed by `KHR_texture_transform`.
@@ -15,11 +20,16 @@
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
 //! - buffers, images: read from the file itself, from `data:` URIs, and from files in its folder or below,
-//!   but from no other place.
+//!   but from no other place. An image that is elsewhere, or cannot be read, is left out.
+//! - `KHR_node_visibility`: meshes of invisible nodes are left out.
 //!
-//! A missing camera or light is added. Animations, skins (meshes keep their rest pose), morph targets, vertex
-//! colors, other cameras, other scenes and all extensions that are not named here are left out.
-//! [`Import::notes`] lists what was added and left out.
+//! A missing camera or light is added. Animations, vertex colors, other cameras, other scenes and all
+//! extensions that are not named here are left out, and so are normals and texture coordinates of another
+//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it requires
+//! an unknown extension, unless the scene at rest looks the same without it, or the extension is one of
+//! materials or of the format of pictures.
+//!
+//! Whole numbers may be written with a point, as `5126.0`, and parts that are not there as `null`.
 //!
 //! # Materials
 //! - `baseColorFactor`: the color, in linear light.
@@ -63,10 +73,12 @@ mod json;
 mod lights;
 mod materials;
 mod nodes;
+mod skins;
 #[cfg(test)]
 mod tests;
 mod textures;
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
 
@@ -81,11 +93,11 @@ use accessor::{Lists, MOST};
 use buffers::Buffers;
 use error::{At, Wrong, find, name};
 pub use error::{GltfError, GltfFault};
-use geometry::Geometry;
+use geometry::{Geometry, Posture};
 use json::Root;
 use materials::Materials;
 use nodes::Placed;
-
+use skins::Skins;
 use textures::Textures;
 
 /// A scene that was read from a file.
@@ -157,13 +169,22 @@ fn of_bytes<'a>(arena: &'a Bump, bytes: &[u8], folder: &Path) -> Result<Import<'
     let nodes = nodes::placed(&root, &mut notes)?;
     let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
     let mut names = Names::default();
-    let (mut objects, mut room) = (Vec::new(), MOST);
-    for placed in &nodes {
-        if placed.node.skin.is_some() {
-            notes.add(placed.name(), "its skin is left out");
+    let (mut skins, mut objects, mut room) = (Skins::default(), Vec::new(), MOST);
+    let mut drawn = HashSet::new();
+    for placed in nodes.iter().filter(|placed| !placed.is_hidden) {
+        // Equal meshes in one place would take time, and could be seen through each other in any order.
+        if placed.node.mesh.is_some() && !drawn.insert(placed.look()) {
+            notes.add(placed.name(), "left out: another node draws the same mesh in the same place");
+            continue;
         }
-        let mut meshes =
-            Meshes { arena, lists, materials: &mut materials, notes: &mut notes, room: &mut room };
+        let mut meshes = Meshes {
+            arena,
+            lists,
+            materials: &mut materials,
+            skins: &mut skins,
+            notes: &mut notes,
+            room: &mut room,
+        };
         meshes.add(&root, placed, &mut objects, &mut names.objects).at(|| placed.name())?;
     }
     let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
@@ -199,6 +220,7 @@ struct Meshes<'s, 'a, 'f> {
     arena: &'a Bump,
     lists: Lists<'f>,
     materials: &'s mut Materials<'a, 'f>,
+    skins: &'s mut Skins,
     notes: &'s mut Notes,
     room: &'s mut usize,
 }
@@ -214,12 +236,21 @@ impl<'a> Meshes<'_, 'a, '_> {
     ) -> Result<(), Wrong> {
         let Some(index) = placed.node.mesh else { return Ok(()) };
         let mesh = find(&root.meshes, "mesh", index)?;
+        let joints = placed.node.skin.and_then(|skin| match self.skins.joints(self.lists, skin) {
+            Ok(joints) => Some(joints),
+            Err(Wrong { fault, .. }) => {
+                self.notes.add(placed.name(), format!("its skin is left out: {fault}"));
+                None
+            }
+        });
+        let weights = skins::weights(placed.node, mesh);
+        let posture = Posture { place: &placed.place, joints: joints.as_deref(), weights };
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             let called = || format!("{}, primitive {number}", name("mesh", index, mesh.name.as_ref()));
             let material = primitive.material;
             let coordinates = self.materials.coordinates(material).at(called)?;
             let geometry =
-                Geometry::read(self.lists, primitive, &placed.place, &coordinates, self.room).at(called)?;
+                Geometry::read(self.lists, primitive, posture, &coordinates, self.room).at(called)?;
             for note in &geometry.notes {
                 self.notes.add(called(), *note);
             }

@@ -111,28 +111,27 @@ impl<'a, 'f> Textures<'a, 'f> {
         Ok(image.map(|image| Picture { image, filter, ends: ends[0] }))
     }
 
+    /// The picture of an image; `None` with a note if it cannot be read.
     fn image(&mut self, index: usize, notes: &mut Notes) -> Result<Option<Raster>, Wrong> {
         let image = find(&self.lists.root.images, "image", index)?;
         let at = || name("image", index, image.name.as_ref());
         let buffers = self.lists.buffers;
         let bytes = match (&image.uri, image.buffer_view) {
-            (Some(uri), _) => match buffers.resource(uri) {
-                Err(GltfFault::Unreadable(reason)) => {
-                    notes.add(at(), format!("left out: {reason}"));
-                    return Ok(None);
-                }
-                bytes => bytes.at(at)?,
-            },
-            (None, Some(view)) => buffers.view(view).at(at)?.0.into(),
-            (None, None) => return Err(GltfFault::NoBytes).at(at),
+            (Some(uri), _) => buffers.resource(uri).map_err(Wrong::from),
+            (None, Some(view)) => buffers.view(view).map(|(bytes, _)| bytes.into()),
+            (None, None) => Err(GltfFault::NoBytes.into()),
         };
-        match Raster::decode(&bytes) {
+        let decoded = bytes.map_err(|Wrong { fault, .. }| fault.to_string()).and_then(|bytes| {
+            let picture = Raster::decode(&bytes);
+            picture.map_err(|error| error.to_string())
+        });
+        match decoded {
             Ok(image) => {
                 self.take(image.pixels.len()).at(at)?;
                 Ok(Some(image))
             }
-            Err(error) => {
-                notes.add(at(), format!("left out: {error}"));
+            Err(reason) => {
+                notes.add(at(), format!("left out: {reason}"));
                 Ok(None)
             }
         }
