@@ -9,7 +9,7 @@ use super::json::Primitive;
 use super::nodes::Place;
 use super::skins::{self, Places};
 use super::textures::Coordinates;
-use crate::model::{FARTHEST_UV, Whole};
+use crate::model::Whole;
 
 /// How triangles follow from corners.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,8 @@ pub(super) struct Geometry {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     normals: Option<Vec<Vec3>>,
-    uvs: Option<Vec<[f32; 2]>>,
+    /// Texture coordinates, and how many times they were halved.
+    uvs: Option<(Vec<[f32; 2]>, u8)>,
     /// Notes about parts that are left out.
     pub(super) notes: Vec<&'static str>,
 }
@@ -98,9 +99,9 @@ impl Geometry {
         Ok(Self { vertices, triangles, normals, uvs, notes: reading.notes })
     }
 
-    /// Whether the primitive has texture coordinates.
-    pub(super) fn has_uvs(&self) -> bool {
-        self.uvs.is_some()
+    /// How many times the texture coordinates of the primitive were halved; `None` if it has none.
+    pub(super) fn halvings(&self) -> Option<u8> {
+        self.uvs.as_ref().map(|(_, halvings)| *halvings)
     }
 
     /// Whether the primitive has no triangles.
@@ -113,7 +114,7 @@ impl Geometry {
             vertices: &self.vertices,
             triangles: &self.triangles,
             normals: self.normals.as_deref(),
-            uvs: self.uvs.as_deref(),
+            uvs: self.uvs.as_ref().map(|(uvs, _)| &**uvs),
             colors: None,
         }
     }
@@ -179,24 +180,19 @@ impl Reading<'_> {
         })
     }
 
-    fn uvs(&mut self, coordinates: &Coordinates) -> Option<Vec<[f32; 2]>> {
+    fn uvs(&mut self, coordinates: &Coordinates) -> Option<(Vec<[f32; 2]>, u8)> {
         let uvs = self.attribute::<2>(
             &format!("TEXCOORD_{}", coordinates.set),
             "texture coordinates are left out: they cannot be read",
             "texture coordinates are left out: there are not as many as positions",
         )?;
-        let uvs: Vec<_> = uvs.into_iter().map(|uv| coordinates.upward(uv)).collect();
-        if is_too_far(&uvs) {
-            self.notes.push("texture coordinates are left out: some are beyond ±59");
-            return None;
+        let mut uvs: Vec<_> = uvs.into_iter().map(|uv| coordinates.upward(uv)).collect();
+        let halvings = coordinates.reduce(&mut uvs);
+        if halvings.is_none() && coordinates.are_used() {
+            self.notes.push("texture coordinates are left out: some are beyond ±30,000,000");
         }
-        Some(uvs)
+        halvings.map(|halvings| (uvs, halvings))
     }
-}
-
-/// Whether texture coordinates are beyond the range of fixed point.
-fn is_too_far(uvs: &[[f32; 2]]) -> bool {
-    uvs.as_flattened().iter().any(|coordinate| !(coordinate.abs() <= FARTHEST_UV))
 }
 
 /// Refuses a corner of a triangle that is none of the vertices.

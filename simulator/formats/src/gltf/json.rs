@@ -160,6 +160,19 @@ impl Default for Material {
     }
 }
 
+impl Material {
+    /// The factor and the texture of the base color.
+    pub(super) fn base(&self) -> ([f32; 4], Option<&TextureInfo>) {
+        match &self.extensions.specular_glossiness {
+            Some(gloss) => (gloss.diffuse_factor, gloss.diffuse_texture.as_ref()),
+            None => {
+                let pbr = &self.pbr_metallic_roughness;
+                (pbr.base_color_factor, pbr.base_color_texture.as_ref())
+            }
+        }
+    }
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct MetallicRoughness {
@@ -185,16 +198,73 @@ impl Default for MetallicRoughness {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct MaterialExtensions {
+    #[serde(rename = "KHR_materials_clearcoat")]
+    pub(super) clearcoat: Option<Clearcoat>,
     #[serde(rename = "KHR_materials_emissive_strength")]
     pub(super) emissive_strength: Option<EmissiveStrength>,
     #[serde(rename = "KHR_materials_ior")]
     pub(super) ior: Option<Ior>,
+    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    pub(super) specular_glossiness: Option<SpecularGlossiness>,
+    #[serde(rename = "KHR_materials_specular")]
+    pub(super) specular: Option<Specular>,
     #[serde(rename = "KHR_materials_transmission")]
     pub(super) transmission: Option<Transmission>,
     #[serde(rename = "KHR_materials_unlit")]
     pub(super) unlit: Option<IgnoredAny>,
     #[serde(rename = "KHR_materials_volume")]
     pub(super) volume: Option<Volume>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Clearcoat {
+    pub(super) clearcoat_factor: f32,
+    pub(super) clearcoat_texture: Option<TextureInfo>,
+    pub(super) clearcoat_roughness_factor: f32,
+    pub(super) clearcoat_roughness_texture: Option<TextureInfo>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct SpecularGlossiness {
+    pub(super) diffuse_factor: [f32; 4],
+    pub(super) diffuse_texture: Option<TextureInfo>,
+    pub(super) specular_factor: Option<[f32; 3]>,
+    pub(super) glossiness_factor: f32,
+    pub(super) specular_glossiness_texture: Option<TextureInfo>,
+}
+
+impl Default for SpecularGlossiness {
+    fn default() -> Self {
+        Self {
+            diffuse_factor: [1.0; 4],
+            diffuse_texture: None,
+            specular_factor: None,
+            glossiness_factor: 1.0,
+            specular_glossiness_texture: None,
+        }
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Specular {
+    pub(super) specular_factor: f32,
+    pub(super) specular_texture: Option<TextureInfo>,
+    pub(super) specular_color_factor: [f32; 3],
+    pub(super) specular_color_texture: Option<TextureInfo>,
+}
+
+impl Default for Specular {
+    fn default() -> Self {
+        Self {
+            specular_factor: 1.0,
+            specular_texture: None,
+            specular_color_factor: [1.0; 3],
+            specular_color_texture: None,
+        }
+    }
 }
 
 #[derive(Debug, Deserialize)]

@@ -14,8 +14,10 @@
 //!   of the mesh's own node does not count.
 //! - morph targets: the mesh with the default weights, those of the node, else those of the mesh.
 //! - `NORMAL`: smooth normals; a mesh without them is flat.
-//! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else 0;
-//!   transformed by `KHR_texture_transform`.
+//! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else of
+//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59 are
+//!   moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power of
+//!   two, and the texture is as many times smaller.
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
@@ -34,7 +36,8 @@
 //! # Materials
 //! - `baseColorFactor`: the color, in linear light.
 //! - `baseColorTexture`: an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`;
-//!   wrapped by `wrapS`.
+//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors, else
+//!   three.
 //! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color (of a texture, the mean) by Schlick's
 //!   approximation. Below 0.5: the color is diffuse, under a clear coat that mirrors by Fresnel's equations.
 //! - `roughnessFactor`: reflections are sharp in Rayline, so the reflectance is 1 - 2 roughness, and 0 from
@@ -42,7 +45,10 @@
 //! - the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, at most 2000; its strength (1 - roughness) f n /
 //!   8, at most 1 - roughness, where f is 1 for metals, else the coat's reflectance at normal incidence; none
 //!   below 1/256.
-//! - `metallicRoughnessTexture`: its mean, times the factors.
+//! - `metallicRoughnessTexture`: where its texels differ, maps of the coefficients: the diffuse factor is 1 -
+//!   metallic (1 - 2 roughness), and a metal mirrors as much at any angle, in the mean color. Else its mean,
+//!   times the factors; the mean is also used, with a note, with transparency, glass or a clear coat, and on
+//!   other texture coordinates than those of the base color.
 //! - `emissiveFactor`, `KHR_materials_emissive_strength`: the emission, at most 100.
 //! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
 //!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
@@ -50,8 +56,14 @@
 //! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
 //! - `KHR_materials_volume`: absorption in glass, from distance and color.
 //! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
+//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal below a
+//!   coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
+//! - `KHR_materials_specular`: factors of the reflection and the highlight of a surface that is no metal.
+//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular color up
+//!   to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the diffuse
+//!   color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
 //! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
-//!   `MASK`: it is opaque or fully transparent.
+//!   `MASK`: it is opaque or fully transparent, with sharp edges between the texels of a texture.
 //! - `doubleSided`: ignored: all surfaces are seen from both sides.
 //!
 //! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Normal, occlusion,
@@ -68,6 +80,7 @@ mod buffers;
 mod cameras;
 mod container;
 mod error;
+mod finish;
 mod geometry;
 mod json;
 mod lights;
@@ -261,7 +274,7 @@ impl<'a> Meshes<'_, 'a, '_> {
                 }
                 continue;
             }
-            let material = self.materials.id(material, geometry.has_uvs(), self.notes).at(called)?;
+            let material = self.materials.id(material, geometry.halvings(), self.notes).at(called)?;
             for mesh in meshes {
                 if objects.len() >= MAX_COUNT {
                     return Err(GltfFault::TooMany { what: "objects", most: MAX_COUNT }.into());
