@@ -399,7 +399,7 @@ fn textures_repeat_at_any_coordinates() {
     assert_eq!(
         read(&of(far, repeat)),
         (
-            vec![[-0.75, -350.0], [0.25, 350.0], [-0.75, 349.0]]
+            [[-0.75, -350.0], [0.25, 350.0], [-0.75, 349.0]]
                 .iter()
                 .map(|[u, v]: &[f32; 2]| [u / 8.0, v / 8.0])
                 .collect::<Vec<_>>(),
