@@ -315,7 +315,8 @@ fn images() -> BoxedStrategy<Image<'static>> {
 }
 
 fn ends() -> impl Strategy<Value = Ends> {
-    prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)]
+    let axis = || prop_oneof![Just(Ends::Repeat), Just(Ends::Mirror), Just(Ends::Extend)];
+    (axis(), axis()).prop_map(|(across, up)| Ends::of_axes([across, up]))
 }
 
 /// Patterns and images with these numbers and colors; not all are legal.

@@ -18,7 +18,8 @@ pub struct Gradient<R = f32> {
     pub ends: Ends,
 }
 
-/// The continuation of a figure beyond its ends.
+/// The continuation of a figure beyond its ends. An image has four edges: the names of two words are for
+/// images that continue to the left and right by the first word, and upward and downward by the second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ends {
@@ -29,10 +30,50 @@ pub enum Ends {
     Mirror,
     /// Extend the color at the end.
     Extend,
+    /// Repeat to the left and right, mirror upward and downward.
+    RepeatMirror,
+    /// Repeat to the left and right, extend upward and downward.
+    RepeatExtend,
+    /// Mirror to the left and right, repeat upward and downward.
+    MirrorRepeat,
+    /// Mirror to the left and right, extend upward and downward.
+    MirrorExtend,
+    /// Extend to the left and right, repeat upward and downward.
+    ExtendRepeat,
+    /// Extend to the left and right, mirror upward and downward.
+    ExtendMirror,
 }
 
 impl Ends {
-    /// Maps a coordinate to the position inside of the figure, from 0 to 1.
+    /// The continuation to the left and right, and that upward and downward: each is [`Repeat`](Self::Repeat),
+    /// [`Mirror`](Self::Mirror) or [`Extend`](Self::Extend).
+    pub const fn axes(self) -> [Self; 2] {
+        match self {
+            Self::Repeat | Self::Mirror | Self::Extend => [self, self],
+            Self::RepeatMirror => [Self::Repeat, Self::Mirror],
+            Self::RepeatExtend => [Self::Repeat, Self::Extend],
+            Self::MirrorRepeat => [Self::Mirror, Self::Repeat],
+            Self::MirrorExtend => [Self::Mirror, Self::Extend],
+            Self::ExtendRepeat => [Self::Extend, Self::Repeat],
+            Self::ExtendMirror => [Self::Extend, Self::Mirror],
+        }
+    }
+
+    /// The continuation with these [`axes`](Self::axes); of an axis with a name of two words, the first counts.
+    pub const fn of_axes([across, up]: [Self; 2]) -> Self {
+        match (across.axes()[0], up.axes()[0]) {
+            (Self::Repeat, Self::Mirror) => Self::RepeatMirror,
+            (Self::Repeat, Self::Extend) => Self::RepeatExtend,
+            (Self::Mirror, Self::Repeat) => Self::MirrorRepeat,
+            (Self::Mirror, Self::Extend) => Self::MirrorExtend,
+            (Self::Extend, Self::Repeat) => Self::ExtendRepeat,
+            (Self::Extend, Self::Mirror) => Self::ExtendMirror,
+            (both, _) => both,
+        }
+    }
+
+    /// Maps a coordinate to the position inside of the figure along one of the [`axes`](Self::axes), from 0 to
+    /// 1.
     pub(super) fn fold<R: Real>(self, at: LatticeCoordinate<R>) -> R {
         match self {
             Self::Mirror if at.index & 1 == 1 => R::ONE - at.within,
@@ -48,7 +89,7 @@ impl Gradient {
         Ok(Gradient {
             from: check_reflectivity(self.from)?,
             to: check_reflectivity(self.to)?,
-            ends: self.ends,
+            ends: self.ends.axes()[0],
         })
     }
 }
@@ -70,5 +111,16 @@ mod tests {
         assert_eq!(folds(1.25), [0.25, 0.75, 1.0]);
         assert_eq!(folds(-0.75), [0.25, 0.75, 0.0]);
         assert_eq!(folds(2.25), [0.25, 0.25, 1.0]);
+    }
+
+    #[test]
+    fn axes_have_ends_of_their_own() {
+        let simple = [Ends::Repeat, Ends::Mirror, Ends::Extend];
+        for across in simple {
+            for up in simple {
+                assert_eq!(Ends::of_axes([across, up]).axes(), [across, up]);
+            }
+            assert_eq!(Ends::of_axes([across; 2]), across);
+        }
     }
 }

@@ -125,7 +125,7 @@ impl<'a> Image<'a> {
     }
 
     pub(super) fn prepare<R: Real>(&self) -> Result<PreparedImage<'a, R>, Fault> {
-        self.prepare_with([self.ends; 2])
+        self.prepare_with(self.ends.axes())
     }
 
     /// Prepares the image of a panorama, which repeats horizontally and is clamped vertically.
@@ -315,6 +315,11 @@ mod tests {
             (Ends::Extend, 7.0, 9.0, [0.0, 0.0, 1.0]),
             (Ends::Mirror, 1.0, 0.75, [0.0, 0.0, 1.0]),
             (Ends::Mirror, 1.75, 0.75, [1.0, 0.0, 0.0]),
+            // Each axis has its own continuation.
+            (Ends::RepeatExtend, 3.25, 9.0, [1.0, 0.0, 0.0]),
+            (Ends::RepeatExtend, 1.25, -3.0, [0.0, 0.0, 1.0]),
+            (Ends::ExtendMirror, -4.0, 1.25, [1.0, 0.0, 0.0]),
+            (Ends::ExtendMirror, 4.0, 1.75, [0.0, 0.0, 0.0]),
         ] {
             let image = Image { ends, ..image };
             for got in [at::<f32>(image, x, y), at::<f64>(image, x, y), at::<Fixed>(image, x, y)] {

@@ -21,6 +21,7 @@ mod nearest;
 pub mod nff;
 mod notes;
 pub mod obj;
+mod palette;
 mod pictures;
 pub mod povray;
 pub mod raster;

@@ -37,6 +37,8 @@ pub enum RasterError {
 const MOST_SIDE: usize = u16::MAX as usize;
 /// The most bytes that a decoder may take.
 const MOST_BYTES: usize = 1 << 29;
+/// The most pixels of an image that is read piece by piece.
+const MOST_PIXELS: usize = 1 << 28;
 
 impl Raster {
     /// Reads a PNG, JPEG or PPM file.
@@ -76,10 +78,7 @@ impl Raster {
     }
 
     fn of_png(bytes: &[u8]) -> Result<Self, RasterError> {
-        let limits = png::Limits { bytes: MOST_BYTES };
-        let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
-        decoder.set_transformations(Transformations::normalize_to_color8());
-        let mut reader = decoder.read_info().map_err(broken)?;
+        let mut reader = png_reader(bytes)?;
         let size = (reader.info().width as usize, reader.info().height as usize);
         check(size)?;
         let length = reader.output_buffer_size().filter(|length| *length <= MOST_BYTES);
@@ -124,6 +123,51 @@ impl Raster {
         let pixels = rest.get(1..).and_then(|pixels| pixels.get(..width * height * 3));
         let pixels = pixels.ok_or_else(|| broken("it ends before the last pixel"))?;
         Self::of_channels((width, height), 3, pixels)
+    }
+}
+
+/// A reader of a PNG file, whose pixels have 8 bits in each channel.
+fn png_reader(bytes: &[u8]) -> Result<png::Reader<Cursor<&[u8]>>, RasterError> {
+    let limits = png::Limits { bytes: MOST_BYTES };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    decoder.set_transformations(Transformations::normalize_to_color8());
+    decoder.read_info().map_err(broken)
+}
+
+/// Reads an image piece by piece, from the top: red, green, blue and opacity of each pixel. A PNG file that is
+/// not interlaced is never held as a whole. The result is width and height.
+///
+/// # Errors
+/// The errors of [`Raster::decode`].
+pub(crate) fn each_pixel(bytes: &[u8], mut visit: impl FnMut([u8; 4])) -> Result<(u16, u16), RasterError> {
+    if bytes.starts_with(&[0x89, b'P', b'N', b'G']) {
+        let mut reader = png_reader(bytes)?;
+        let info = reader.info();
+        let (width, height, interlaced) = (info.width as usize, info.height as usize, info.interlaced);
+        if !interlaced {
+            if width > MOST_SIDE || height > MOST_SIDE || width * height > MOST_PIXELS {
+                return Err(RasterError::Size);
+            }
+            let channels = reader.output_color_type().0.samples();
+            while let Some(row) = reader.next_row().map_err(broken)? {
+                row.data().chunks_exact(channels).map(rgba).for_each(&mut visit);
+            }
+            return Ok((width as u16, height as u16));
+        }
+    }
+    let Raster { width, height, pixels } = Raster::decode(bytes)?;
+    pixels.into_iter().for_each(visit);
+    Ok((width as u16, height as u16))
+}
+
+/// Red, green, blue and opacity of a pixel of 1 to 4 channels.
+fn rgba(channels: &[u8]) -> [u8; 4] {
+    match *channels {
+        [gray] => [gray, gray, gray, u8::MAX],
+        [gray, alpha] => [gray, gray, gray, alpha],
+        [r, g, b] => [r, g, b, u8::MAX],
+        [r, g, b, alpha, ..] => [r, g, b, alpha],
+        [] => [0; 4],
     }
 }
 

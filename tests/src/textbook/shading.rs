@@ -133,10 +133,11 @@ fn figure(placed: &Placed<'_>, point: DVec3) -> DVec3 {
             color(if is_first { stripes.first } else { stripes.second })
         }
         Figure::Gradient(gradient) => {
-            let share = match gradient.ends {
-                Ends::Repeat => at.x.rem_euclid(1.0),
+            let [across, _] = gradient.ends.axes();
+            let share = match across {
                 Ends::Mirror => 1.0 - (at.x.rem_euclid(2.0) - 1.0).abs(),
                 Ends::Extend => at.x.clamp(0.0, 1.0),
+                _ => at.x.rem_euclid(1.0),
             };
             color(gradient.from).lerp(color(gradient.to), share)
         }

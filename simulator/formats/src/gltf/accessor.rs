@@ -5,9 +5,9 @@ use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Accessor, Root};
 use crate::nff::Excerpt;
 
-/// The most elements of a list, and the most triangles of a file: a thousand times what a microcontroller can
-/// hold.
-pub(super) const MOST: usize = 1 << 22;
+/// The most elements of a list, and the most vertices and corners of a file: thousands of times what a
+/// microcontroller can hold.
+pub(super) const MOST: usize = 1 << 24;
 
 /// Reads the lists of a file.
 #[derive(Clone, Copy, Debug)]
@@ -23,9 +23,14 @@ impl Lists<'_> {
         Ok(usize::try_from(accessor.count).unwrap_or(usize::MAX))
     }
 
-    /// A list of vectors. Integers that are `normalized` are shares of the largest integer.
+    /// A list of vectors or matrices. Integers that are `normalized` are shares of the largest integer.
     pub(super) fn vectors<const N: usize>(&self, index: usize) -> Result<Vec<[f32; N]>, Wrong> {
-        let kind = if N == 2 { "VEC2" } else { "VEC3" };
+        let kind = match N {
+            2 => "VEC2",
+            3 => "VEC3",
+            4 => "VEC4",
+            _ => "MAT4",
+        };
         self.read(index, (kind, N), [0.0; N], |bytes, component, normalized| {
             let mut vector = [0.0; N];
             for (number, bytes) in vector.iter_mut().zip(bytes.chunks(component.size())) {
@@ -41,6 +46,17 @@ impl Lists<'_> {
     /// A list of indices of vertices.
     pub(super) fn indices(&self, index: usize) -> Result<Vec<u32>, Wrong> {
         self.read(index, ("SCALAR", 1), 0, |bytes, component, _| whole(bytes, component))
+    }
+
+    /// A list of the four joints of each vertex.
+    pub(super) fn joints(&self, index: usize) -> Result<Vec<[u32; 4]>, Wrong> {
+        self.read(index, ("VEC4", 4), [0; 4], |bytes, component, _| {
+            let mut joints = [0; 4];
+            for (joint, bytes) in joints.iter_mut().zip(bytes.chunks(component.size())) {
+                *joint = whole(bytes, component)?;
+            }
+            Ok(joints)
+        })
     }
 
     fn read<T: Copy>(

@@ -90,9 +90,10 @@ fn strip_scheme<'u>(uri: &'u str, scheme: &str) -> Option<&'u str> {
 
 /// The path in a URI.
 fn name_in(uri: &str) -> Option<PathBuf> {
-    let path = unescaped(uri)?;
-    // These characters may belong to a scheme, a drive, or a separator of other systems.
-    if path.is_empty() || path.contains([':', '\\', '\0']) {
+    // Some programs write the separator of their system.
+    let path = unescaped(uri)?.replace('\\', "/");
+    // A colon may belong to a scheme or a drive.
+    if path.is_empty() || path.contains([':', '\0']) {
         return None;
     }
     Some(PathBuf::from(path))

@@ -1,21 +1,67 @@
 //! The JSON of a file, and the binary chunk of a `.glb` file (glTF 2.0 Specification, section 4.4).
 
 use serde::Deserialize;
+use serde_json::Value;
 
 use super::error::{At, GltfFault, Wrong};
 use super::json::Root;
 use crate::text::without_mark;
 
 /// The extensions that are read.
-const EXTENSIONS: [&str; 8] = [
+const EXTENSIONS: [&str; 12] = [
     "KHR_lights_punctual",
+    "KHR_materials_clearcoat",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",
     "KHR_materials_transmission",
     "KHR_materials_unlit",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
+];
+
+/// Extensions that a file may require although they are left out. The scene at rest looks the same without
+/// them, or only the finish of a surface or a picture on it is another one.
+const WITHOUT_HARM: [&str; 33] = [
+    // Choices, movements and descriptions.
+    "AGI_articulations",
+    "AGI_stk_metadata",
+    "CESIUM_primitive_outline",
+    "EXT_feature_metadata",
+    "EXT_instance_features",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "KHR_animation2",
+    "KHR_animation_pointer",
+    "KHR_audio",
+    "KHR_audio_emitter",
+    "KHR_implicit_shapes",
+    "KHR_interactivity",
+    "KHR_materials_variants",
+    "KHR_node_hoverability",
+    "KHR_node_selectability",
+    "KHR_physics_rigid_bodies",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_lod",
+    "MSFT_packing_normalRoughnessMetallic",
+    "MSFT_packing_occlusionRoughnessMetallic",
+    // The finish of surfaces.
+    "KHR_materials_anisotropy",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
+    // Formats of pictures.
+    "EXT_texture_avif",
+    "EXT_texture_webp",
+    "GOOGLE_texture_basis",
+    "KHR_texture_basisu",
+    "MSFT_texture_dds",
+    "MSFT_texture_ktx",
 ];
 
 /// Reads the JSON, and returns the bytes of the first buffer if they are in the file.
@@ -44,11 +90,47 @@ fn parse(json: &[u8]) -> Result<Root, Wrong> {
     if version != "2" && !version.starts_with("2.") {
         return Err(GltfFault::Version(version).into());
     }
-    let root: Root = serde_json::from_slice(json).map_err(broken)?;
-    if let Some(name) = unknown_extensions(&root.extensions_required).next() {
+    let root: Root = match serde_json::from_slice(json) {
+        Ok(root) => root,
+        // The first error has a position, so it is the one to tell.
+        Err(error) => parse_loosely(json).ok_or_else(|| broken(error))?,
+    };
+    let required = || unknown_extensions(&root.extensions_required);
+    if let Some(name) = required().find(|name| !WITHOUT_HARM.contains(&name.as_str())) {
         return Err(GltfFault::Extension(name.clone()).into());
     }
     Ok(root)
+}
+
+/// Reads JSON in which whole numbers are written as `5126.0`, or parts that are not there as `null`; `None` if
+/// it is wrong in another way.
+fn parse_loosely(json: &[u8]) -> Option<Root> {
+    let mut all: Value = serde_json::from_slice(json).ok()?;
+    // The text has a limit to its nesting, so the list stays short.
+    let mut open = vec![&mut all];
+    while let Some(value) = open.pop() {
+        match value {
+            Value::Array(list) => open.extend(list),
+            Value::Object(fields) => {
+                fields.retain(|name, value| !value.is_null() && name != "extras");
+                open.extend(fields.values_mut());
+            }
+            Value::Number(number) => {
+                if let Some(whole) = number.as_f64().and_then(whole) {
+                    *value = whole.into();
+                }
+            }
+            _ => {}
+        }
+    }
+    serde_json::from_value(all).ok()
+}
+
+/// The whole number that a floating-point number is; `None` if it has a fraction, or is too large or negative.
+fn whole(number: f64) -> Option<u64> {
+    // All whole numbers up to 2⁵³ have a floating-point number of their own.
+    let is_whole = (0.0..=9_007_199_254_740_992.0).contains(&number) && number.fract() == 0.0;
+    is_whole.then_some(number as u64)
 }
 
 /// The chunks of a binary file: the JSON, and the bytes if there are any.

@@ -7,8 +7,9 @@ use super::accessor::{Lists, MOST};
 use super::error::{At, GltfFault, Wrong};
 use super::json::Primitive;
 use super::nodes::Place;
+use super::skins::{self, Places};
 use super::textures::Coordinates;
-use crate::model::{FARTHEST_UV, Whole};
+use crate::model::Whole;
 
 /// How triangles follow from corners.
 #[derive(Clone, Copy, Debug)]
@@ -27,9 +28,21 @@ pub(super) struct Geometry {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     normals: Option<Vec<Vec3>>,
-    uvs: Option<Vec<[f32; 2]>>,
+    /// Texture coordinates, and how many times they were halved.
+    uvs: Option<(Vec<[f32; 2]>, u8)>,
     /// Notes about parts that are left out.
     pub(super) notes: Vec<&'static str>,
+}
+
+/// The way in which the vertices of a primitive are placed in the scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Posture<'p> {
+    /// The transform of the node.
+    pub(super) place: &'p Place,
+    /// The transforms of the joints of its skin; `None` without a skin.
+    pub(super) joints: Option<&'p [Place]>,
+    /// The weights of morph targets.
+    pub(super) weights: &'p [f32],
 }
 
 impl Geometry {
@@ -38,66 +51,57 @@ impl Geometry {
     pub(super) fn read(
         lists: Lists<'_>,
         primitive: &Primitive,
-        place: &Place,
+        posture: Posture<'_>,
         coordinates: &Coordinates,
         room: &mut usize,
     ) -> Result<Self, Wrong> {
+        let nothing = |note| Ok(Self { notes: vec![note], ..Self::default() });
         let mode = match primitive.mode {
             4 => Mode::Triangles,
             5 => Mode::Strip,
             6 => Mode::Fan,
-            0..=3 => {
-                let notes = vec!["points and lines are left out"];
-                return Ok(Self { notes, ..Self::default() });
-            }
+            0..=3 => return nothing("points and lines are left out"),
             other => {
                 let found = other.to_string();
                 return Err(GltfFault::Kind { expected: "a mode from 0 to 6", found }.into());
             }
         };
-        let mut notes = left_out(primitive);
-        let attribute = |meaning: &str| primitive.attributes.get(meaning).copied();
-        let Some(positions) = attribute("POSITION") else {
-            let found = "none".to_owned();
-            return Err(GltfFault::Kind { expected: "an attribute POSITION", found }.into());
+        let Some(positions) = primitive.attributes.get("POSITION").copied() else {
+            return nothing("left out: it has no positions");
         };
         let corners = primitive.indices.unwrap_or(positions);
         let needed = lists.count(positions)?.saturating_add(lists.count(corners)?);
         let too_many = GltfFault::TooMany { what: "vertices and corners of triangles", most: MOST };
         *room = room.checked_sub(needed).ok_or(too_many)?;
 
-        let positions = lists.vectors::<3>(positions).at(|| "POSITION".to_owned())?;
-        let vertices =
-            positions.iter().map(|position| placed(place, *position)).collect::<Result<Vec<_>, _>>()?;
-        let normals = match attribute("NORMAL") {
-            Some(normals) => Some(self::normals(lists, normals, place, vertices.len())?),
-            None => None,
-        };
-        let uvs = match attribute(&format!("TEXCOORD_{}", coordinates.set)) {
-            Some(uvs) => Some(self::uvs(lists, uvs, coordinates, vertices.len())?),
-            None => None,
-        };
-        if uvs.as_ref().is_some_and(|uvs| is_too_far(uvs)) {
-            notes.push("texture coordinates are left out: some are beyond ±59");
-        }
+        let mut positions = lists.vectors::<3>(positions).at(|| "POSITION".to_owned())?;
         let corners = match primitive.indices {
             Some(indices) => lists.indices(indices).at(|| "indices".to_owned())?,
-            None => (0..vertices.len() as u32).collect(),
+            None => (0..positions.len() as u32).collect(),
         };
-        check_corners(&corners, vertices.len()).at(|| "indices".to_owned())?;
+        check_corners(&corners, positions.len()).at(|| "indices".to_owned())?;
+        let mut reading = Reading { lists, primitive, posture, vertices: positions.len(), notes: Vec::new() };
+        reading.morph("POSITION", &mut positions);
+        let places = reading.places();
+        let vertices = positions.iter().enumerate().map(|(vertex, at)| placed(places.of(vertex), *at));
+        let vertices = vertices.collect::<Result<Vec<_>, _>>()?;
+        let normals = reading.normals(&places);
+        let uvs = reading.uvs(coordinates);
+        if primitive.attributes.contains_key("COLOR_0") {
+            reading.notes.push("colors of vertices are left out");
+        }
         let mut triangles = triangles(mode, &corners);
-        if place.mirrors() {
+        if places.mirror() {
             for [_, second, third] in &mut triangles {
                 core::mem::swap(second, third);
             }
         }
-        let uvs = uvs.filter(|uvs| !is_too_far(uvs));
-        Ok(Self { vertices, triangles, normals, uvs, notes })
+        Ok(Self { vertices, triangles, normals, uvs, notes: reading.notes })
     }
 
-    /// Whether the primitive has texture coordinates.
-    pub(super) fn has_uvs(&self) -> bool {
-        self.uvs.is_some()
+    /// How many times the texture coordinates of the primitive were halved; `None` if it has none.
+    pub(super) fn halvings(&self) -> Option<u8> {
+        self.uvs.as_ref().map(|(_, halvings)| *halvings)
     }
 
     /// Whether the primitive has no triangles.
@@ -110,55 +114,84 @@ impl Geometry {
             vertices: &self.vertices,
             triangles: &self.triangles,
             normals: self.normals.as_deref(),
-            uvs: self.uvs.as_deref(),
+            uvs: self.uvs.as_ref().map(|(uvs, _)| &**uvs),
             colors: None,
         }
     }
 }
 
-/// Notes about parts of a primitive that are left out.
-fn left_out(primitive: &Primitive) -> Vec<&'static str> {
-    let has_targets = !primitive.targets.is_empty();
-    let has_colors = primitive.attributes.contains_key("COLOR_0");
-    let notes =
-        [(has_targets, "morph targets are left out"), (has_colors, "colors of vertices are left out")];
-    notes.into_iter().filter_map(|(is_there, note)| is_there.then_some(note)).collect()
-}
-
-/// The normals of a primitive with this number of vertices.
-fn normals(lists: Lists<'_>, accessor: usize, place: &Place, vertices: usize) -> Result<Vec<Vec3>, Wrong> {
-    let at = || "NORMAL".to_owned();
-    let normals = lists.vectors::<3>(accessor).at(at)?;
-    check_count(normals.len(), vertices).at(at)?;
-    Ok(normals.into_iter().map(place.of_normals()).collect())
-}
-
-/// The texture coordinates of a primitive with this number of vertices.
-fn uvs(
-    lists: Lists<'_>,
-    accessor: usize,
-    coordinates: &Coordinates,
+/// The reading of the attributes of a primitive's vertices. An attribute that is wrong is left out with a note.
+#[derive(Debug)]
+struct Reading<'r> {
+    lists: Lists<'r>,
+    primitive: &'r Primitive,
+    posture: Posture<'r>,
+    /// The number of vertices.
     vertices: usize,
-) -> Result<Vec<[f32; 2]>, Wrong> {
-    let at = || format!("TEXCOORD_{}", coordinates.set);
-    let uvs = lists.vectors::<2>(accessor).at(at)?;
-    check_count(uvs.len(), vertices).at(at)?;
-    Ok(uvs.into_iter().map(|uv| coordinates.upward(uv)).collect())
+    notes: Vec<&'static str>,
 }
 
-/// Whether texture coordinates are beyond the range of fixed point.
-fn is_too_far(uvs: &[[f32; 2]]) -> bool {
-    uvs.as_flattened().iter().any(|coordinate| !(coordinate.abs() <= FARTHEST_UV))
-}
+impl Reading<'_> {
+    /// Adds the morph targets to positions or normals.
+    fn morph(&mut self, meaning: &str, vectors: &mut [[f32; 3]]) {
+        let targets = (self.primitive, self.posture.weights);
+        if !skins::morph(self.lists, targets, meaning, vectors).unwrap_or(false) {
+            self.notes.push("a morph target is left out: it is not one vector for each vertex");
+        }
+    }
 
-/// Refuses a list that does not have one element for each vertex.
-fn check_count(given: usize, vertices: usize) -> Result<(), GltfFault> {
-    match given == vertices {
-        true => Ok(()),
-        false => Err(GltfFault::Kind {
-            expected: "as many as positions",
-            found: format!("{given} for {vertices}"),
-        }),
+    /// The transforms of the vertices.
+    fn places(&mut self) -> Places {
+        let place = *self.posture.place;
+        let Some(joints) = self.posture.joints else { return Places::One(place) };
+        Places::skinned(self.lists, self.primitive, joints, place).unwrap_or_else(|_| {
+            self.notes.push("its skin is left out: it is not joints and weights for each vertex");
+            Places::One(place)
+        })
+    }
+
+    /// The values of an attribute; `None` with a note if they are wrong.
+    fn attribute<const N: usize>(
+        &mut self,
+        meaning: &str,
+        wrong: &'static str,
+        many: &'static str,
+    ) -> Option<Vec<[f32; N]>> {
+        let accessor = self.primitive.attributes.get(meaning).copied()?;
+        let values = self.lists.vectors::<N>(accessor).map_err(|_| wrong);
+        let values =
+            values.and_then(|values| if values.len() == self.vertices { Ok(values) } else { Err(many) });
+        values.map_err(|note| self.notes.push(note)).ok()
+    }
+
+    fn normals(&mut self, places: &Places) -> Option<Vec<Vec3>> {
+        let mut normals = self.attribute::<3>(
+            "NORMAL",
+            "normals are left out: they cannot be read",
+            "normals are left out: there are not as many as positions",
+        )?;
+        self.morph("NORMAL", &mut normals);
+        Some(match places {
+            Places::One(place) => normals.into_iter().map(place.of_normals()).collect(),
+            Places::Each(..) => {
+                let turned = |(vertex, normal)| places.of(vertex).of_normals()(normal);
+                normals.into_iter().enumerate().map(turned).collect()
+            }
+        })
+    }
+
+    fn uvs(&mut self, coordinates: &Coordinates) -> Option<(Vec<[f32; 2]>, u8)> {
+        let uvs = self.attribute::<2>(
+            &format!("TEXCOORD_{}", coordinates.set),
+            "texture coordinates are left out: they cannot be read",
+            "texture coordinates are left out: there are not as many as positions",
+        )?;
+        let mut uvs: Vec<_> = uvs.into_iter().map(|uv| coordinates.upward(uv)).collect();
+        let halvings = coordinates.reduce(&mut uvs);
+        if halvings.is_none() && coordinates.are_used() {
+            self.notes.push("texture coordinates are left out: some are beyond ±30,000,000");
+        }
+        halvings.map(|halvings| (uvs, halvings))
     }
 }
 

@@ -31,6 +31,7 @@ pub(super) struct Root {
     pub(super) samplers: Vec<Sampler>,
     pub(super) scene: Option<usize>,
     pub(super) scenes: Vec<Scene>,
+    pub(super) skins: Vec<Skin>,
     pub(super) textures: Vec<Texture>,
 }
 
@@ -159,6 +160,19 @@ impl Default for Material {
     }
 }
 
+impl Material {
+    /// The factor and the texture of the base color.
+    pub(super) fn base(&self) -> ([f32; 4], Option<&TextureInfo>) {
+        match &self.extensions.specular_glossiness {
+            Some(gloss) => (gloss.diffuse_factor, gloss.diffuse_texture.as_ref()),
+            None => {
+                let pbr = &self.pbr_metallic_roughness;
+                (pbr.base_color_factor, pbr.base_color_texture.as_ref())
+            }
+        }
+    }
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct MetallicRoughness {
@@ -184,16 +198,73 @@ impl Default for MetallicRoughness {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct MaterialExtensions {
+    #[serde(rename = "KHR_materials_clearcoat")]
+    pub(super) clearcoat: Option<Clearcoat>,
     #[serde(rename = "KHR_materials_emissive_strength")]
     pub(super) emissive_strength: Option<EmissiveStrength>,
     #[serde(rename = "KHR_materials_ior")]
     pub(super) ior: Option<Ior>,
+    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    pub(super) specular_glossiness: Option<SpecularGlossiness>,
+    #[serde(rename = "KHR_materials_specular")]
+    pub(super) specular: Option<Specular>,
     #[serde(rename = "KHR_materials_transmission")]
     pub(super) transmission: Option<Transmission>,
     #[serde(rename = "KHR_materials_unlit")]
     pub(super) unlit: Option<IgnoredAny>,
     #[serde(rename = "KHR_materials_volume")]
     pub(super) volume: Option<Volume>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Clearcoat {
+    pub(super) clearcoat_factor: f32,
+    pub(super) clearcoat_texture: Option<TextureInfo>,
+    pub(super) clearcoat_roughness_factor: f32,
+    pub(super) clearcoat_roughness_texture: Option<TextureInfo>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct SpecularGlossiness {
+    pub(super) diffuse_factor: [f32; 4],
+    pub(super) diffuse_texture: Option<TextureInfo>,
+    pub(super) specular_factor: Option<[f32; 3]>,
+    pub(super) glossiness_factor: f32,
+    pub(super) specular_glossiness_texture: Option<TextureInfo>,
+}
+
+impl Default for SpecularGlossiness {
+    fn default() -> Self {
+        Self {
+            diffuse_factor: [1.0; 4],
+            diffuse_texture: None,
+            specular_factor: None,
+            glossiness_factor: 1.0,
+            specular_glossiness_texture: None,
+        }
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Specular {
+    pub(super) specular_factor: f32,
+    pub(super) specular_texture: Option<TextureInfo>,
+    pub(super) specular_color_factor: [f32; 3],
+    pub(super) specular_color_texture: Option<TextureInfo>,
+}
+
+impl Default for Specular {
+    fn default() -> Self {
+        Self {
+            specular_factor: 1.0,
+            specular_texture: None,
+            specular_color_factor: [1.0; 3],
+            specular_color_texture: None,
+        }
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -246,6 +317,9 @@ fn white() -> [f32; 3] {
 pub(super) struct Mesh {
     pub(super) name: Option<String>,
     pub(super) primitives: Vec<Primitive>,
+    /// The weights of morph targets, for nodes without weights of their own.
+    #[serde(default)]
+    pub(super) weights: Vec<f32>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -256,8 +330,9 @@ pub(super) struct Primitive {
     pub(super) material: Option<usize>,
     #[serde(default = "triangles")]
     pub(super) mode: u32,
+    /// The accessors of each morph target, by their meaning.
     #[serde(default)]
-    pub(super) targets: Vec<IgnoredAny>,
+    pub(super) targets: Vec<BTreeMap<String, usize>>,
 }
 
 /// The mode of a primitive: a list of triangles.
@@ -272,7 +347,9 @@ pub(super) struct Node {
     pub(super) camera: Option<usize>,
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
-    pub(super) skin: Option<IgnoredAny>,
+    pub(super) skin: Option<usize>,
+    /// The weights of morph targets; `None` for those of the mesh.
+    pub(super) weights: Option<Vec<f32>>,
     /// Column after column.
     pub(super) matrix: Option<[f32; 16]>,
     /// A quaternion: x, y, z, w.
@@ -287,6 +364,20 @@ pub(super) struct Node {
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: Option<NodeLight>,
+    #[serde(rename = "KHR_node_visibility")]
+    pub(super) visibility: Visibility,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(default)]
+pub(super) struct Visibility {
+    pub(super) visible: bool,
+}
+
+impl Default for Visibility {
+    fn default() -> Self {
+        Self { visible: true }
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -342,6 +433,14 @@ pub(super) struct Scene {
     pub(super) name: Option<String>,
     #[serde(default)]
     pub(super) nodes: Vec<usize>,
+}
+
+/// The joints that move the vertices of a mesh.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub(super) inverse_bind_matrices: Option<usize>,
+    pub(super) joints: Vec<usize>,
 }
 
 #[derive(Debug, Deserialize)]

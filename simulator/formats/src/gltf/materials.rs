@@ -8,18 +8,13 @@ use rayline::limits::MAX_COUNT;
 use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Texture};
 
 use super::error::{At, GltfFault, Wrong, find, name};
-use super::json::{Material as Described, Root, Volume};
+use super::finish::Finish;
+use super::json::{Material as Described, MaterialExtensions, Root, TextureInfo, Volume};
 use super::textures::{Coordinates, Picture, Textures};
 use crate::notes::Notes;
 
 /// The ambient coefficient as a share of the diffuse one, as in `obj`.
-const AMBIENT: f32 = 0.1;
-
-/// The largest exponent of a highlight: smaller spots fall between the pixels of small displays.
-const SMOOTHEST: f32 = 2000.0;
-
-/// The smallest visible strength of a highlight: one of 256 levels.
-const FAINTEST: f32 = 1.0 / 256.0;
+pub(super) const AMBIENT: f32 = 0.1;
 
 /// The largest emission; white is 1.
 const BRIGHTEST: f32 = 100.0;
@@ -27,7 +22,7 @@ const BRIGHTEST: f32 = 100.0;
 /// The base color of a material.
 struct Base<'a> {
     /// The image of its texture, if it has one.
-    picture: Option<Picture>,
+    picture: Option<Picture<'a>>,
     color: Texture<'a>,
     /// The mean color.
     mean: LinearRgb,
@@ -38,9 +33,10 @@ struct Base<'a> {
 pub(super) struct Materials<'a, 'f> {
     arena: &'a Bump,
     root: &'f Root,
-    textures: Textures<'a, 'f>,
-    /// The converted materials, by their number in the file and whether the object has texture coordinates.
-    known: HashMap<(Option<usize>, bool), u16>,
+    pub(super) textures: Textures<'a, 'f>,
+    /// The converted materials, by their number in the file and how many times the object's texture coordinates
+    /// were halved, if it has any.
+    known: HashMap<(Option<usize>, Option<u8>), u16>,
     pub(super) all: Vec<Material<'a>>,
     /// The names of the materials in the file.
     pub(super) names: Vec<String>,
@@ -53,9 +49,20 @@ impl<'a, 'f> Materials<'a, 'f> {
 
     /// The texture coordinates that a material uses.
     pub(super) fn coordinates(&self, index: Option<usize>) -> Result<Coordinates, Wrong> {
-        let Some(index) = index else { return Ok(Coordinates::of(None)) };
-        let material = find(&self.root.materials, "material", index)?;
-        Ok(Coordinates::of(material.pbr_metallic_roughness.base_color_texture.as_ref()))
+        let Some(index) = index else { return Ok(Coordinates::of(self.root, None)) };
+        Ok(self.coordinates_in(find(&self.root.materials, "material", index)?))
+    }
+
+    /// The texture coordinates that a material uses: those of the base color, else of metal and roughness.
+    pub(super) fn coordinates_in(&self, described: &Described) -> Coordinates {
+        let (_, base) = described.base();
+        let finish = described.pbr_metallic_roughness.metallic_roughness_texture.as_ref();
+        Coordinates::of(self.root, base.or(finish))
+    }
+
+    /// The texture coordinates of a texture.
+    pub(super) fn coordinates_of(&self, info: &TextureInfo) -> Coordinates {
+        Coordinates::of(self.root, Some(info))
     }
 
     /// The number in the scene of a material of the file, or of glTF's default material for `None`. An object
@@ -63,10 +70,10 @@ impl<'a, 'f> Materials<'a, 'f> {
     pub(super) fn id(
         &mut self,
         index: Option<usize>,
-        has_uvs: bool,
+        halvings: Option<u8>,
         notes: &mut Notes,
     ) -> Result<u16, Wrong> {
-        if let Some(id) = self.known.get(&(index, has_uvs)) {
+        if let Some(id) = self.known.get(&(index, halvings)) {
             return Ok(*id);
         }
         let too_many = |_| GltfFault::TooMany { what: "materials", most: MAX_COUNT };
@@ -79,8 +86,8 @@ impl<'a, 'f> Materials<'a, 'f> {
             }
             None => (&default, "the default material".to_owned()),
         };
-        let material = self.material(described, &name, has_uvs, notes).at(|| name.clone())?;
-        self.known.insert((index, has_uvs), id);
+        let material = self.material(described, &name, halvings, notes).at(|| name.clone())?;
+        self.known.insert((index, halvings), id);
         self.all.push(material);
         self.names.push(name);
         Ok(id)
@@ -90,58 +97,59 @@ impl<'a, 'f> Materials<'a, 'f> {
         &mut self,
         described: &Described,
         name: &str,
-        has_uvs: bool,
+        halvings: Option<u8>,
         notes: &mut Notes,
     ) -> Result<Material<'a>, Wrong> {
-        let [.., alpha] = described.pbr_metallic_roughness.base_color_factor.map(share);
-        let Base { picture, color, mean } = self.base(described, name, has_uvs, notes)?;
+        let Base { picture, color, mean } = self.base(described, name, halvings, notes)?;
         let extensions = &described.extensions;
         let plain = Material { color, ambient: AMBIENT, ..Material::matte(mean) };
+        let seen_through = (picture.as_ref(), halvings.unwrap_or_default());
         if extensions.unlit.is_some() {
             let seen = Material { ambient: 1.0, diffuse: 0.0, ..plain };
-            return self.faded(seen, described, picture.as_ref(), alpha);
+            return self.faded(seen, described, seen_through);
         }
-        let (metallic, roughness) = self.metallic_roughness(described, notes)?;
+        let finish = self.finish(described, name, notes)?;
         note_textures(described, name, notes);
-        let transmission = extensions.transmission.as_ref();
-        let transmittance = transmission.map_or(0.0, |transmission| share(transmission.transmission_factor));
-        let is_metal = metallic >= 0.5;
-        let is_glass = transmittance > 0.0 && !is_metal;
-        let ior = extensions.ior.as_ref().map_or(1.5, |ior| ior.ior);
-        // The range of fixed point. In glTF, 0 stands for a perfect mirror, which a large index approximates.
-        let ior = ior.clamp(0.14, 7.0);
-
-        // Reflections are sharp in Rayline: from a roughness of 0.5 on there are none.
-        let sharpness = (1.0 - 2.0 * roughness).max(0.0);
-        let material = with_highlight(plain, roughness, if is_metal { None } else { Some(ior) });
         let mut optics = Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN };
-        let material = if is_metal {
-            (optics.fresnel, optics.reflection_color) = (Fresnel::Schlick, mean);
-            let diffuse = 1.0 - sharpness;
-            Material { diffuse, ambient: AMBIENT * diffuse, reflectance: sharpness, ..material }
-        } else if is_glass {
-            optics.fresnel = Fresnel::Exact;
-            optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
-            optics.absorption = absorption(extensions.volume.as_ref());
-            let diffuse = 1.0 - transmittance;
-            Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
-        } else {
-            optics.fresnel = Fresnel::Exact;
-            Material { reflectance: sharpness, ior, ..material }
-        };
         optics.emission = self.emission(described, name, notes);
-        let material = self.faded(material, described, picture.as_ref(), alpha)?;
+        if let Some(texels) = self.texels(described, name, halvings, notes)? {
+            let (specular, shininess) = texels.highlight;
+            let material = Material {
+                specular,
+                shininess,
+                reflectance: texels.reflectance,
+                ior: finish.ior,
+                maps: self.arena.alloc_slice_copy(&texels.maps),
+                ..plain
+            };
+            // Schlick's approximation would mirror at the rims of rough texels, too.
+            if texels.has_metal {
+                optics.reflection_color = mean;
+            } else {
+                optics.fresnel = Fresnel::Exact;
+            }
+            return Ok(self.with_optics(material, optics));
+        }
+        let (material, optics) = finished((plain, mean), optics, finish, extensions);
+        let is_glass = material.transmittance > 0.0;
+        let mut optics = optics;
+        let material = self.faded(material, described, seen_through)?;
         if material.transmittance > 0.0 && !is_glass {
             optics.fresnel = Fresnel::Constant;
         }
+        Ok(self.with_optics(material, optics))
+    }
+
+    /// The material with optics, if it has any use for them.
+    fn with_optics(&self, material: Material<'a>, optics: Optics) -> Material<'a> {
         let is_plain = material.specular <= 0.0
             && material.reflectance <= 0.0
             && material.transmittance <= 0.0
             && optics.emission == Optics::PLAIN.emission;
-        Ok(match is_plain {
+        match is_plain {
             true => Material { ior: 1.0, ..material },
             false => Material { optics: Some(self.arena.alloc(optics)), ..material },
-        })
+        }
     }
 
     /// The base color of a material, as a texture if the object has texture coordinates.
@@ -149,41 +157,28 @@ impl<'a, 'f> Materials<'a, 'f> {
         &mut self,
         described: &Described,
         name: &str,
-        has_uvs: bool,
+        halvings: Option<u8>,
         notes: &mut Notes,
     ) -> Result<Base<'a>, Wrong> {
-        let pbr = &described.pbr_metallic_roughness;
-        let [red, green, blue, _] = pbr.base_color_factor.map(share);
+        let (factor, texture) = described.base();
+        let [red, green, blue, _] = factor.map(share);
         let factor = [red, green, blue];
         let mut picture = None;
-        if let Some(info) = &pbr.base_color_texture {
+        if let Some(info) = texture {
             picture = self.textures.picture(info.index, notes)?;
-            if !has_uvs && picture.take().is_some() {
+            if halvings.is_none() && picture.take().is_some() {
                 notes.add(name, "the texture is left out on meshes without texture coordinates");
             }
         }
         let (color, mean) = match &picture {
             Some(picture) => {
                 let [r, g, b] = picture.light();
-                let placed = self.textures.colored(picture, factor)?;
+                let placed = self.textures.colored(picture, factor, halvings.unwrap_or_default())?;
                 (Texture::Placed(placed), rgb([red * r, green * g, blue * b]))
             }
             None => (Texture::Solid(rgb(factor)), rgb(factor)),
         };
         Ok(Base { picture, color, mean })
-    }
-
-    /// The metallic and roughness factors of a surface; of a texture, the mean.
-    fn metallic_roughness(&mut self, described: &Described, notes: &mut Notes) -> Result<(f32, f32), Wrong> {
-        let pbr = &described.pbr_metallic_roughness;
-        let (mut metallic, mut roughness) = (share(pbr.metallic_factor), share(pbr.roughness_factor));
-        if let Some(info) = &pbr.metallic_roughness_texture
-            && let Some(picture) = self.textures.picture(info.index, notes)?
-        {
-            let [_, rough, metal] = picture.numbers();
-            (metallic, roughness) = (metallic * metal, roughness * rough);
-        }
-        Ok((metallic, roughness))
     }
 
     fn emission(&self, described: &Described, name: &str, notes: &mut Notes) -> LinearRgb {
@@ -202,9 +197,10 @@ impl<'a, 'f> Materials<'a, 'f> {
         &mut self,
         material: Material<'a>,
         described: &Described,
-        picture: Option<&Picture>,
-        alpha: f32,
+        (picture, halvings): (Option<&Picture<'a>>, u8),
     ) -> Result<Material<'a>, Wrong> {
+        let ([.., alpha], _) = described.base();
+        let alpha = share(alpha);
         let opacity = move |alpha: f32| match &*described.alpha_mode {
             "BLEND" => alpha,
             "MASK" if alpha < described.alpha_cutoff => 0.0,
@@ -223,8 +219,12 @@ impl<'a, 'f> Materials<'a, 'f> {
             ior: 1.0,
             ..material
         };
-        if let Some(picture) = picture
-            && let Some([opaque, clear]) = self.textures.alpha(picture, |texel| opacity(texel * alpha))?
+        // The edge of a hole is sharp: between two texels there is no half-open one.
+        let cut =
+            picture.map(|picture| if described.alpha_mode == "MASK" { picture.sharp() } else { *picture });
+        if let Some(picture) = cut
+            && let Some([opaque, clear]) =
+                self.textures.alpha(&picture, |texel| opacity(texel * alpha), halvings)?
         {
             let map = |onto, placed| Map { onto, texture: Texture::Placed(placed) };
             let [ambient, diffuse, specular] =
@@ -254,16 +254,44 @@ fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
     }
 }
 
-/// The material with the highlight of this roughness. `ior` is the index of refraction of a clear coat or of
-/// glass; `None` for a metal.
-fn with_highlight(plain: Material<'_>, roughness: f32, ior: Option<f32>) -> Material<'_> {
-    let squared = roughness.powi(4);
-    let shininess = (2.0 / squared - 2.0).min(SMOOTHEST);
-    let straight = ior.map_or(1.0, |ior| ((ior - 1.0) / (ior + 1.0)).powi(2));
-    let strength = (straight * shininess / 8.0).min(1.0) * (1.0 - roughness);
-    // Drop a highlight that no display shows: it would only take time.
-    let specular = if strength < FAINTEST { 0.0 } else { strength };
-    Material { specular, shininess: if specular > 0.0 { shininess } else { 0.0 }, ..plain }
+/// The material and optics of a whole surface with this finish. `plain` is the surface without one, and its mean
+/// color.
+fn finished<'a>(
+    (plain, mean): (Material<'a>, LinearRgb),
+    mut optics: Optics,
+    finish: Finish,
+    extensions: &MaterialExtensions,
+) -> (Material<'a>, Optics) {
+    let Finish { is_metal, mirror, ior, sharpness, highlight: (specular, shininess) } = finish;
+    let material = Material { specular, shininess, ..plain };
+    let transmission = extensions.transmission.as_ref();
+    let transmittance = transmission.map_or(0.0, |transmission| share(transmission.transmission_factor));
+    let material = if is_metal {
+        (optics.fresnel, optics.reflection_color) = (Fresnel::Schlick, mirror.unwrap_or(mean));
+        let (color, diffuse) = match (mirror, material.color) {
+            (None, color) => (color, 1.0 - sharpness),
+            // The diffuse color, and that of blurred reflections.
+            (Some(mirror), Texture::Solid(below)) => {
+                let left = 1.0 - mirror.channels().into_iter().fold(0.0, f32::max);
+                let [r, g, b] = below.channels().map(|channel| channel * left);
+                let [red, green, blue] = mirror.channels().map(|channel| channel * (1.0 - sharpness));
+                (Texture::Solid(rgb([r + red, g + green, b + blue])), 1.0)
+            }
+            (Some(mirror), color) => (color, 1.0 - mirror.channels().into_iter().fold(0.0, f32::max)),
+        };
+        Material { color, diffuse, ambient: AMBIENT * diffuse, reflectance: sharpness, ..material }
+    } else if transmittance > 0.0 {
+        optics.fresnel = Fresnel::Exact;
+        optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
+        optics.absorption = absorption(extensions.volume.as_ref());
+        let diffuse = 1.0 - transmittance;
+        Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
+    } else {
+        optics.fresnel = Fresnel::Exact;
+        optics.reflection_color = mirror.unwrap_or(LinearRgb::WHITE);
+        Material { reflectance: sharpness, ior, ..material }
+    };
+    (material, optics)
 }
 
 /// The absorption of glass per unit of length: after `attenuationDistance`, the share `attenuationColor` is
@@ -280,10 +308,10 @@ fn absorption(volume: Option<&Volume>) -> LinearRgb {
     }
 }
 
-fn share(number: f32) -> f32 {
+pub(super) fn share(number: f32) -> f32 {
     number.clamp(0.0, 1.0)
 }
 
-fn rgb([r, g, b]: [f32; 3]) -> LinearRgb {
+pub(super) fn rgb([r, g, b]: [f32; 3]) -> LinearRgb {
     LinearRgb::new(share(r), share(g), share(b))
 }

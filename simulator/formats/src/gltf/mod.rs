@@ -3,28 +3,41 @@
 //!
 //! The parts of a file become:
 //!
-//! - `scene`: the scene to read; without it the first scene, and without scenes all nodes.
+//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no nodes,
+//!   all nodes.
 //! - nodes: transforms of their meshes, cameras and lights; a mirroring node reverses its triangles, so that
 //!   their fronts stay outside.
 //! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several.
-//! - triangles, strips, fans: triangles; points and lines are left out.
+//! - triangles, strips, fans: triangles; points and lines are left out, and so is a primitive without
+//!   `POSITION`.
+//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the transform
+//!   of the mesh's own node does not count.
+//! - morph targets: the mesh with the default weights, those of the node, else those of the mesh.
 //! - `NORMAL`: smooth normals; a mesh without them is flat.
-//! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else 0;
-//!   transformed by `KHR_texture_transform`.
+//! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else of
+//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59 are
+//!   moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power of
+//!   two, and the texture is as many times smaller.
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
 //! - buffers, images: read from the file itself, from `data:` URIs, and from files in its folder or below,
-//!   but from no other place.
+//!   but from no other place. An image that is elsewhere, or cannot be read, is left out.
+//! - `KHR_node_visibility`: meshes of invisible nodes are left out.
 //!
-//! A missing camera or light is added, and a sky. Animations, skins (meshes keep their rest pose), morph targets, vertex
-//! colors, other cameras, other scenes and all extensions that are not named here are left out.
-//! [`Import::notes`] lists what was added and left out.
+//! A missing camera or light is added, and a sky. Animations, vertex colors, other cameras, other scenes and all
+//! extensions that are not named here are left out, and so are normals and texture coordinates of another
+//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it requires
+//! an unknown extension, unless the scene at rest looks the same without it, or the extension is one of
+//! materials or of the format of pictures.
+//!
+//! Whole numbers may be written with a point, as `5126.0`, and parts that are not there as `null`.
 //!
 //! # Materials
 //! - `baseColorFactor`: the color, in linear light.
 //! - `baseColorTexture`: an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`;
-//!   wrapped by `wrapS`.
+//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors, else
+//!   three.
 //! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color (of a texture, the mean) by Schlick's
 //!   approximation. Below 0.5: the color is diffuse, under a clear coat that mirrors by Fresnel's equations.
 //! - `roughnessFactor`: reflections are sharp in Rayline, so the reflectance is 1 - 2 roughness, and 0 from
@@ -32,7 +45,10 @@
 //! - the highlight: Blinn's exponent n = 2 / roughness⁴ - 2, at most 2000; its strength (1 - roughness) f n /
 //!   8, at most 1 - roughness, where f is 1 for metals, else the coat's reflectance at normal incidence; none
 //!   below 1/256.
-//! - `metallicRoughnessTexture`: its mean, times the factors.
+//! - `metallicRoughnessTexture`: where its texels differ, maps of the coefficients: the diffuse factor is 1 -
+//!   metallic (1 - 2 roughness), and a metal mirrors as much at any angle, in the mean color. Else its mean,
+//!   times the factors; the mean is also used, with a note, with transparency, glass or a clear coat, and on
+//!   other texture coordinates than those of the base color.
 //! - `emissiveFactor`, `KHR_materials_emissive_strength`: the emission, at most 100.
 //! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
 //!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
@@ -40,8 +56,14 @@
 //! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
 //! - `KHR_materials_volume`: absorption in glass, from distance and color.
 //! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
+//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal below a
+//!   coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
+//! - `KHR_materials_specular`: factors of the reflection and the highlight of a surface that is no metal.
+//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular color up
+//!   to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the diffuse
+//!   color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
 //! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
-//!   `MASK`: it is opaque or fully transparent.
+//!   `MASK`: it is opaque or fully transparent, with sharp edges between the texels of a texture.
 //! - `doubleSided`: ignored: all surfaces are seen from both sides.
 //!
 //! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Normal, occlusion,
@@ -58,15 +80,18 @@ mod buffers;
 mod cameras;
 mod container;
 mod error;
+mod finish;
 mod geometry;
 mod json;
 mod lights;
 mod materials;
 mod nodes;
+mod skins;
 #[cfg(test)]
 mod tests;
 mod textures;
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use bumpalo::Bump;
@@ -82,11 +107,11 @@ use accessor::{Lists, MOST};
 use buffers::Buffers;
 use error::{At, Wrong, find, name};
 pub use error::{GltfError, GltfFault};
-use geometry::Geometry;
+use geometry::{Geometry, Posture};
 use json::Root;
 use materials::Materials;
 use nodes::Placed;
-
+use skins::Skins;
 use textures::Textures;
 
 /// A scene that was read from a file.
@@ -172,13 +197,22 @@ fn of_bytes<'a>(
     let nodes = nodes::placed(&root, &mut notes)?;
     let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
     let mut names = Names::default();
-    let (mut objects, mut room) = (Vec::new(), MOST);
-    for placed in &nodes {
-        if placed.node.skin.is_some() {
-            notes.add(placed.name(), "its skin is left out");
+    let (mut skins, mut objects, mut room) = (Skins::default(), Vec::new(), MOST);
+    let mut drawn = HashSet::new();
+    for placed in nodes.iter().filter(|placed| !placed.is_hidden) {
+        // Equal meshes in one place would take time, and could be seen through each other in any order.
+        if placed.node.mesh.is_some() && !drawn.insert(placed.look()) {
+            notes.add(placed.name(), "left out: another node draws the same mesh in the same place");
+            continue;
         }
-        let mut meshes =
-            Meshes { arena, lists, materials: &mut materials, notes: &mut notes, room: &mut room };
+        let mut meshes = Meshes {
+            arena,
+            lists,
+            materials: &mut materials,
+            skins: &mut skins,
+            notes: &mut notes,
+            room: &mut room,
+        };
         meshes.add(&root, placed, &mut objects, &mut names.objects).at(|| placed.name())?;
     }
     let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
@@ -218,6 +252,7 @@ struct Meshes<'s, 'a, 'f> {
     arena: &'a Bump,
     lists: Lists<'f>,
     materials: &'s mut Materials<'a, 'f>,
+    skins: &'s mut Skins,
     notes: &'s mut Notes,
     room: &'s mut usize,
 }
@@ -233,12 +268,21 @@ impl<'a> Meshes<'_, 'a, '_> {
     ) -> Result<(), Wrong> {
         let Some(index) = placed.node.mesh else { return Ok(()) };
         let mesh = find(&root.meshes, "mesh", index)?;
+        let joints = placed.node.skin.and_then(|skin| match self.skins.joints(self.lists, skin) {
+            Ok(joints) => Some(joints),
+            Err(Wrong { fault, .. }) => {
+                self.notes.add(placed.name(), format!("its skin is left out: {fault}"));
+                None
+            }
+        });
+        let weights = skins::weights(placed.node, mesh);
+        let posture = Posture { place: &placed.place, joints: joints.as_deref(), weights };
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             let called = || format!("{}, primitive {number}", name("mesh", index, mesh.name.as_ref()));
             let material = primitive.material;
             let coordinates = self.materials.coordinates(material).at(called)?;
             let geometry =
-                Geometry::read(self.lists, primitive, &placed.place, &coordinates, self.room).at(called)?;
+                Geometry::read(self.lists, primitive, posture, &coordinates, self.room).at(called)?;
             for note in &geometry.notes {
                 self.notes.add(called(), *note);
             }
@@ -249,7 +293,7 @@ impl<'a> Meshes<'_, 'a, '_> {
                 }
                 continue;
             }
-            let material = self.materials.id(material, geometry.has_uvs(), self.notes).at(called)?;
+            let material = self.materials.id(material, geometry.halvings(), self.notes).at(called)?;
             for mesh in meshes {
                 if objects.len() >= MAX_COUNT {
                     return Err(GltfFault::TooMany { what: "objects", most: MAX_COUNT }.into());

@@ -13,6 +13,8 @@ pub(super) struct Placed<'f> {
     pub(super) index: usize,
     pub(super) node: &'f Node,
     pub(super) place: Place,
+    /// Whether it or a node that contains it is invisible (`KHR_node_visibility`).
+    pub(super) is_hidden: bool,
 }
 
 impl Placed<'_> {
@@ -20,7 +22,17 @@ impl Placed<'_> {
     pub(super) fn name(&self) -> String {
         name("node", self.index, self.node.name.as_ref())
     }
+
+    /// The mesh, the skin, the weights of morph targets and the place: all that its picture depends on.
+    pub(super) fn look(&self) -> Look {
+        let weights = self.node.weights.as_ref();
+        let weights = weights.map(|weights| weights.iter().map(|weight| weight.to_bits()).collect());
+        (self.node.mesh, self.node.skin, weights, self.place.0.to_cols_array().map(f64::to_bits))
+    }
 }
+
+/// See [`Placed::look`].
+pub(super) type Look = (Option<usize>, Option<usize>, Option<Vec<u32>>, [u64; 12]);
 
 /// The transform from the coordinates of a node to those of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +41,30 @@ pub(super) struct Place(DAffine3);
 impl Place {
     /// The transform of the scene itself: identity.
     const ROOT: Self = Self(DAffine3::IDENTITY);
+
+    /// The transform by a matrix, column after column, whose last row is not read.
+    pub(super) fn of_matrix(matrix: [f32; 16]) -> Self {
+        Self(DAffine3::from_mat4(DMat4::from_cols_array(&matrix.map(f64::from))))
+    }
+
+    /// This transform after another one.
+    pub(super) fn after(&self, first: &Self) -> Self {
+        Self(self.0 * first.0)
+    }
+
+    /// The sum of transforms, each multiplied by its weight; `None` if the weights have no sum.
+    pub(super) fn blended(parts: impl Iterator<Item = (f32, Self)>) -> Option<Self> {
+        let (mut sum, mut weights) = (Self(DAffine3::from_mat3(DMat3::ZERO)), 0.0);
+        for (weight, Self(part)) in parts {
+            let weight = f64::from(weight);
+            sum.0.matrix3 += part.matrix3 * weight;
+            sum.0.translation += part.translation * weight;
+            weights += weight;
+        }
+        let share = 1.0 / weights;
+        let all = DAffine3 { matrix3: sum.0.matrix3 * share, translation: sum.0.translation * share };
+        (weights > 0.0 && all.is_finite()).then_some(Self(all))
+    }
 
     fn of(node: &Node) -> Result<DAffine3, GltfFault> {
         let place = match node.matrix {
@@ -108,9 +144,9 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
     let (mut open, mut is_there) = (Vec::new(), vec![false; root.nodes.len()]);
     let mut placed = Vec::new();
     for top in tops(root, notes)?.into_iter().rev() {
-        open.push((top, Place::ROOT));
+        open.push((top, Place::ROOT, false));
     }
-    while let Some((index, Place(outer))) = open.pop() {
+    while let Some((index, Place(outer), is_hidden)) = open.pop() {
         let node = find(&root.nodes, "node", index)?;
         let at = || name("node", index, node.name.as_ref());
         if let Some(is_there) = is_there.get_mut(index)
@@ -120,11 +156,12 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
         }
         let own = Place::of(node).at(at)?;
         let place = Place(Place::checked(outer * own).at(at)?);
+        let is_hidden = is_hidden || !node.extensions.visibility.visible;
         for child in node.children.iter().rev() {
             find(&root.nodes, "node", *child).at(at)?;
-            open.push((*child, place));
+            open.push((*child, place, is_hidden));
         }
-        placed.push(Placed { index, node, place });
+        placed.push(Placed { index, node, place, is_hidden });
     }
     Ok(placed)
 }
@@ -133,17 +170,43 @@ pub(super) fn placed<'f>(root: &'f Root, notes: &mut Notes) -> Result<Vec<Placed
 fn tops(root: &Root, notes: &mut Notes) -> Result<Vec<usize>, Wrong> {
     let named = root.scene.unwrap_or(0);
     if root.scenes.is_empty() && root.scene.is_none() {
-        let mut is_child = vec![false; root.nodes.len()];
-        for child in root.nodes.iter().flat_map(|node| &node.children) {
-            if let Some(is_child) = is_child.get_mut(*child) {
-                *is_child = true;
-            }
-        }
-        return Ok((0..root.nodes.len()).filter(|index| is_child.get(*index) == Some(&false)).collect());
+        return Ok(without_parents(root));
     }
     let scene = find(&root.scenes, "scene", named)?;
+    if scene.nodes.is_empty() {
+        notes.add(name("scene", named, scene.name.as_ref()), "it has no nodes, so all of the file are shown");
+        return Ok(without_parents(root));
+    }
     for (index, other) in root.scenes.iter().enumerate().filter(|(index, _)| *index != named) {
         notes.add(name("scene", index, other.name.as_ref()), "left out, as only one scene is shown");
     }
     Ok(scene.nodes.clone())
+}
+
+/// All nodes that are no children.
+fn without_parents(root: &Root) -> Vec<usize> {
+    let mut is_child = vec![false; root.nodes.len()];
+    for child in root.nodes.iter().flat_map(|node| &node.children) {
+        if let Some(is_child) = is_child.get_mut(*child) {
+            *is_child = true;
+        }
+    }
+    (0..root.nodes.len()).filter(|index| is_child.get(*index) == Some(&false)).collect()
+}
+
+/// The places of all nodes of the file, those outside of the scene included. A node that contains itself has
+/// none.
+pub(super) fn everywhere(root: &Root) -> Vec<Option<Place>> {
+    let mut places: Vec<Option<Place>> = vec![None; root.nodes.len()];
+    let mut open: Vec<_> = without_parents(root).into_iter().map(|top| (top, Place::ROOT)).collect();
+    while let Some((index, outer)) = open.pop() {
+        let (Some(node), Some(place @ None)) = (root.nodes.get(index), places.get_mut(index)) else {
+            continue;
+        };
+        let Ok(own) = Place::of(node) else { continue };
+        let own = Place(outer.0 * own);
+        *place = Some(own);
+        open.extend(node.children.iter().map(|child| (*child, own)));
+    }
+    places
 }

@@ -97,7 +97,7 @@ impl Pattern {
             }
             Figure::Gradient(Gradient { from, to, ends }) => {
                 let stops = vec![(0.0, Self::Color(from)), (1.0, Self::Color(to))];
-                Self::Along { function: folded(&x, ends), stops }
+                Self::Along { function: folded(&x, ends.axes()[0]), stops }
             }
             Figure::Brick(Brick { brick, mortar, gap: [gap_x, gap_y] }) => {
                 // Every second row is shifted by half a brick.
@@ -106,7 +106,7 @@ impl Pattern {
                 let is_brick = format!("{} * {}", in_gap(&x, gap_x), in_gap(&fraction(&y), gap_y));
                 Self::either(is_brick, mortar, brick)
             }
-            Figure::Image(image) => Self::Channels(images.channels(&image, [image.ends; 2], &[x, y])?),
+            Figure::Image(image) => Self::Channels(images.channels(&image, image.ends.axes(), &[x, y])?),
             Figure::Noise(_) | Figure::Marble(_) | Figure::Wood(_) => return Err(Lack::Noise),
             _ => return Err(Lack::New),
         })
@@ -194,9 +194,9 @@ fn placed(placement: &Placement, coordinates: &Coordinates) -> Result<[String; 3
 /// The formula that maps a coordinate to 0 to 1, by these ends.
 pub(super) fn folded(at: &str, ends: Ends) -> String {
     match ends {
-        Ends::Repeat => fraction(at),
         Ends::Mirror => format!("abs({at} - 2*floor(({at} + 1)/2))"),
         Ends::Extend => format!("min(max({at}, 0), 1)"),
+        _ => fraction(at),
     }
 }
 

@@ -88,7 +88,7 @@ const fn image(pixels: Pixels<'static>) -> Figure<'static> {
         pixels,
         encoding: Encoding::Linear,
         filter: Filter::Bilinear,
-        ends: Ends::Extend,
+        ends: Ends::RepeatExtend,
     })
 }
 

@@ -195,16 +195,13 @@ fn pictures_lie_on_surfaces() {
             pixels: Pixels::Rgb888(&[255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255]),
             encoding: Encoding::Srgb,
             filter: Filter::Bilinear,
-            ends: Ends::Extend,
+            ends: Ends::ExtendMirror,
         };
         assert_eq!((image(material.color), material.maps), (expected, &[][..]));
         assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.0, 1.0]);
         crate::check(&import.scene).unwrap();
     });
-    assert_eq!(
-        notes(&file),
-        ["model.gltf: texture 0: the wrapping of its left and right edges is used for all edges"]
-    );
+    assert_eq!(notes(&file), [""; 0]);
     // Half of the light is code 188. A metal has the mean color.
     let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
     pbr["baseColorFactor"] = json!([0.5, 1, 1, 1]);
@@ -258,21 +255,240 @@ fn alpha_of_pictures_is_seen_through() {
     file["materials"][0]["alphaMode"] = json!("MASK");
     file["materials"][0]["alphaCutoff"] = json!(0.6);
     assert_eq!(palettes(&file), [[[255; 3], [0; 3]], [[0; 3], [255; 3]]]);
+    // Holes have sharp edges.
+    with_file(&file, |import| {
+        for map in import.scene.materials[0].maps {
+            assert_eq!(image(map.texture).filter, Filter::Nearest);
+        }
+        assert_eq!(image(import.scene.materials[0].color).filter, Filter::Bilinear);
+    });
     // All pixels pass the cutoff, so the surface is opaque.
     file["materials"][0]["alphaCutoff"] = json!(0.5);
     with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
 }
 
+/// The gray level of a map of a material, of two pixels.
+fn levels(material: &Material<'_>, onto: Onto) -> Vec<u8> {
+    let map = material.maps.iter().find(|map| map.onto == onto).unwrap();
+    let image = image(map.texture);
+    let gray = |line: u16| (image.light(0, line).g * 255.0).round() as u8;
+    vec![gray(0), gray(image.height - 1)]
+}
+
 #[test]
-fn the_mean_of_metallic_roughness_textures_is_used() {
+fn metals_and_roughness_differ_by_texel() {
     let mut file = textured();
+    // Above rough and no metal, below smooth metal.
     file["images"][0]["uri"] = json!(uri(&to_png((1, 2), 3, &[9, 255, 0, 9, 0, 255]).unwrap()));
     file["materials"] = json!([{ "pbrMetallicRoughness": {
-        "metallicFactor": 0.8, "roughnessFactor": 0.5, "metallicRoughnessTexture": { "index": 0 },
+        "baseColorFactor": [0.25, 0.5, 1, 1], "metallicRoughnessTexture": { "index": 0 },
     } }]);
     with_file(&file, |import| {
-        // The products are 0.4 and 0.25.
-        assert_eq!((import.scene.materials[0].reflectance, import.scene.materials[0].diffuse), (0.5, 1.0));
+        let material = import.scene.materials[0];
+        crate::check(&import.scene).unwrap();
+        assert_eq!((material.reflectance, material.diffuse, material.ambient), (1.0, 1.0, 0.1));
+        assert_eq!(levels(&material, Onto::Diffuse), [255, 0]);
+        assert_eq!(levels(&material, Onto::Ambient), [255, 0]);
+        assert_eq!(levels(&material, Onto::Reflectance), [0, 255]);
+        assert_eq!(levels(&material, Onto::Specular), [0, 255]);
+        let optics = material.optics.unwrap();
+        assert_eq!(optics.reflection_color, LinearRgb::new(0.25, 0.5, 1.0));
+        assert_eq!(optics.fresnel, Fresnel::Constant);
+    });
+    assert_eq!(notes(&file), [""; 0]);
+    // Factors: 0.8 of a metal, of roughness 0, beside plastic of roughness 1/4, which mirrors 4 %.
+    file["images"][0]["uri"] = json!(uri(&to_png((1, 2), 3, &[9, 255, 0, 9, 0, 255]).unwrap()));
+    let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
+    (pbr["metallicFactor"], pbr["roughnessFactor"]) = (json!(0.8), json!(0.25));
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        assert!((material.reflectance - 0.808).abs() < 1e-6, "{}", material.reflectance);
+        assert_eq!(levels(&material, Onto::Diffuse), [255, 51]);
+        assert_eq!(levels(&material, Onto::Reflectance), [6, 255]);
+    });
+    // Plastic alone has Fresnel's coat of the texel's sharpness.
+    file["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = json!(0);
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        assert_eq!((material.reflectance, material.optics.unwrap().fresnel), (1.0, Fresnel::Exact));
+        assert_eq!(levels(&material, Onto::Reflectance), [128, 255]);
+        assert!(!material.maps.iter().any(|map| map.onto == Onto::Diffuse));
+    });
+    // Texels that hardly differ need no maps: the mean is used. So it is, with a note, on other coordinates.
+    file["images"][0]["uri"] = json!(uri(&to_png((1, 2), 3, &[9, 100, 255, 9, 102, 255]).unwrap()));
+    with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
+    assert_eq!(notes(&file), [""; 0]);
+    file["images"][0]["uri"] = json!(uri(&to_png((1, 2), 3, &[9, 255, 0, 9, 0, 255]).unwrap()));
+    let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
+    pbr["baseColorTexture"] = json!({ "index": 0, "texCoord": 1 });
+    with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
+    assert_eq!(notes(&file), ["model.gltf: material 0: the mean of the metallic-roughness texture is used"]);
+}
+
+#[test]
+fn pictures_that_materials_share_are_held_once() {
+    let mut file = textured();
+    // More than 256 colors.
+    let pixels: Vec<u8> = (0..900u32).flat_map(|i| [(i % 30) as u8, (i / 30) as u8, 7]).collect();
+    file["images"][0]["uri"] = json!(uri(&to_png((30, 30), 3, &pixels).unwrap()));
+    let material = file["materials"][0].clone();
+    file["materials"] = json!(vec![material; 17]);
+    let primitive = file["meshes"][0]["primitives"][0].clone();
+    let primitives = (0..17).map(|index| {
+        let mut primitive = primitive.clone();
+        primitive["material"] = json!(index);
+        primitive
+    });
+    file["meshes"][0]["primitives"] = json!(primitives.collect::<Vec<_>>());
+    with_file(&file, |import| {
+        let Texture::Placed(first) = import.scene.materials[0].color else { unreachable!() };
+        assert_eq!(import.scene.materials.len(), 17);
+        for material in import.scene.materials {
+            assert!(matches!(material.color, Texture::Placed(placed) if core::ptr::eq(placed, first)));
+        }
+    });
+    // A picture of one color is one pixel, and one of few colors shares its numbers between factors.
+    file["images"][0]["uri"] = json!(uri(&to_png((30, 30), 3, &[[200u8, 100, 50]; 900].concat()).unwrap()));
+    with_file(&file, |import| {
+        let image = image(import.scene.materials[3].color);
+        assert_eq!((image.width, image.height, image.light(0, 0).r > 0.5), (1, 1, true));
+    });
+    let pixels: Vec<u8> = (0..900u32).flat_map(|i| [(i % 3 * 100) as u8, 0, 0]).collect();
+    file["images"][0]["uri"] = json!(uri(&to_png((30, 30), 3, &pixels).unwrap()));
+    file["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"] = json!([0.5, 1, 1, 1]);
+    with_file(&file, |import| {
+        let [(first, whole), (second, half)] = [0, 1].map(|index: usize| {
+            let Pixels::Palette8 { indices, palette } = image(import.scene.materials[index].color).pixels
+            else {
+                unreachable!()
+            };
+            (indices, palette)
+        });
+        assert!(core::ptr::eq(first, second));
+        assert_eq!(
+            (whole, half),
+            (&[[0; 3], [100, 0, 0], [200, 0, 0]][..], &[[0; 3], [71, 0, 0], [146, 0, 0]][..])
+        );
+    });
+}
+
+#[test]
+fn textures_repeat_at_any_coordinates() {
+    let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let of = |uvs: [[f32; 2]; 3], wrap: u32| {
+        let lists = Lists::default().floats(&triangle).floats(&uvs);
+        let mut file = textured();
+        let of_lists = lists.file(json!({ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "material": 0 }));
+        for part in ["buffers", "bufferViews", "accessors", "meshes"] {
+            file[part] = of_lists[part].clone();
+        }
+        file["samplers"] = json!([{ "wrapS": wrap, "wrapT": wrap }]);
+        file
+    };
+    let read = |file: &Value| {
+        with_file(file, |import| {
+            crate::check(&import.scene).unwrap();
+            let mut memory =
+                vec![core::mem::MaybeUninit::uninit(); import.scene.bytes::<rayline::math::Fixed>()];
+            rayline::PreparedScene::<rayline::math::Fixed, _>::new(&import.scene, &mut memory).unwrap();
+            let Texture::Placed(placed) = import.scene.materials[0].color else { unreachable!() };
+            (mesh(&import, 0).uvs.unwrap().to_vec(), placed.placement.size.x)
+        })
+    };
+    let (repeat, mirror, clamp) = (10497, 33648, 33071);
+    // Coordinates are moved by whole periods into ±59: one of a repeated texture, two of a mirrored one.
+    let far = [[1000.25, 0.0], [1001.25, -700.0], [1000.25, 1.0 - 700.0]];
+    assert_eq!(
+        read(&of(far, repeat)),
+        (
+            [[-0.75, -350.0], [0.25, 350.0], [-0.75, 349.0]]
+                .iter()
+                .map(|[u, v]: &[f32; 2]| [u / 8.0, v / 8.0])
+                .collect::<Vec<_>>(),
+            0.125
+        )
+    );
+    let near = [[100.0, 0.0], [100.0, 100.0], [0.0, 100.0]];
+    assert_eq!(read(&of(near, repeat)), (vec![[50.0, 50.0], [50.0, -50.0], [-50.0, -50.0]], 1.0));
+    let odd = [[101.0, 0.0], [102.0, 0.0], [101.0, 1.0]];
+    assert_eq!(read(&of(odd, mirror)).0, [[-1.0, 1.0], [0.0, 1.0], [-1.0, 0.0]]);
+    // A clamped texture has no period: the coordinates are halved, and the texture is half as large.
+    assert_eq!(read(&of(near, clamp)), (vec![[50.0, 0.5], [50.0, -49.5], [0.0, -49.5]], 0.5));
+    assert_eq!(notes(&of(near, clamp)), [""; 0]);
+    // In range, nothing is moved.
+    let usual = [[40.0, 0.0], [41.0, 0.0], [40.0, 1.0]];
+    assert_eq!(read(&of(usual, repeat)).0, [[40.0, 1.0], [41.0, 1.0], [40.0, 0.0]]);
+    let note = "model.gltf: mesh 0 `Cube`, primitive 0: texture coordinates are left out: some are beyond \
+                ±30,000,000";
+    assert_eq!(notes(&of([[0.0, 0.0], [1e9, 0.0], [0.0, 1.0]], repeat))[0], note);
+}
+
+#[test]
+fn specular_and_glossiness_become_coats_and_metals() {
+    let of = |gloss: Value| json!({ "extensions": { "KHR_materials_pbrSpecularGlossiness": gloss } });
+    let red = json!([0.75, 0.25, 0, 1]);
+    // A coat that mirrors 4 %, of roughness 1/4.
+    let plastic =
+        json!({ "diffuseFactor": red, "specularFactor": [0.04, 0.04, 0.04], "glossinessFactor": 0.75 });
+    with_material(of(plastic), |material| {
+        assert_eq!((material.color, material.diffuse), (Texture::Solid(RED), 1.0));
+        assert!((material.ior - 1.5).abs() < 1e-5 && material.reflectance == 0.5, "{material:?}");
+        assert_eq!((material.optics.unwrap().fresnel, material.shininess), (Fresnel::Exact, 510.0));
+    });
+    // A metal: it mirrors in the specular color, and 1 - 0.8 of the diffuse color is left.
+    let gold = json!({ "diffuseFactor": red, "specularFactor": [0.8, 0.5, 0.2] });
+    with_material(of(gold), |material| {
+        assert_eq!((material.reflectance, material.diffuse), (1.0, 1.0));
+        let Texture::Solid(color) = material.color else { unreachable!() };
+        assert!(
+            (color.r - 0.15).abs() < 1e-6 && (color.g - 0.05).abs() < 1e-6 && color.b == 0.0,
+            "{color:?}"
+        );
+        assert_eq!(material.optics.unwrap().reflection_color, LinearRgb::new(0.8, 0.5, 0.2));
+    });
+    // Rough: matte, in both colors together.
+    let rough = json!({ "diffuseFactor": red, "specularFactor": [0.5, 0, 0], "glossinessFactor": 0 });
+    with_material(of(rough), |material| {
+        assert_eq!(material, Material { color: LinearRgb::new(0.875, 0.125, 0.0).into(), ..MATTE_RED });
+    });
+    // A diffuse color alone is that of plastic.
+    with_material(of(json!({ "diffuseFactor": red })), |material| {
+        assert_eq!((material.color, material.reflectance), (Texture::Solid(RED), 1.0));
+    });
+    let mut file = textured();
+    file["materials"] = json!([of(json!({ "diffuseTexture": { "index": 0, "texCoord": 1 } }))]);
+    with_file(&file, |import| {
+        assert_eq!(image(import.scene.materials[0].color).width, 2);
+        assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.5, 0.5]);
+    });
+}
+
+#[test]
+fn clear_coats_and_specular_factors_change_reflections() {
+    let with = |mut base: Value, name: &str, extension: Value| {
+        base["extensions"] = json!({ name: extension });
+        base
+    };
+    // Half of a clear coat of roughness 0 over a rough red surface, and over a rough metal.
+    let coat = json!({ "clearcoatFactor": 0.5 });
+    for metallic in [0.0, 1.0] {
+        let painted = pbr([0.75, 0.25, 0.0, 1.0], metallic, 1.0);
+        with_material(with(painted, "KHR_materials_clearcoat", coat.clone()), |material| {
+            assert_eq!((material.color, material.diffuse), (Texture::Solid(RED), 1.0));
+            assert_eq!((material.reflectance, material.ior, material.specular), (0.5, 1.5, 0.5));
+            let optics = material.optics.unwrap();
+            assert_eq!((optics.fresnel, optics.reflection_color), (Fresnel::Exact, LinearRgb::WHITE));
+        });
+    }
+    let specular = json!({ "specularFactor": 0.5, "specularColorFactor": [1, 0.5, 0.25] });
+    let smooth = pbr([1.0; 4], 0.0, 0.25);
+    with_material(with(smooth.clone(), "KHR_materials_specular", specular), |material| {
+        assert_eq!((material.reflectance, material.specular), (0.25, 0.375));
+        assert_eq!(material.optics.unwrap().reflection_color, LinearRgb::new(1.0, 0.5, 0.25));
+    });
+    let none = json!({ "specularFactor": 0 });
+    with_material(with(smooth, "KHR_materials_specular", none), |material| {
+        assert_eq!((material.reflectance, material.optics), (0.0, None));
     });
 }
 
@@ -283,13 +499,16 @@ fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
     let jpeg = BASE64_STANDARD.decode(GRAY_JPEG).unwrap();
     fs::write(folder.path().join("my pictures/gray.jpg"), jpeg).unwrap();
     let mut file = textured();
-    file["images"][0]["uri"] = json!("my%20pictures/./gray.jpg");
     let path = folder.path().join("model.gltf");
-    fs::write(&path, file.to_string()).unwrap();
-    let arena = Bump::new();
-    let import = read(&arena, &path, &OpenOptions::default()).unwrap();
-    let Pixels::Rgb888(pixels) = image(import.scene.materials[0].color).pixels else { unreachable!() };
-    assert!(pixels.len() == 192 && pixels.iter().all(|code| code.abs_diff(200) <= 2), "{pixels:?}");
+    for uri in ["my%20pictures/./gray.jpg", "my pictures\\gray.jpg"] {
+        file["images"][0]["uri"] = json!(uri);
+        fs::write(&path, file.to_string()).unwrap();
+        let arena = Bump::new();
+        let import = read(&arena, &path, &OpenOptions::default()).unwrap();
+        let image = image(import.scene.materials[0].color);
+        let light = image.light(0, 0);
+        assert!((light.g - 0.578).abs() < 0.01, "{light:?}");
+    }
 
     let bytes = picture();
     file["images"][0] = json!({ "bufferView": 3, "mimeType": "image/png" });
