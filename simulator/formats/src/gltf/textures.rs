@@ -238,6 +238,16 @@ impl<'a, 'f> Textures<'a, 'f> {
         Ok(placed)
     }
 
+    /// The image for the core as numbers that are no light.
+    pub(super) fn numbers(&mut self, picture: &Picture<'a>, halvings: u8) -> Result<&'a Placed<'a>, Wrong> {
+        let Placed { figure, placement } = *self.colored(picture, [1.0; 3], halvings)?;
+        let figure = match figure {
+            Figure::Image(image) => Figure::Image(Image { encoding: Encoding::Linear, ..image }),
+            other => other,
+        };
+        Ok(self.arena.alloc(Placed::new(figure, placement)))
+    }
+
     /// Images of gray levels for the core: `level` is the level of each color, and each palette has the grays of
     /// all levels.
     pub(super) fn grays<const N: usize>(
