@@ -1,5 +1,5 @@
-//! The parts of the JSON that are read (glTF 2.0 Specification, section 5). All others are skipped. Numbers and
-//! names of kinds are as in the file: they are checked where they are used.
+//! The parts of the JSON that are read (glTF 2.0 Specification, section 5). All others are skipped. Numbers
+//! and names of kinds are as in the file: they are checked where they are used.
 
 use std::collections::BTreeMap;
 

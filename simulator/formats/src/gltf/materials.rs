@@ -34,8 +34,8 @@ pub(super) struct Materials<'a, 'f> {
     pub(super) arena: &'a Bump,
     root: &'f Root,
     pub(super) textures: Textures<'a, 'f>,
-    /// The converted materials, by their number in the file and how many times the object's texture coordinates
-    /// were halved, if it has any.
+    /// The converted materials, by their number in the file and how many times the object's texture
+    /// coordinates were halved, if it has any.
     known: HashMap<(Option<usize>, Option<u8>), u16>,
     pub(super) all: Vec<Material<'a>>,
     /// The names of the materials in the file.
@@ -206,8 +206,8 @@ impl<'a, 'f> Materials<'a, 'f> {
         Ok(Base { picture, color, mean })
     }
 
-    /// The emission, and its map if there is a texture; of a texture on other coordinates than those of the mesh,
-    /// the mean.
+    /// The emission, and its map if there is a texture; of a texture on other coordinates than those of the
+    /// mesh, the mean.
     fn emission(
         &mut self,
         described: &Described,
@@ -320,8 +320,8 @@ fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
     }
 }
 
-/// The material and optics of a whole surface with this finish. `plain` is the surface without one, and its mean
-/// color.
+/// The material and optics of a whole surface with this finish. `plain` is the surface without one, and its
+/// mean color.
 fn finished<'a>(
     (plain, mean): (Material<'a>, LinearRgb),
     mut optics: Optics,

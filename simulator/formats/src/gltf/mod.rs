@@ -3,23 +3,23 @@
 //!
 //! The parts of a file become:
 //!
-//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no nodes,
-//!   all nodes.
+//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no
+//!   nodes, all nodes.
 //! - nodes: transforms of their meshes, cameras and lights; a mirroring node reverses its triangles, so that
 //!   their fronts stay outside.
-//! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several. A
-//!   mesh of 256 vertices or more is held once for all nodes that draw it in one size, turned and moved, as
+//! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several.
+//!   A mesh of 256 vertices or more is held once for all nodes that draw it in one size, turned and moved, as
 //!   instances. Of several nodes that draw a mesh in the same place, one is drawn.
 //! - triangles, strips, fans: triangles; points and lines are left out, and so is a primitive without
 //!   `POSITION`.
-//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the transform
-//!   of the mesh's own node does not count.
+//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the
+//!   transform of the mesh's own node does not count.
 //! - morph targets: the mesh with the default weights, those of the node, else those of the mesh.
 //! - `NORMAL`: smooth normals; a mesh without them is flat.
 //! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else of
-//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59 are
-//!   moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power of
-//!   two, and the texture is as many times smaller.
+//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59
+//!   are moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power
+//!   of two, and the texture is as many times smaller.
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
@@ -29,17 +29,17 @@
 //!
 //! A missing camera or light is added. Animations, vertex colors, other cameras, other scenes and all
 //! extensions that are not named here are left out, and so are normals and texture coordinates of another
-//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it requires
-//! an unknown extension, unless the scene at rest looks the same without it, or the extension is one of
-//! materials or of the format of pictures.
+//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it
+//! requires an unknown extension, unless the scene at rest looks the same without it, or the extension is one
+//! of materials or of the format of pictures.
 //!
 //! Whole numbers may be written with a point, as `5126.0`, and parts that are not there as `null`.
 //!
 //! # Materials
 //! - `baseColorFactor`: the color, in linear light.
 //! - `baseColorTexture`: an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`;
-//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors, else
-//!   three.
+//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors,
+//!   else three.
 //! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color by Schlick's
 //!   approximation. Below 0.5: the color is diffuse, under a clear coat that mirrors by Fresnel's equations.
 //! - `roughnessFactor`: reflections are sharp in Rayline, so the reflectance is 1 - 2 roughness, and 0 from
@@ -51,8 +51,8 @@
 //!   metallic (1 - 2 roughness), and a metal mirrors as much at any angle, in the mean color. Else its mean,
 //!   times the factors; the mean is also used, with a note, with transparency, glass or a clear coat, and on
 //!   other texture coordinates than those of the base color.
-//! - `emissiveFactor`, `emissiveTexture`, `KHR_materials_emissive_strength`: the emission, at most 100, and its
-//!   map; on other texture coordinates than those of the mesh, the mean of the texture.
+//! - `emissiveFactor`, `emissiveTexture`, `KHR_materials_emissive_strength`: the emission, at most 100, and
+//!   its map; on other texture coordinates than those of the mesh, the mean of the texture.
 //! - `normalTexture`: a normal map of strength `scale`; left out on other texture coordinates.
 //! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
 //!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
@@ -60,18 +60,18 @@
 //! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
 //! - `KHR_materials_volume`: absorption in glass, from distance and color.
 //! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
-//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal below a
-//!   coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
+//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal
+//!   below a coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
 //! - `KHR_materials_specular`: factors of the reflection and the highlight of a surface that is no metal.
-//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular color up
-//!   to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the diffuse
-//!   color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
+//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular
+//!   color up to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the
+//!   diffuse color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
 //! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
 //!   `MASK`: it is opaque or fully transparent, with sharp edges between the texels of a texture.
 //! - `doubleSided`: ignored: all surfaces are seen from both sides.
 //!
-//! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Occlusion and transmission
-//! textures are left out.
+//! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Occlusion and
+//! transmission textures are left out.
 //!
 //! # Lights
 //! Files measure light in lux and candela, but do not say how bright the picture shall be. So all lights are
@@ -249,9 +249,9 @@ const FEWEST_SHARED: usize = 256;
 /// The mesh of a node, and its size as a whole number: all copies of a mesh in one size can be instances.
 type Copied = (usize, i64);
 
-/// The poses of the nodes that draw the same large mesh in the same size. Instances are turned and moved: a node
-/// that mirrors, stretches or shears its mesh, or that bends it by joints or weights of its own, is a mesh of its
-/// own.
+/// The poses of the nodes that draw the same large mesh in the same size. Instances are turned and moved: a
+/// node that mirrors, stretches or shears its mesh, or that bends it by joints or weights of its own, is a
+/// mesh of its own.
 fn copies(lists: Lists<'_>, nodes: &[&Placed<'_>]) -> HashMap<Copied, Vec<Pose>> {
     let mut copies: HashMap<_, Vec<_>> = HashMap::new();
     for placed in nodes {
@@ -288,8 +288,8 @@ struct Meshes<'s, 'a, 'f> {
 }
 
 impl<'a> Meshes<'_, 'a, '_> {
-    /// Adds the mesh of a node, if it has one, to the objects and their names. A mesh that several nodes draw is
-    /// added with the first of them, and taken from `copies`.
+    /// Adds the mesh of a node, if it has one, to the objects and their names. A mesh that several nodes draw
+    /// is added with the first of them, and taken from `copies`.
     fn add(&mut self, placed: &Placed<'_>, copies: &mut HashMap<Copied, Vec<Pose>>) -> Result<(), Wrong> {
         let shared =
             copied(placed).and_then(|(copied, size, _)| Some((copies.get_mut(&copied)?, size, copied)));

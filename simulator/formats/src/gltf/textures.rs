@@ -76,8 +76,9 @@ impl Coordinates {
         [u * cosine + v * sine + left, 1.0 - (v * cosine - u * sine + down)]
     }
 
-    /// Brings coordinates into the range of fixed point: moves them by whole periods, and halves them until all
-    /// are in it. The result is how many times they were halved; `None` if they are too far out, or not used.
+    /// Brings coordinates into the range of fixed point: moves them by whole periods, and halves them until
+    /// all are in it. The result is how many times they were halved; `None` if they are too far out, or not
+    /// used.
     pub(super) fn reduce(&self, uvs: &mut [[f32; 2]]) -> Option<u8> {
         let farthest =
             |uvs: &[[f32; 2]]| uvs.as_flattened().iter().fold(0.0f32, |most, at| most.max(at.abs()));
@@ -248,8 +249,8 @@ impl<'a, 'f> Textures<'a, 'f> {
         Ok(self.arena.alloc(Placed::new(figure, placement)))
     }
 
-    /// Images of gray levels for the core: `level` is the level of each color, and each palette has the grays of
-    /// all levels.
+    /// Images of gray levels for the core: `level` is the level of each color, and each palette has the grays
+    /// of all levels.
     pub(super) fn grays<const N: usize>(
         &mut self,
         picture: &Picture<'a>,
