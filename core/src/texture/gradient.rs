@@ -45,8 +45,8 @@ pub enum Ends {
 }
 
 impl Ends {
-    /// The continuation to the left and right, and that upward and downward: each is [`Repeat`](Self::Repeat),
-    /// [`Mirror`](Self::Mirror) or [`Extend`](Self::Extend).
+    /// The continuation to the left and right, and that upward and downward: each is
+    /// [`Repeat`](Self::Repeat), [`Mirror`](Self::Mirror) or [`Extend`](Self::Extend).
     pub const fn axes(self) -> [Self; 2] {
         match self {
             Self::Repeat | Self::Mirror | Self::Extend => [self, self],
@@ -59,7 +59,8 @@ impl Ends {
         }
     }
 
-    /// The continuation with these [`axes`](Self::axes); of an axis with a name of two words, the first counts.
+    /// The continuation with these [`axes`](Self::axes); of an axis with a name of two words, the first
+    /// counts.
     pub const fn of_axes([across, up]: [Self; 2]) -> Self {
         match (across.axes()[0], up.axes()[0]) {
             (Self::Repeat, Self::Mirror) => Self::RepeatMirror,
@@ -72,8 +73,8 @@ impl Ends {
         }
     }
 
-    /// Maps a coordinate to the position inside of the figure along one of the [`axes`](Self::axes), from 0 to
-    /// 1.
+    /// Maps a coordinate to the position inside of the figure along one of the [`axes`](Self::axes), from 0
+    /// to 1.
     pub(super) fn fold<R: Real>(self, at: LatticeCoordinate<R>) -> R {
         match self {
             Self::Mirror if at.index & 1 == 1 => R::ONE - at.within,

@@ -102,8 +102,8 @@ fn parse(json: &[u8]) -> Result<Root, Wrong> {
     Ok(root)
 }
 
-/// Reads JSON in which whole numbers are written as `5126.0`, or parts that are not there as `null`; `None` if
-/// it is wrong in another way.
+/// Reads JSON in which whole numbers are written as `5126.0`, or parts that are not there as `null`; `None`
+/// if it is wrong in another way.
 fn parse_loosely(json: &[u8]) -> Option<Root> {
     let mut all: Value = serde_json::from_slice(json).ok()?;
     // The text has a limit to its nesting, so the list stays short.
@@ -126,7 +126,8 @@ fn parse_loosely(json: &[u8]) -> Option<Root> {
     serde_json::from_value(all).ok()
 }
 
-/// The whole number that a floating-point number is; `None` if it has a fraction, or is too large or negative.
+/// The whole number that a floating-point number is; `None` if it has a fraction, or is too large or
+/// negative.
 fn whole(number: f64) -> Option<u64> {
     // All whole numbers up to 2⁵³ have a floating-point number of their own.
     let is_whole = (0.0..=9_007_199_254_740_992.0).contains(&number) && number.fract() == 0.0;

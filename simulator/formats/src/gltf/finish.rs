@@ -1,5 +1,5 @@
-//! The finish of surfaces: metals, roughness and coats, of a whole material or by texel (glTF 2.0 Specification,
-//! section 3.9 and appendix B). The table in [`gltf`](super) describes how they are converted.
+//! The finish of surfaces: metals, roughness and coats, of a whole material or by texel (glTF 2.0
+//! Specification, section 3.9 and appendix B). The table in [`gltf`](super) describes how they are converted.
 
 use rayline::{LinearRgb, Map, Onto, Placed, Texture};
 
@@ -54,8 +54,8 @@ fn sharpness(roughness: f32) -> f32 {
     (1.0 - 2.0 * roughness).max(0.0)
 }
 
-/// The strength and the exponent of the highlight of a roughness, for a surface that mirrors this share of light
-/// at normal incidence.
+/// The strength and the exponent of the highlight of a roughness, for a surface that mirrors this share of
+/// light at normal incidence.
 fn highlight(roughness: f32, straight: f32) -> (f32, f32) {
     let shininess = (2.0 / roughness.powi(4) - 2.0).min(SMOOTHEST);
     let strength = (straight * shininess / 8.0).min(1.0) * (1.0 - roughness);
@@ -184,8 +184,8 @@ impl<'a> Materials<'a, '_> {
         Ok((share(pbr.metallic_factor) * metal, share(pbr.roughness_factor) * rough))
     }
 
-    /// The finish by texel, where the texels differ; `None` if they do not, or if the mean is used for another
-    /// reason. `halvings` is that of the mesh's texture coordinates.
+    /// The finish by texel, where the texels differ; `None` if they do not, or if the mean is used for
+    /// another reason. `halvings` is that of the mesh's texture coordinates.
     pub(super) fn texels(
         &mut self,
         described: &Described,

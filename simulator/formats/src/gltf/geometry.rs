@@ -120,7 +120,8 @@ impl Geometry {
     }
 }
 
-/// The reading of the attributes of a primitive's vertices. An attribute that is wrong is left out with a note.
+/// The reading of the attributes of a primitive's vertices. An attribute that is wrong is left out with a
+/// note.
 #[derive(Debug)]
 struct Reading<'r> {
     lists: Lists<'r>,

@@ -1,5 +1,5 @@
-//! The parts of the JSON that are read (glTF 2.0 Specification, section 5). All others are skipped. Numbers and
-//! names of kinds are as in the file: they are checked where they are used.
+//! The parts of the JSON that are read (glTF 2.0 Specification, section 5). All others are skipped. Numbers
+//! and names of kinds are as in the file: they are checked where they are used.
 
 use std::collections::BTreeMap;
 
@@ -136,9 +136,9 @@ pub(super) struct Material {
     pub(super) alpha_mode: String,
     pub(super) alpha_cutoff: f32,
     pub(super) pbr_metallic_roughness: MetallicRoughness,
-    pub(super) normal_texture: Option<IgnoredAny>,
+    pub(super) normal_texture: Option<TextureInfo>,
     pub(super) occlusion_texture: Option<IgnoredAny>,
-    pub(super) emissive_texture: Option<IgnoredAny>,
+    pub(super) emissive_texture: Option<TextureInfo>,
     pub(super) emissive_factor: [f32; 3],
     pub(super) extensions: MaterialExtensions,
 }
@@ -457,6 +457,9 @@ pub(super) struct TextureInfo {
     pub(super) index: usize,
     #[serde(default)]
     pub(super) tex_coord: u32,
+    /// The factor of the slopes of a normal texture.
+    #[serde(default = "one")]
+    pub(super) scale: f32,
     #[serde(default)]
     pub(super) extensions: TextureExtensions,
 }

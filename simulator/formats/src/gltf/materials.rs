@@ -31,11 +31,11 @@ struct Base<'a> {
 /// The materials of a scene, converted when an object needs them.
 #[derive(Debug)]
 pub(super) struct Materials<'a, 'f> {
-    arena: &'a Bump,
+    pub(super) arena: &'a Bump,
     root: &'f Root,
     pub(super) textures: Textures<'a, 'f>,
-    /// The converted materials, by their number in the file and how many times the object's texture coordinates
-    /// were halved, if it has any.
+    /// The converted materials, by their number in the file and how many times the object's texture
+    /// coordinates were halved, if it has any.
     known: HashMap<(Option<usize>, Option<u8>), u16>,
     pub(super) all: Vec<Material<'a>>,
     /// The names of the materials in the file.
@@ -53,11 +53,26 @@ impl<'a, 'f> Materials<'a, 'f> {
         Ok(self.coordinates_in(find(&self.root.materials, "material", index)?))
     }
 
-    /// The texture coordinates that a material uses: those of the base color, else of metal and roughness.
+    /// The texture coordinates that a material uses: those of the base color, else of metal and roughness, of
+    /// emission, or of normals.
     pub(super) fn coordinates_in(&self, described: &Described) -> Coordinates {
         let (_, base) = described.base();
         let finish = described.pbr_metallic_roughness.metallic_roughness_texture.as_ref();
-        Coordinates::of(self.root, base.or(finish))
+        let others = described.emissive_texture.as_ref().or(described.normal_texture.as_ref());
+        Coordinates::of(self.root, base.or(finish).or(others))
+    }
+
+    /// The picture of a texture, and how many times the texture coordinates of the mesh are halved; `None` if
+    /// the mesh has no coordinates for it.
+    fn on_mesh(
+        &mut self,
+        described: &Described,
+        info: &TextureInfo,
+        halvings: Option<u8>,
+        notes: &mut Notes,
+    ) -> Result<Option<(Picture<'a>, u8)>, Wrong> {
+        let is_placed = self.coordinates_of(info).are_those_of(&self.coordinates_in(described));
+        Ok(self.textures.picture(info.index, notes)?.zip(halvings.filter(|_| is_placed)))
     }
 
     /// The texture coordinates of a texture.
@@ -111,33 +126,43 @@ impl<'a, 'f> Materials<'a, 'f> {
         let finish = self.finish(described, name, notes)?;
         note_textures(described, name, notes);
         let mut optics = Optics { highlight: Highlight::BlinnPhong, ..Optics::PLAIN };
-        optics.emission = self.emission(described, name, notes);
-        if let Some(texels) = self.texels(described, name, halvings, notes)? {
-            let (specular, shininess) = texels.highlight;
-            let material = Material {
-                specular,
-                shininess,
-                reflectance: texels.reflectance,
-                ior: finish.ior,
-                maps: self.arena.alloc_slice_copy(&texels.maps),
-                ..plain
-            };
+        let mut maps = Vec::new();
+        self.normals(described, name, halvings, (notes, &mut maps))?;
+        optics.emission = self.emission(described, name, halvings, (notes, &mut maps))?;
+        let mut mirror_of_texels = |optics: &mut Optics, color: LinearRgb| {
+            optics.reflection_color = color;
+            // A metal with a picture mirrors in the color of each texel, which includes the factor.
+            if let Texture::Placed(_) = plain.color {
+                optics.reflection_color = LinearRgb::WHITE;
+                maps.push(Map { onto: Onto::ReflectionColor, texture: plain.color });
+            }
+        };
+        let material = if let Some(texels) = self.texels(described, name, halvings, notes)? {
             // Schlick's approximation would mirror at the rims of rough texels, too.
             if texels.has_metal {
-                optics.reflection_color = mean;
+                mirror_of_texels(&mut optics, mean);
             } else {
                 optics.fresnel = Fresnel::Exact;
             }
-            return Ok(self.with_optics(material, optics));
-        }
-        let (material, optics) = finished((plain, mean), optics, finish, extensions);
-        let is_glass = material.transmittance > 0.0;
-        let mut optics = optics;
-        let material = self.faded(material, described, seen_through)?;
-        if material.transmittance > 0.0 && !is_glass {
-            optics.fresnel = Fresnel::Constant;
-        }
-        Ok(self.with_optics(material, optics))
+            let (specular, shininess) = texels.highlight;
+            maps.extend(texels.maps);
+            Material { specular, shininess, reflectance: texels.reflectance, ior: finish.ior, ..plain }
+        } else {
+            let (material, optical) = finished((plain, mean), optics, finish, extensions);
+            optics = optical;
+            if finish.is_metal && finish.mirror.is_none() && material.reflectance > 0.0 {
+                mirror_of_texels(&mut optics, mean);
+            }
+            let is_glass = material.transmittance > 0.0;
+            let material = self.faded(material, described, seen_through)?;
+            if material.transmittance > 0.0 && !is_glass {
+                optics.fresnel = Fresnel::Constant;
+            }
+            maps.extend(material.maps);
+            material
+        };
+        let maps = self.arena.alloc_slice_copy(&maps);
+        Ok(self.with_optics(Material { maps, ..material }, optics))
     }
 
     /// The material with optics, if it has any use for them.
@@ -181,15 +206,57 @@ impl<'a, 'f> Materials<'a, 'f> {
         Ok(Base { picture, color, mean })
     }
 
-    fn emission(&self, described: &Described, name: &str, notes: &mut Notes) -> LinearRgb {
-        if described.emissive_texture.is_some() {
-            notes.add(name, "the emissive texture is left out, and with it all emission");
-            return Optics::PLAIN.emission;
-        }
+    /// The emission, and its map if there is a texture; of a texture on other coordinates than those of the
+    /// mesh, the mean.
+    fn emission(
+        &mut self,
+        described: &Described,
+        name: &str,
+        halvings: Option<u8>,
+        (notes, maps): (&mut Notes, &mut Vec<Map<'a>>),
+    ) -> Result<LinearRgb, Wrong> {
         let strength = described.extensions.emissive_strength.as_ref();
         let strength = strength.map_or(1.0, |strength| strength.emissive_strength);
-        let [r, g, b] = described.emissive_factor.map(|factor| (factor * strength).clamp(0.0, BRIGHTEST));
-        LinearRgb::new(r, g, b)
+        let emission = |share: [f32; 3]| {
+            let factors = described.emissive_factor.map(|factor| (factor * strength).clamp(0.0, BRIGHTEST));
+            let ([r, g, b], [red, green, blue]) = (factors, share);
+            LinearRgb::new(r * red, g * green, b * blue)
+        };
+        let all = emission([1.0; 3]);
+        let Some(info) = described.emissive_texture.as_ref().filter(|_| all != Optics::PLAIN.emission) else {
+            return Ok(all);
+        };
+        if let Some((picture, halvings)) = self.on_mesh(described, info, halvings, notes)? {
+            let texture = Texture::Placed(self.textures.colored(&picture, [1.0; 3], halvings)?);
+            maps.push(Map { onto: Onto::Emission, texture });
+            return Ok(all);
+        }
+        let Some(picture) = self.textures.picture(info.index, notes)? else {
+            notes.add(name, "it does not shine, as its emissive texture is left out");
+            return Ok(Optics::PLAIN.emission);
+        };
+        notes.add(name, "the mean of the emissive texture is used");
+        Ok(emission(picture.light()))
+    }
+
+    /// Adds the map of a normal texture.
+    fn normals(
+        &mut self,
+        described: &Described,
+        name: &str,
+        halvings: Option<u8>,
+        (notes, maps): (&mut Notes, &mut Vec<Map<'a>>),
+    ) -> Result<(), Wrong> {
+        let Some(info) = &described.normal_texture else { return Ok(()) };
+        match self.on_mesh(described, info, halvings, notes)? {
+            Some((picture, halvings)) => {
+                let texture = Texture::Placed(self.textures.numbers(&picture, halvings)?);
+                let strength = if info.scale.is_finite() { info.scale.clamp(-8.0, 8.0) } else { 1.0 };
+                maps.push(Map { onto: Onto::Normal { strength }, texture });
+            }
+            None => notes.add(name, "the normal texture is left out"),
+        }
+        Ok(())
     }
 
     /// The material with the transparency of the file's alpha.
@@ -244,7 +311,6 @@ fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
     let has_transmission =
         transmission.is_some_and(|transmission| transmission.transmission_texture.is_some());
     for (left_out, what) in [
-        (described.normal_texture.is_some(), "the normal texture is left out"),
         (described.occlusion_texture.is_some(), "the occlusion texture is left out"),
         (has_transmission, "the transmission texture is left out"),
     ] {
@@ -254,8 +320,8 @@ fn note_textures(described: &Described, name: &str, notes: &mut Notes) {
     }
 }
 
-/// The material and optics of a whole surface with this finish. `plain` is the surface without one, and its mean
-/// color.
+/// The material and optics of a whole surface with this finish. `plain` is the surface without one, and its
+/// mean color.
 fn finished<'a>(
     (plain, mean): (Material<'a>, LinearRgb),
     mut optics: Optics,

@@ -3,21 +3,23 @@
 //!
 //! The parts of a file become:
 //!
-//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no nodes,
-//!   all nodes.
+//! - `scene`: the scene to read; without it the first scene, and without scenes, or if the scene has no
+//!   nodes, all nodes.
 //! - nodes: transforms of their meshes, cameras and lights; a mirroring node reverses its triangles, so that
 //!   their fronts stay outside.
 //! - a primitive of a mesh, at a node: a mesh; one of more than 65535 vertices or triangles becomes several.
+//!   A mesh of 256 vertices or more is held once for all nodes that draw it in one size, turned and moved, as
+//!   instances. Of several nodes that draw a mesh in the same place, one is drawn.
 //! - triangles, strips, fans: triangles; points and lines are left out, and so is a primitive without
 //!   `POSITION`.
-//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the transform
-//!   of the mesh's own node does not count.
+//! - skins: the mesh at rest. Each vertex is moved by its joints and their `inverseBindMatrices`; the
+//!   transform of the mesh's own node does not count.
 //! - morph targets: the mesh with the default weights, those of the node, else those of the mesh.
 //! - `NORMAL`: smooth normals; a mesh without them is flat.
 //! - `TEXCOORD_n`: u and 1 - v, since v grows downward in glTF; n is that of the base color texture, else of
-//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59 are
-//!   moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power of
-//!   two, and the texture is as many times smaller.
+//!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59
+//!   are moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power
+//!   of two, and the texture is as many times smaller.
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
@@ -27,18 +29,18 @@
 //!
 //! A missing camera or light is added, and a sky. Animations, vertex colors, other cameras, other scenes and all
 //! extensions that are not named here are left out, and so are normals and texture coordinates of another
-//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it requires
-//! an unknown extension, unless the scene at rest looks the same without it, or the extension is one of
-//! materials or of the format of pictures.
+//! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it
+//! requires an unknown extension, unless the scene at rest looks the same without it, or the extension is one
+//! of materials or of the format of pictures.
 //!
 //! Whole numbers may be written with a point, as `5126.0`, and parts that are not there as `null`.
 //!
 //! # Materials
 //! - `baseColorFactor`: the color, in linear light.
 //! - `baseColorTexture`: an image on the surface, times the factor; bilinear unless `magFilter` is `NEAREST`;
-//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors, else
-//!   three.
-//! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color (of a texture, the mean) by Schlick's
+//!   wrapped by `wrapS` and `wrapT`. Materials share it, and it takes a byte a pixel for up to 256 colors,
+//!   else three.
+//! - `metallicFactor`: 0.5 or more: a metal, which mirrors in its color by Schlick's
 //!   approximation. Below 0.5: the color is diffuse, under a clear coat that mirrors by Fresnel's equations.
 //! - `roughnessFactor`: reflections are sharp in Rayline, so the reflectance is 1 - 2 roughness, and 0 from
 //!   0.5 on; the rest of a metal's reflectance is diffuse.
@@ -49,25 +51,27 @@
 //!   metallic (1 - 2 roughness), and a metal mirrors as much at any angle, in the mean color. Else its mean,
 //!   times the factors; the mean is also used, with a note, with transparency, glass or a clear coat, and on
 //!   other texture coordinates than those of the base color.
-//! - `emissiveFactor`, `KHR_materials_emissive_strength`: the emission, at most 100.
+//! - `emissiveFactor`, `emissiveTexture`, `KHR_materials_emissive_strength`: the emission, at most 100, and
+//!   its map; on other texture coordinates than those of the mesh, the mean of the texture.
+//! - `normalTexture`: a normal map of strength `scale`; left out on other texture coordinates.
 //! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
 //!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
 //!   have two.
 //! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
 //! - `KHR_materials_volume`: absorption in glass, from distance and color.
 //! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
-//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal below a
-//!   coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
+//! - `KHR_materials_clearcoat`: the stronger reflection and highlight of coat and surface. A rough metal
+//!   below a coat is diffuse. Of textures the mean is used; on a smooth metal the coat is left out.
 //! - `KHR_materials_specular`: factors of the reflection and the highlight of a surface that is no metal.
-//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular color up
-//!   to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the diffuse
-//!   color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
+//! - `KHR_materials_pbrSpecularGlossiness`: the diffuse color and texture are the base color. A specular
+//!   color up to 0.2 is a coat of that strength, a larger one a metal of that color over what is left of the
+//!   diffuse color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
 //! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
 //!   `MASK`: it is opaque or fully transparent, with sharp edges between the texels of a texture.
 //! - `doubleSided`: ignored: all surfaces are seen from both sides.
 //!
-//! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Normal, occlusion,
-//! emissive and transmission textures are left out.
+//! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Occlusion and
+//! transmission textures are left out.
 //!
 //! # Lights
 //! Files measure light in lux and candela, but do not say how bright the picture shall be. So all lights are
@@ -91,12 +95,12 @@ mod skins;
 mod tests;
 mod textures;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
-use rayline::shape::Shape;
+use rayline::shape::{Instances, Model, Pose, Shape};
 use rayline::{Object, Part, Scene};
 
 use crate::OpenOptions;
@@ -108,9 +112,8 @@ use buffers::Buffers;
 use error::{At, Wrong, find, name};
 pub use error::{GltfError, GltfFault};
 use geometry::{Geometry, Posture};
-use json::Root;
 use materials::Materials;
-use nodes::Placed;
+use nodes::{Place, Placed};
 use skins::Skins;
 use textures::Textures;
 
@@ -198,22 +201,19 @@ fn of_bytes<'a>(
     let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
     let mut names = Names::default();
     let (mut skins, mut objects, mut room) = (Skins::default(), Vec::new(), MOST);
-    let mut drawn = HashSet::new();
-    for placed in nodes.iter().filter(|placed| !placed.is_hidden) {
-        // Equal meshes in one place would take time, and could be seen through each other in any order.
-        if placed.node.mesh.is_some() && !drawn.insert(placed.look()) {
-            notes.add(placed.name(), "left out: another node draws the same mesh in the same place");
-            continue;
-        }
+    let visible = visible(&nodes, &mut notes);
+    let mut copies = copies(lists, &visible);
+    for placed in visible {
         let mut meshes = Meshes {
-            arena,
             lists,
             materials: &mut materials,
             skins: &mut skins,
             notes: &mut notes,
             room: &mut room,
+            objects: &mut objects,
+            names: &mut names.objects,
         };
-        meshes.add(&root, placed, &mut objects, &mut names.objects).at(|| placed.name())?;
+        meshes.add(placed, &mut copies).at(|| placed.name())?;
     }
     let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
     let camera = cameras::first(&root, &nodes, bounds, &mut notes)?;
@@ -247,27 +247,97 @@ fn of_bytes<'a>(
     Ok(Import { scene, resolution, notes: notes.lines(), names })
 }
 
+/// The nodes that are seen.
+fn visible<'n, 'f>(nodes: &'n [Placed<'f>], notes: &mut Notes) -> Vec<&'n Placed<'f>> {
+    let mut drawn = HashSet::new();
+    let mut is_new = |placed: &&Placed<'_>| {
+        // Equal meshes in one place would take time, and could be seen through each other in any order.
+        let is_new = placed.node.mesh.is_none() || drawn.insert(placed.look());
+        if !is_new {
+            notes.add(placed.name(), "left out: another node draws the same mesh in the same place");
+        }
+        is_new
+    };
+    nodes.iter().filter(|placed| !placed.is_hidden && is_new(placed)).collect()
+}
+
+/// The fewest vertices of a mesh that is held once for all of its nodes. Rays reach smaller ones faster as
+/// copies.
+const FEWEST_SHARED: usize = 256;
+
+/// The mesh of a node, and its size as a whole number: all copies of a mesh in one size can be instances.
+type Copied = (usize, i64);
+
+/// The poses of the nodes that draw the same large mesh in the same size. Instances are turned and moved: a
+/// node that mirrors, stretches or shears its mesh, or that bends it by joints or weights of its own, is a
+/// mesh of its own.
+fn copies(lists: Lists<'_>, nodes: &[&Placed<'_>]) -> HashMap<Copied, Vec<Pose>> {
+    let mut copies: HashMap<_, Vec<_>> = HashMap::new();
+    for placed in nodes {
+        if let Some((copied, _, pose)) = copied(placed) {
+            copies.entry(copied).or_default().push(pose);
+        }
+    }
+    copies.retain(|(mesh, _), poses| {
+        let primitives = lists.root.meshes.get(*mesh).map(|mesh| &mesh.primitives);
+        let positions = primitives.into_iter().flatten();
+        let positions = positions.filter_map(|primitive| primitive.attributes.get("POSITION"));
+        let counts = positions.map(|positions| lists.count(*positions).unwrap_or(0));
+        (2..=MAX_COUNT).contains(&poses.len()) && counts.fold(0, usize::saturating_add) >= FEWEST_SHARED
+    });
+    copies
+}
+
+/// The mesh and the size of a node, and its pose; `None` if it cannot share its mesh.
+fn copied(placed: &Placed<'_>) -> Option<(Copied, f64, Pose)> {
+    let mesh = placed.node.mesh.filter(|_| placed.node.skin.is_none() && placed.node.weights.is_none())?;
+    let (size, pose) = placed.place.rigid()?;
+    Some(((mesh, (size.ln() * 1e6).round() as i64), size, pose))
+}
+
 /// The state for reading the meshes of nodes.
 struct Meshes<'s, 'a, 'f> {
-    arena: &'a Bump,
     lists: Lists<'f>,
     materials: &'s mut Materials<'a, 'f>,
     skins: &'s mut Skins,
     notes: &'s mut Notes,
     room: &'s mut usize,
+    objects: &'s mut Vec<Object<Shape<'a>>>,
+    names: &'s mut Vec<String>,
 }
 
 impl<'a> Meshes<'_, 'a, '_> {
-    /// Adds the mesh of a node, if it has one, to the objects and their names.
-    fn add(
+    /// Adds the mesh of a node, if it has one, to the objects and their names. A mesh that several nodes draw
+    /// is added with the first of them, and taken from `copies`.
+    fn add(&mut self, placed: &Placed<'_>, copies: &mut HashMap<Copied, Vec<Pose>>) -> Result<(), Wrong> {
+        let shared =
+            copied(placed).and_then(|(copied, size, _)| Some((copies.get_mut(&copied)?, size, copied)));
+        let Some((poses, size, copied)) = shared else { return self.add_mesh(placed, placed.place, None) };
+        if poses.is_empty() {
+            return Ok(());
+        }
+        let before = self.objects.len();
+        let poses = core::mem::take(poses);
+        let all = &*self.materials.arena.alloc_slice_copy(&poses);
+        if self.add_mesh(placed, Place::scale(size), Some(all)).is_ok() {
+            return Ok(());
+        }
+        // The mesh is out of range in its own coordinates, but may be in range where the nodes put it.
+        self.objects.truncate(before);
+        self.names.truncate(before);
+        copies.remove(&copied);
+        self.add_mesh(placed, placed.place, None)
+    }
+
+    /// Adds the mesh of a node as objects, or as instances in these poses.
+    fn add_mesh(
         &mut self,
-        root: &Root,
         placed: &Placed<'_>,
-        objects: &mut Vec<Object<Shape<'a>>>,
-        names: &mut Vec<String>,
+        place: Place,
+        poses: Option<&'a [Pose]>,
     ) -> Result<(), Wrong> {
         let Some(index) = placed.node.mesh else { return Ok(()) };
-        let mesh = find(&root.meshes, "mesh", index)?;
+        let mesh = find(&self.lists.root.meshes, "mesh", index)?;
         let joints = placed.node.skin.and_then(|skin| match self.skins.joints(self.lists, skin) {
             Ok(joints) => Some(joints),
             Err(Wrong { fault, .. }) => {
@@ -276,7 +346,7 @@ impl<'a> Meshes<'_, 'a, '_> {
             }
         });
         let weights = skins::weights(placed.node, mesh);
-        let posture = Posture { place: &placed.place, joints: joints.as_deref(), weights };
+        let posture = Posture { place: &place, joints: joints.as_deref(), weights };
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             let called = || format!("{}, primitive {number}", name("mesh", index, mesh.name.as_ref()));
             let material = primitive.material;
@@ -286,7 +356,7 @@ impl<'a> Meshes<'_, 'a, '_> {
             for note in &geometry.notes {
                 self.notes.add(called(), *note);
             }
-            let meshes = geometry.whole().meshes(self.arena);
+            let meshes = geometry.whole().meshes(self.materials.arena);
             if meshes.is_empty() {
                 if !geometry.is_empty() {
                     self.notes.add(called(), "left out: none of its triangles has an area");
@@ -295,11 +365,22 @@ impl<'a> Meshes<'_, 'a, '_> {
             }
             let material = self.materials.id(material, geometry.halvings(), self.notes).at(called)?;
             for mesh in meshes {
-                if objects.len() >= MAX_COUNT {
+                if self.objects.len() >= MAX_COUNT {
                     return Err(GltfFault::TooMany { what: "objects", most: MAX_COUNT }.into());
                 }
-                objects.push(Object::new(Shape::Mesh(mesh), material));
-                names.push(format!("{}, {}", placed.name(), called()));
+                let shape = match poses {
+                    Some(poses) => {
+                        let model = self.materials.arena.alloc(Model::Mesh(mesh));
+                        Shape::Instances(Instances::new(model, poses))
+                    }
+                    None => Shape::Mesh(mesh),
+                };
+                self.objects.push(Object::new(shape, material));
+                let others = match poses {
+                    Some(poses) => format!(" and {} more", poses.len().saturating_sub(1)),
+                    None => String::new(),
+                };
+                self.names.push(format!("{}{others}, {}", placed.name(), called()));
             }
         }
         Ok(())

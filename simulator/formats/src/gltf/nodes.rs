@@ -2,10 +2,13 @@
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 use rayline::Vec3;
+use rayline::limits::MAX_COORDINATE;
+use rayline::shape::Pose;
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Node, Root};
 use crate::notes::Notes;
+use crate::space::angles;
 
 /// A node of the scene with its transform.
 #[derive(Clone, Copy, Debug)]
@@ -103,6 +106,24 @@ impl Place {
             Some(found) => Err(GltfFault::Number { meaning: "a number of its place", found }),
             None => Ok(place),
         }
+    }
+
+    /// The uniform scale of this size.
+    pub(super) fn scale(size: f64) -> Self {
+        Self(DAffine3::from_scale(DVec3::splat(size)))
+    }
+
+    /// The size and the pose of a transform that scales evenly, turns and moves; `None` for others.
+    pub(super) fn rigid(&self) -> Option<(f64, Pose)> {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.0.matrix3;
+        let size = self.0.matrix3.determinant().cbrt();
+        let near = |number: f64, expected: f64| (number - expected).abs() <= 1e-6 * size * size;
+        let is_even = [x, y, z].into_iter().all(|axis| near(axis.length_squared(), size * size));
+        let is_square = [x.dot(y), y.dot(z), z.dot(x)].into_iter().all(|cosine| near(cosine, 0.0));
+        let origin = rounded(self.0.translation);
+        let is_held = [origin.x, origin.y, origin.z].into_iter().all(|at| at.abs() <= MAX_COORDINATE);
+        let pose = || Pose { rotation: angles(&(self.0.matrix3 * (1.0 / size))), origin };
+        (size > 0.0 && is_even && is_square && is_held).then(|| (size, pose()))
     }
 
     /// Whether the transform mirrors, and so exchanges the fronts and backs of triangles.

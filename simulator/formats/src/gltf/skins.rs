@@ -101,8 +101,8 @@ pub(super) fn weights<'f>(node: &'f Node, mesh: &'f Mesh) -> &'f [f32] {
     node.weights.as_deref().unwrap_or(&mesh.weights)
 }
 
-/// Adds the morph targets of a primitive to its positions or normals. A target with another number of vertices
-/// is left out; the result is whether there was none.
+/// Adds the morph targets of a primitive to its positions or normals. A target with another number of
+/// vertices is left out; the result is whether there was none.
 pub(super) fn morph(
     lists: Lists<'_>,
     (primitive, weights): (&Primitive, &[f32]),

@@ -77,8 +77,9 @@ impl Coordinates {
         [u * cosine + v * sine + left, 1.0 - (v * cosine - u * sine + down)]
     }
 
-    /// Brings coordinates into the range of fixed point: moves them by whole periods, and halves them until all
-    /// are in it. The result is how many times they were halved; `None` if they are too far out, or not used.
+    /// Brings coordinates into the range of fixed point: moves them by whole periods, and halves them until
+    /// all are in it. The result is how many times they were halved; `None` if they are too far out, or not
+    /// used.
     pub(super) fn reduce(&self, uvs: &mut [[f32; 2]]) -> Option<u8> {
         let farthest =
             |uvs: &[[f32; 2]]| uvs.as_flattened().iter().fold(0.0f32, |most, at| most.max(at.abs()));
@@ -239,8 +240,18 @@ impl<'a, 'f> Textures<'a, 'f> {
         Ok(placed)
     }
 
-    /// Images of gray levels for the core: `level` is the level of each color, and each palette has the grays of
-    /// all levels.
+    /// The image for the core as numbers that are no light.
+    pub(super) fn numbers(&mut self, picture: &Picture<'a>, halvings: u8) -> Result<&'a Placed<'a>, Wrong> {
+        let Placed { figure, placement } = *self.colored(picture, [1.0; 3], halvings)?;
+        let figure = match figure {
+            Figure::Image(image) => Figure::Image(Image { encoding: Encoding::Linear, ..image }),
+            other => other,
+        };
+        Ok(self.arena.alloc(Placed::new(figure, placement)))
+    }
+
+    /// Images of gray levels for the core: `level` is the level of each color, and each palette has the grays
+    /// of all levels.
     pub(super) fn grays<const N: usize>(
         &mut self,
         picture: &Picture<'a>,

@@ -6,8 +6,10 @@
 
 use bumpalo::Bump;
 use rayline::math::Aabb;
-use rayline::shape::{Mesh, Shape};
+use rayline::shape::{Instances, Mesh, Model, Shape};
 use rayline::{Background, Camera, Light, LinearRgb, Object, Sky, Vec3};
+
+use crate::space::{rotation, vector};
 
 /// The note about the default light.
 pub(crate) const LIT: &str = "lit from beside the camera and by a sky";
@@ -77,16 +79,30 @@ pub(crate) fn lights(camera: &Camera) -> [Light; 2] {
     [Light::Directional { direction: -toward, color: KEY }, Light::Ambient { color: AMBIENT }]
 }
 
-/// The bounding box of all meshes; `None` if there are none.
+/// The bounding box of all meshes and their instances; `None` if there are none.
 pub(crate) fn bounds(objects: &[Object<Shape<'_>>]) -> Option<Aabb<f32>> {
-    let corners = objects.iter().filter_map(|object| match object.shape {
-        Shape::Mesh(Mesh { vertices, triangles, .. }) => Some((vertices, triangles)),
+    let all = objects.iter().filter_map(|object| match object.shape {
+        Shape::Mesh(mesh) => bounds_of(&mesh, |vertex| vertex),
+        Shape::Instances(Instances { model: Model::Mesh(mesh), size, poses }) => {
+            let posed = poses.iter().filter_map(|pose| {
+                let turn = rotation(pose.rotation) * f64::from(size);
+                bounds_of(mesh, |vertex| {
+                    let [x, y, z] = (turn * vector(vertex) + vector(pose.origin)).as_vec3().to_array();
+                    Vec3::new(x, y, z)
+                })
+            });
+            posed.reduce(Aabb::union)
+        }
         _ => None,
     });
-    let corners = corners.flat_map(|(vertices, triangles)| {
-        triangles.as_flattened().iter().filter_map(|corner| vertices.get(usize::from(*corner)))
-    });
-    corners.map(|corner| Aabb::point(*corner)).reduce(Aabb::union)
+    all.reduce(Aabb::union)
+}
+
+/// The bounding box of the vertices that triangles use, each moved by `place`.
+fn bounds_of(mesh: &Mesh<'_>, place: impl Fn(Vec3) -> Vec3) -> Option<Aabb<f32>> {
+    let corners = mesh.triangles.as_flattened().iter();
+    let corners = corners.filter_map(|corner| mesh.vertices.get(usize::from(*corner)));
+    corners.map(|corner| Aabb::point(place(*corner))).reduce(Aabb::union)
 }
 
 impl Up {

@@ -279,6 +279,46 @@ fn morph_targets_have_their_default_weights() {
 }
 
 #[test]
+fn large_meshes_that_nodes_share_are_held_once() {
+    let side = 16u16;
+    let points: Vec<_> = (0..side * side).map(|i| [f32::from(i % side), f32::from(i / side), 0.0]).collect();
+    let starts = (0..side * (side - 1)).filter(|i| i % side != side - 1);
+    let corners: Vec<u16> =
+        starts.flat_map(|i| [i, i + 1, i + side, i + 1, i + 1 + side, i + side]).collect();
+    let lists = Lists::default().floats(&points).corners(&corners);
+    let mut file = lists.file(json!({ "attributes": { "POSITION": 0 }, "indices": 1 }));
+    let half = core::f32::consts::FRAC_1_SQRT_2;
+    file["nodes"] = json!([
+        { "name": "Sheet", "mesh": 0, "scale": [2, 2, 2] },
+        // Turned about z by a right angle: x becomes y, and y becomes -x.
+        { "mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, half, half], "translation": [100, 0, 5] },
+        // These cannot be instances of the same size: mirrored, stretched, of another size.
+        { "mesh": 0, "scale": [-2, 2, 2] },
+        { "mesh": 0, "scale": [2, 3, 2] },
+        { "mesh": 0 },
+    ]);
+    file["scenes"] = json!([{ "nodes": [0, 1, 2, 3, 4] }]);
+    with_file(&file, |import| {
+        crate::check(&import.scene).unwrap();
+        assert_eq!(import.scene.objects.len(), 4);
+        let Shape::Instances(instances) = import.scene.objects[0].shape else { unreachable!() };
+        let [first, second] = instances.poses else { unreachable!() };
+        assert_eq!((instances.size, first.origin, first.rotation), (1.0, Vec3::ZERO, Vec3::ZERO));
+        assert_eq!(second.origin, Vec3::new(100.0, 0.0, 5.0));
+        assert!((second.rotation.z - core::f32::consts::FRAC_PI_2).abs() < 1e-6, "{second:?}");
+        let rayline::shape::Model::Mesh(mesh) = instances.model else { unreachable!() };
+        assert_eq!(mesh.vertices[17], Vec3::new(2.0, 2.0, 0.0));
+        assert_eq!(
+            import.name_of(Part::Object(0)),
+            Some("node 0 `Sheet` and 1 more, mesh 0 `Cube`, primitive 0")
+        );
+        let bounds = crate::model::view::bounds(&import.scene.objects[..1]).unwrap();
+        assert!((bounds.min - Vec3::ZERO).length() < 1e-4, "{bounds:?}");
+        assert!((bounds.max - Vec3::new(100.0, 30.0, 5.0)).length() < 1e-4, "{bounds:?}");
+    });
+}
+
+#[test]
 fn equal_and_invisible_nodes_are_left_out() {
     let mut file = cube();
     file["nodes"] = json!([{ "mesh": 0 }, { "mesh": 0, "translation": [3, 0, 0] }, { "mesh": 0 }]);

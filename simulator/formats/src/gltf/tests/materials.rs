@@ -5,8 +5,8 @@ use std::fs;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::{
-    Encoding, Ends, Figure, Filter, Fresnel, Highlight, Image, LinearRgb, Material, Onto, Optics, Pixels,
-    Placed, Texture,
+    Encoding, Ends, Figure, Filter, Fresnel, Highlight, Image, LinearRgb, Map, Material, Onto, Optics,
+    Pixels, Placed, Texture,
 };
 
 use super::*;
@@ -202,7 +202,7 @@ fn pictures_lie_on_surfaces() {
         crate::check(&import.scene).unwrap();
     });
     assert_eq!(notes(&file), [""; 0]);
-    // Half of the light is code 188. A metal has the mean color.
+    // Half of the light is code 188. A metal mirrors in the color of its picture.
     let pbr = &mut file["materials"][0]["pbrMetallicRoughness"];
     pbr["baseColorFactor"] = json!([0.5, 1, 1, 1]);
     pbr["metallicFactor"] = json!(1);
@@ -213,7 +213,8 @@ fn pictures_lie_on_surfaces() {
         let image = image(material.color);
         assert_eq!((image.filter, image.ends), (Filter::Nearest, Ends::Mirror));
         assert_eq!(image.pixels, Pixels::Rgb888(&[188, 0, 0, 0, 255, 0, 0, 0, 255, 188, 255, 255]));
-        assert_eq!(material.optics.unwrap().reflection_color, LinearRgb::new(0.25, 0.5, 0.5));
+        assert_eq!(material.optics.unwrap().reflection_color, LinearRgb::WHITE);
+        assert_eq!(material.maps, &[Map { onto: Onto::ReflectionColor, texture: material.color }]);
     });
 }
 
@@ -323,6 +324,42 @@ fn metals_and_roughness_differ_by_texel() {
     pbr["baseColorTexture"] = json!({ "index": 0, "texCoord": 1 });
     with_file(&file, |import| assert_eq!(import.scene.materials[0].maps, &[]));
     assert_eq!(notes(&file), ["model.gltf: material 0: the mean of the metallic-roughness texture is used"]);
+}
+
+#[test]
+fn emissive_and_normal_textures_are_maps() {
+    let mut file = textured();
+    file["materials"] = json!([{
+        "emissiveTexture": { "index": 0, "texCoord": 1 },
+        "emissiveFactor": [1, 0.5, 0.25],
+        "normalTexture": { "index": 0, "texCoord": 1, "scale": 0.75 },
+        "extensions": { "KHR_materials_emissive_strength": { "emissiveStrength": 2 } },
+        "pbrMetallicRoughness": { "baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0 },
+    }]);
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        crate::check(&import.scene).unwrap();
+        assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.5, 0.5]);
+        assert_eq!(material.optics.unwrap().emission, LinearRgb::new(2.0, 1.0, 0.5));
+        let map = |onto| image(material.maps.iter().find(|map| map.onto == onto).unwrap().texture);
+        assert_eq!(map(Onto::Emission).light(0, 0), LinearRgb::new(1.0, 0.0, 0.0));
+        let normals = map(Onto::Normal { strength: 0.75 });
+        assert_eq!((normals.encoding, normals.light(1, 0).g), (Encoding::Linear, 1.0));
+        assert_eq!(material.maps.len(), 2);
+    });
+    assert_eq!(notes(&file), [""; 0]);
+    // A base color on other coordinates: the mean shines.
+    file["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": 0 });
+    with_file(&file, |import| {
+        let material = import.scene.materials[0];
+        assert_eq!(material.optics.unwrap().emission, LinearRgb::new(1.0, 0.5, 0.25));
+        assert_eq!(material.maps, &[]);
+    });
+    let said = ["the normal texture is left out", "the mean of the emissive texture is used"];
+    assert_eq!(notes(&file), said.map(|note| format!("model.gltf: material 0: {note}")));
+    // A picture that cannot be read does not shine.
+    file["images"][0]["uri"] = json!("none.png");
+    with_file(&file, |import| assert_eq!(import.scene.materials[0].optics, None));
 }
 
 #[test]
@@ -522,17 +559,14 @@ fn pictures_come_from_files_and_buffers_in_png_and_jpeg() {
 fn notes_list_what_is_left_out_of_materials() {
     let mut file = textured();
     file["samplers"] = json!([{}]);
-    file["materials"][0]["normalTexture"] = json!({ "index": 0 });
+    file["materials"][0]["normalTexture"] = json!({ "index": 0, "texCoord": 1 });
     file["materials"][0]["occlusionTexture"] = json!({ "index": 0 });
-    file["materials"][0]["emissiveTexture"] = json!({ "index": 0 });
-    file["materials"][0]["emissiveFactor"] = json!([1, 1, 1]);
     let transmission = json!({ "transmissionFactor": 1, "transmissionTexture": { "index": 0 } });
     file["materials"][0]["extensions"] = json!({ "KHR_materials_transmission": transmission });
     let expected = [
-        "the normal texture is left out",
         "the occlusion texture is left out",
         "the transmission texture is left out",
-        "the emissive texture is left out, and with it all emission",
+        "the normal texture is left out",
     ];
     assert_eq!(notes(&file), expected.map(|note| format!("model.gltf: material 0: {note}")));
 
