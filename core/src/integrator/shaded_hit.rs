@@ -295,37 +295,14 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         (shares, if optics.thin { refraction.map(|_| self.incoming) } else { refraction })
     }
 
-    /// The mirrored direction. Where the normal to shade with is not that of the surface, the direction may
-    /// lead into the body: it is then bent to the surface, as a body hides nothing that its outside mirrors.
-    #[inline]
-    fn mirrored_outside<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> Vec3<R> {
-        if !scene.bends_normals() {
-            return self.mirrored;
-        }
-        let (normal, ..) = self.hit.surface.normal.facing(self.incoming);
-        let height = normal.dot(self.mirrored);
-        // Half a degree above the surface: facets beside this one may rise.
-        let least = R::from_fraction(1 << 9);
-        if height >= least || self.normal == normal {
-            return self.mirrored;
-        }
-        (self.mirrored + normal * (least - height)).normalized().unwrap_or(self.mirrored)
-    }
-
     /// The direction of a ray that the surface mirrors: in the lobe of a glossy material.
     #[inline]
-    pub(super) fn spread_mirrored<S: Geometry>(
-        &self,
-        scene: &PreparedScene<'_, R, S>,
-        numbers: &RayNumbers,
-        bounces: u8,
-    ) -> Vec3<R> {
-        let mirrored = self.mirrored_outside(scene);
+    pub(super) fn spread_mirrored(&self, numbers: &RayNumbers, bounces: u8) -> Vec3<R> {
         match self.material.optics().and_then(|optics| optics.gloss) {
             Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
+                self.spread(self.mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
             }
-            _ => mirrored,
+            _ => self.mirrored,
         }
     }
 

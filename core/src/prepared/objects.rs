@@ -120,12 +120,6 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         None
     }
 
-    /// Whether a normal to shade with may differ from that of the surface: on meshes and under maps.
-    #[inline]
-    pub(crate) fn bends_normals(&self) -> bool {
-        cfg!(feature = "textures") || <S::Prepared<'m, R> as Silhouette<R>>::HAS_RIMS
-    }
-
     /// Whether any object is seen from one side only. Without the feature there is none, and the compiler
     /// drops the code for it.
     #[inline]
