@@ -89,7 +89,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// The distance at which a ray that sees meets an object inside `range`: backs of one-sided surfaces are
     /// passed through.
-    #[inline(always)]
+    #[inline]
     pub(super) fn sees(
         &self,
         object: &PreparedObject<'m, R, S::Prepared<'m, R>>,

@@ -332,23 +332,26 @@ fn directions_of_uv<R: Real>(
     // A 256th of the largest coordinate has many digits, and few surfaces bend much over this length.
     let step = surface.magnitude.larger(R::ONE) * R::from_fraction(1 << 8);
     let here = uv(surface);
+    let half = R::from_fraction(1 << 15);
+    let over = |along: Vec3<R>, step: R| {
+        let [u, v] = uv(&Surface { point: surface.point + along * step, ..*surface });
+        let [u_here, v_here] = here;
+        (u - u_here, v - v_here)
+    };
     let growth = |along: Vec3<R>| {
-        let there = uv(&Surface { point: surface.point + along * step, ..*surface });
-        let [u, v] = [0, 1].map(|axis: usize| {
-            let at = |uv: [R; 2]| uv.get(axis).copied().unwrap_or(R::ZERO);
-            let growth = at(there) - at(here);
-            // From one end of a closed surface to the other.
-            let half = R::from_fraction(1 << 15);
-            let turn = if growth > half {
-                R::ONE
-            } else if growth < -half {
-                -R::ONE
-            } else {
-                R::ZERO
-            };
-            growth - turn
-        });
-        (u, v)
+        let (u, v) = over(along, step);
+        if u.abs() <= half && v.abs() <= half {
+            return (u, v);
+        }
+        // The texture is dense here, or it begins again: then coordinates differ by 1 over any length.
+        let (u, v) = over(along, step * R::from_fraction(1 << 12));
+        let without_turn = |growth: R| match growth {
+            growth if growth > half => growth - R::ONE,
+            growth if growth < -half => growth + R::ONE,
+            growth => growth,
+        };
+        let sixteen = R::from_u16(16);
+        (without_turn(u) * sixteen, without_turn(v) * sixteen)
     };
     let ((u_first, v_first), (u_second, v_second)) = (growth(first), growth(second));
     // The direction in which v does not change; the sign is that of the determinant.

@@ -8,7 +8,7 @@ use super::error::{At, GltfFault, Wrong};
 use super::json::Primitive;
 use super::nodes::Place;
 use super::skins::{self, Places};
-use super::textures::Coordinates;
+use super::textures::{Coordinates, code};
 use crate::model::Whole;
 
 /// How triangles follow from corners.
@@ -30,6 +30,8 @@ pub(super) struct Geometry {
     normals: Option<Vec<Vec3>>,
     /// Texture coordinates, and how many times they were halved.
     uvs: Option<(Vec<[f32; 2]>, u8)>,
+    /// Codes of sRGB.
+    colors: Option<Vec<[u8; 3]>>,
     /// Notes about parts that are left out.
     pub(super) notes: Vec<&'static str>,
 }
@@ -87,16 +89,14 @@ impl Geometry {
         let vertices = vertices.collect::<Result<Vec<_>, _>>()?;
         let normals = reading.normals(&places);
         let uvs = reading.uvs(coordinates);
-        if primitive.attributes.contains_key("COLOR_0") {
-            reading.notes.push("colors of vertices are left out");
-        }
+        let colors = reading.colors();
         let mut triangles = triangles(mode, &corners);
         if places.mirror() {
             for [_, second, third] in &mut triangles {
                 core::mem::swap(second, third);
             }
         }
-        Ok(Self { vertices, triangles, normals, uvs, notes: reading.notes })
+        Ok(Self { vertices, triangles, normals, uvs, colors, notes: reading.notes })
     }
 
     /// How many times the texture coordinates of the primitive were halved; `None` if it has none.
@@ -115,7 +115,7 @@ impl Geometry {
             triangles: &self.triangles,
             normals: self.normals.as_deref(),
             uvs: self.uvs.as_ref().map(|(uvs, _)| &**uvs),
-            colors: None,
+            colors: self.colors.as_deref(),
         }
     }
 }
@@ -179,6 +179,23 @@ impl Reading<'_> {
                 normals.into_iter().enumerate().map(turned).collect()
             }
         })
+    }
+
+    /// The colors of vertices. Their opacity is left out.
+    fn colors(&mut self) -> Option<Vec<[u8; 3]>> {
+        let accessor = self.primitive.attributes.get("COLOR_0").copied()?;
+        let wrong = "colors of vertices are left out: they cannot be read";
+        let many = "colors of vertices are left out: there are not as many as positions";
+        let code = |[r, g, b]: [f32; 3]| [r, g, b].map(|light| code(light.clamp(0.0, 1.0)));
+        if self.lists.vectors::<3>(accessor).is_ok() {
+            let colors = self.attribute::<3>("COLOR_0", wrong, many)?;
+            return Some(colors.into_iter().map(code).collect());
+        }
+        let colors = self.attribute::<4>("COLOR_0", wrong, many)?;
+        if colors.iter().any(|[.., alpha]| *alpha < 0.999) {
+            self.notes.push("the opacity of colors of vertices is left out");
+        }
+        Some(colors.into_iter().map(|[r, g, b, _]| code([r, g, b])).collect())
     }
 
     fn uvs(&mut self, coordinates: &Coordinates) -> Option<(Vec<[f32; 2]>, u8)> {

@@ -135,6 +135,7 @@ pub(super) struct Material {
     pub(super) name: Option<String>,
     pub(super) alpha_mode: String,
     pub(super) alpha_cutoff: f32,
+    pub(super) double_sided: bool,
     pub(super) pbr_metallic_roughness: MetallicRoughness,
     pub(super) normal_texture: Option<TextureInfo>,
     pub(super) occlusion_texture: Option<IgnoredAny>,
@@ -150,6 +151,7 @@ impl Default for Material {
             name: None,
             alpha_mode: "OPAQUE".to_owned(),
             alpha_cutoff: 0.5,
+            double_sided: false,
             pbr_metallic_roughness: MetallicRoughness::default(),
             normal_texture: None,
             occlusion_texture: None,
@@ -291,6 +293,8 @@ pub(super) struct Transmission {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Volume {
+    #[serde(default)]
+    pub(super) thickness_factor: f32,
     #[serde(default = "infinity")]
     pub(super) attenuation_distance: f32,
     #[serde(default = "white")]

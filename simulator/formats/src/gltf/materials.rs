@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use bumpalo::Bump;
 use rayline::limits::MAX_COUNT;
-use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Texture};
+use rayline::{Fresnel, Highlight, LinearRgb, Map, Material, Onto, Optics, Sides, Texture};
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::finish::Finish;
@@ -36,7 +36,7 @@ pub(super) struct Materials<'a, 'f> {
     pub(super) textures: Textures<'a, 'f>,
     /// The converted materials, by their number in the file and how many times the object's texture
     /// coordinates were halved, if it has any.
-    known: HashMap<(Option<usize>, Option<u8>), u16>,
+    known: HashMap<(Option<usize>, bool, Option<u8>), u16>,
     pub(super) all: Vec<Material<'a>>,
     /// The names of the materials in the file.
     pub(super) names: Vec<String>,
@@ -81,14 +81,17 @@ impl<'a, 'f> Materials<'a, 'f> {
     }
 
     /// The number in the scene of a material of the file, or of glTF's default material for `None`. An object
-    /// without texture coordinates gets a version without textures.
+    /// without texture coordinates gets a version without textures. If the object `shows_backs`, opaque
+    /// materials that are not double-sided are seen from the front only.
     pub(super) fn id(
         &mut self,
         index: Option<usize>,
+        shows_backs: bool,
         halvings: Option<u8>,
         notes: &mut Notes,
     ) -> Result<u16, Wrong> {
-        if let Some(id) = self.known.get(&(index, halvings)) {
+        let key = (index, shows_backs, halvings);
+        if let Some(id) = self.known.get(&key) {
             return Ok(*id);
         }
         let too_many = |_| GltfFault::TooMany { what: "materials", most: MAX_COUNT };
@@ -101,8 +104,12 @@ impl<'a, 'f> Materials<'a, 'f> {
             }
             None => (&default, "the default material".to_owned()),
         };
-        let material = self.material(described, &name, halvings, notes).at(|| name.clone())?;
-        self.known.insert((index, halvings), id);
+        let mut material = self.material(described, &name, halvings, notes).at(|| name.clone())?;
+        if shows_backs && !described.double_sided && material.transmittance <= 0.0 {
+            let optics = *material.optics.unwrap_or(&Optics::PLAIN);
+            material.optics = Some(self.arena.alloc(Optics { sides: Sides::Front, ..optics }));
+        }
+        self.known.insert(key, id);
         self.all.push(material);
         self.names.push(name);
         Ok(id)
@@ -348,8 +355,12 @@ fn finished<'a>(
         Material { color, diffuse, ambient: AMBIENT * diffuse, reflectance: sharpness, ..material }
     } else if transmittance > 0.0 {
         optics.fresnel = Fresnel::Exact;
-        optics.transmission_color = rgb(mean.channels().map(f32::sqrt));
-        optics.absorption = absorption(extensions.volume.as_ref());
+        // Without a volume, each surface is a sheet of its own.
+        let volume = extensions.volume.as_ref().filter(|volume| volume.thickness_factor > 0.0);
+        optics.thin = volume.is_none();
+        let color = mean.channels();
+        optics.transmission_color = rgb(if optics.thin { color } else { color.map(f32::sqrt) });
+        optics.absorption = absorption(volume);
         let diffuse = 1.0 - transmittance;
         Material { diffuse, ambient: AMBIENT * diffuse, transmittance, ior, ..material }
     } else {

@@ -20,6 +20,8 @@
 //!   the metallic-roughness texture, else 0; transformed by `KHR_texture_transform`. Coordinates beyond ±59
 //!   are moved by whole repetitions of the texture, and if they are still beyond, they are divided by a power
 //!   of two, and the texture is as many times smaller.
+//! - `COLOR_0`: colors of vertices, by which the color of the material is multiplied; their opacity is left
+//!   out.
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
@@ -27,7 +29,7 @@
 //!   but from no other place. An image that is elsewhere, or cannot be read, is left out.
 //! - `KHR_node_visibility`: meshes of invisible nodes are left out.
 //!
-//! A missing camera or light is added, and a sky. Animations, vertex colors, other cameras, other scenes and all
+//! A missing camera or light is added, and a sky. Animations, other cameras, other scenes and all
 //! extensions that are not named here are left out, and so are normals and texture coordinates of another
 //! number than positions. [`Import::notes`] lists what was added and left out. A file is refused if it
 //! requires an unknown extension, unless the scene at rest looks the same without it, or the extension is one
@@ -55,8 +57,8 @@
 //!   its map; on other texture coordinates than those of the mesh, the mean of the texture.
 //! - `normalTexture`: a normal map of strength `scale`; left out on other texture coordinates.
 //! - `KHR_materials_transmission`: glass: the factor is the transmittance. Each surface has the square root
-//!   of the color, so that light gets the color on its way in and out. Each surface refracts, so a pane must
-//!   have two.
+//!   of the color, so that light gets the color on its way in and out. Without `KHR_materials_volume`, or
+//!   with a thickness of 0, each surface is a thin sheet: it does not refract, and has the whole color.
 //! - `KHR_materials_ior`: the index of refraction; 1.5 without the extension.
 //! - `KHR_materials_volume`: absorption in glass, from distance and color.
 //! - `KHR_materials_unlit`: the color, with `ambient` 1 and `diffuse` 0.
@@ -68,7 +70,8 @@
 //!   diffuse color; of the specular-glossiness texture, the mean. Without a specular color, it is 0.04.
 //! - `alphaMode`: `BLEND`: the surface is transparent by 1 - alpha, without refraction and reflection.
 //!   `MASK`: it is opaque or fully transparent, with sharp edges between the texels of a texture.
-//! - `doubleSided`: ignored: all surfaces are seen from both sides.
+//! - `doubleSided`: without it, an opaque mesh is seen from the front only, and throws shadows from both
+//!   sides. A closed mesh with its fronts outside shows no backs, and is not marked.
 //!
 //! The ambient coefficient is a tenth of the diffuse one, as in [`obj`](crate::obj). Occlusion and
 //! transmission textures are left out.
@@ -356,14 +359,16 @@ impl<'a> Meshes<'_, 'a, '_> {
             for note in &geometry.notes {
                 self.notes.add(called(), *note);
             }
-            let meshes = geometry.whole().meshes(self.materials.arena);
+            let whole = geometry.whole();
+            let meshes = whole.meshes(self.materials.arena);
             if meshes.is_empty() {
                 if !geometry.is_empty() {
                     self.notes.add(called(), "left out: none of its triangles has an area");
                 }
                 continue;
             }
-            let material = self.materials.id(material, geometry.halvings(), self.notes).at(called)?;
+            let (shows_backs, halvings) = (whole.shows_backs(), geometry.halvings());
+            let material = self.materials.id(material, shows_backs, halvings, self.notes).at(called)?;
             for mesh in meshes {
                 if self.objects.len() >= MAX_COUNT {
                     return Err(GltfFault::TooMany { what: "objects", most: MAX_COUNT }.into());

@@ -384,7 +384,7 @@ fn light(code: u8) -> f32 {
     if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
 }
 
-fn code(light: f32) -> u8 {
+pub(super) fn code(light: f32) -> u8 {
     byte(if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 })
 }
 

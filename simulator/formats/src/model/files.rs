@@ -18,19 +18,19 @@ pub(crate) enum Beside {
     Outside,
 }
 
-/// Finds the file that a model in this folder names. It is never sought elsewhere than in the folder or
-/// below, unless all paths are allowed. A backslash separates folders, as on Windows, and letters may have
-/// another case.
+/// Finds the file that a model in this folder names. It is never sought elsewhere than in the folder of the
+/// scene or below, unless all paths are allowed. A backslash separates folders, as on Windows, and letters may
+/// have another case.
 pub(crate) fn beside(folder: &Path, name: &str, files: &Files) -> Beside {
-    if files.allows_paths() && folder.join(name).is_file() {
-        return Beside::Found(folder.join(name));
-    }
     let parts: Vec<&str> =
         name.split(['/', '\\']).map(str::trim).filter(|part| !matches!(*part, "" | ".")).collect();
-    let is_absolute = name.starts_with(['/', '\\']) || parts.iter().any(|part| part.ends_with(':'));
-    let is_outside = is_absolute || parts.contains(&"..") || name.contains("://");
-    if !is_outside {
-        return find(folder, &parts).map_or(Beside::Missing, Beside::Found);
+    let has_scheme = name.contains("://") || parts.iter().any(|part| part.ends_with(':'));
+    let named = name.replace('\\', "/");
+    if let Ok(path) = files.reference(folder, &named)
+        && !has_scheme
+    {
+        let found = if path.is_file() || named.starts_with('/') { Some(path) } else { find(folder, &parts) };
+        return found.filter(|path| path.is_file()).map_or(Beside::Missing, Beside::Found);
     }
     let last = parts.last().filter(|part| **part != ".." && !part.contains(':'));
     match last.and_then(|part| find(folder, &[part])) {

@@ -21,6 +21,28 @@ pub(crate) struct Whole<'m> {
 }
 
 impl Whole<'_> {
+    /// Whether backs can be seen from outside: where the surface has an edge, or encloses the space in front
+    /// of it. Vertices in one place count as one.
+    pub(crate) fn shows_backs(&self) -> bool {
+        let mut edges: HashMap<[[u32; 3]; 2], i32> = HashMap::new();
+        let mut volume = 0.0;
+        let at = |corner: u32| self.vertices.get(corner as usize).copied().unwrap_or(Vec3::ZERO);
+        let origin = self.triangles.first().map_or(Vec3::ZERO, |[corner, ..]| at(*corner));
+        for [a, b, c] in self.triangles.iter().map(|triangle| triangle.map(at)) {
+            let bits = |place: Vec3| [place.x, place.y, place.z].map(|number| (number + 0.0).to_bits());
+            for (from, to) in [(a, b), (b, c), (c, a)].map(|(from, to)| (bits(from), bits(to))) {
+                // One direction counts up, and the other down.
+                let (edge, count) = if from < to { ([from, to], 1) } else { ([to, from], -1) };
+                if from != to {
+                    *edges.entry(edge).or_default() += count;
+                }
+            }
+            let [a, b, c] = [a, b, c].map(|corner| (corner - origin).to::<f64>());
+            volume += a.dot(b.cross(c));
+        }
+        volume <= 0.0 || edges.values().any(|count| *count != 0)
+    }
+
     /// The meshes of the core that it is split into, without those that have no area.
     pub(crate) fn meshes<'a>(&self, arena: &'a Bump) -> Vec<Mesh<'a>> {
         let of_piece = |piece: Piece| {
@@ -94,6 +116,24 @@ fn has_area(triangle: &[u16; 3], vertices: &[Vec3]) -> bool {
 #[allow(clippy::indexing_slicing)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn open_and_inverted_meshes_show_their_backs() {
+        let vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]];
+        let vertices = vertices.map(|[x, y, z]| Vec3::new(x as f32, y as f32, z as f32));
+        // A tetrahedron with its fronts outside; two of its corners are one place.
+        let closed = [[0u32, 2, 1], [4, 1, 3], [0, 3, 2], [1, 2, 3]];
+        let shows_backs = |triangles: &[[u32; 3]]| {
+            let (vertices, normals, uvs, colors) = (&vertices, None, None, None);
+            Whole { vertices, triangles, normals, uvs, colors }.shows_backs()
+        };
+        assert!(!shows_backs(&closed));
+        assert!(shows_backs(&closed[1..]));
+        assert!(shows_backs(&closed.map(|[a, b, c]| [a, c, b])));
+        let [first, rest @ ..] = closed;
+        let [a, b, c] = first;
+        assert!(shows_backs(&[&[[a, c, b]], &rest[..]].concat()));
+    }
 
     #[test]
     fn large_meshes_are_cut_in_pieces() {

@@ -11,6 +11,9 @@ use super::{Import, Lines, NffError, NffFault};
 use crate::model::{ModelView, view};
 use crate::notes::Notes;
 
+/// The note about the default view.
+const SEEN: &str = "the whole model is seen from the front, slightly from the right and above (y is up)";
+
 /// The parts of the scene that were read so far.
 pub(super) struct Reader<'a> {
     arena: &'a Bump,
@@ -117,7 +120,7 @@ impl<'a> Reader<'a> {
             None => {
                 let bounds = objects::bounds(&self.objects);
                 let bounds = bounds.ok_or(NffError { line: last_line, fault: NffFault::NoView })?;
-                added(format!("it has no view (`v`); {}", ModelView::default().note()));
+                added(format!("it has no view (`v`); {SEEN}"));
                 (ModelView::default().camera(bounds), view::SIZE)
             }
         };

@@ -8,6 +8,7 @@ use rayline::{
 
 use super::*;
 use crate::LoadedScene;
+use crate::model::view;
 
 const VIEW: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 90 hither 1 resolution 40 30\n";
 const GRAY: &str = "f .5 .5 .5 1 0 0 0 0\n";
@@ -318,11 +319,9 @@ fn objects_before_a_material_are_white() {
 fn files_without_light_or_view_get_one() {
     let arena = Bump::new();
     let import = parse_ok(&arena, &format!("{VIEW}{GRAY}s 0 0 0 1"));
-    assert_eq!(import.notes, ["the file: it has no light (`l`); lit from the upper left"]);
-    // The eye looks along -z, and the light falls to the right, down and away from it.
-    let [Light::Directional { direction, color }] = *import.scene.lights else { panic!() };
-    assert!((direction - Vec3::new(0.6, -1.0, -0.6)).length() < 1e-6, "{direction:?}");
-    assert_eq!(color, LinearRgb::gray(0.9));
+    assert_eq!(import.notes, ["the file: it has no light (`l`); lit from beside the camera and by a sky"]);
+    let [key, _] = view::lights(&import.scene.camera);
+    assert_eq!(import.scene.lights, [key]);
     let import = parse_ok(&arena, &format!("{GRAY}l 0 0 9 s 0 0 0 1 c 4 0 0 1 6 0 0 1"));
     let expected = "the file: it has no view (`v`); the whole model is seen from the front, slightly from \
                     the right and above (y is up)";

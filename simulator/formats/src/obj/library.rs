@@ -61,7 +61,7 @@ pub(super) struct Map {
 }
 
 /// The note about files elsewhere.
-pub(super) const OUTSIDE: &str = "not in the folder of the file or below it";
+pub(super) const OUTSIDE: &str = "not in the folder of the scene or below it";
 
 impl Library {
     /// Reads the MTL files of these names, which are in a folder or below.

@@ -221,7 +221,7 @@ fn pictures_that_are_not_in_the_folder_are_left_out() {
         let shown = uri.escape_debug();
         let expected = format!(
             "model.gltf: image 0: left out: `{shown}` is not in the folder of the file or below it; move it \
-             there"
+             there, or use --allow-paths"
         );
         assert_eq!(notes(&file), [expected]);
         with_file(&file, |import| {

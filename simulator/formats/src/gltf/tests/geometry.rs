@@ -339,6 +339,22 @@ fn equal_and_invisible_nodes_are_left_out() {
 }
 
 #[test]
+fn vertices_have_colors() {
+    let mut file = cube();
+    // The places of the vertices as colors: each channel has half of the light on one half of the cube.
+    file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = json!(0);
+    with_file(&file, |import| {
+        let mesh = mesh(&import, 0);
+        let colors = mesh.colors.unwrap();
+        assert_eq!(colors.len(), mesh.vertices.len());
+        for (place, color) in mesh.vertices.iter().zip(colors) {
+            let expected = [place.x, place.y, place.z].map(|number| if number > 0.0 { 188 } else { 0 });
+            assert_eq!(*color, expected, "{place:?}");
+        }
+    });
+}
+
+#[test]
 fn notes_list_what_is_left_out() {
     let mut file = cube();
     file["meshes"][0]["primitives"][0]["targets"] = json!([{ "POSITION": 1 }]);
@@ -362,7 +378,6 @@ fn notes_list_what_is_left_out() {
         "scene 1 `Attic`: left out, as only one scene is shown",
         "mesh 0 `Cube`, primitive 0: a morph target is left out: it is not one vector for each vertex",
         "mesh 0 `Cube`, primitive 0: its skin is left out: it is not joints and weights for each vertex",
-        "mesh 0 `Cube`, primitive 0: colors of vertices are left out",
         "mesh 1, primitive 0, and 1 more: points and lines are left out",
         "mesh 1, primitive 2: left out: none of its triangles has an area",
     ];

@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::{
     Encoding, Ends, Figure, Filter, Fresnel, Highlight, Image, LinearRgb, Map, Material, Onto, Optics,
-    Pixels, Placed, Texture,
+    Pixels, Placed, Sides, Texture,
 };
 
 use super::*;
@@ -78,7 +78,7 @@ fn glass_refracts_and_absorbs() {
     glass["extensions"] = json!({
         "KHR_materials_transmission": { "transmissionFactor": 0.75 },
         "KHR_materials_ior": { "ior": 1.25 },
-        "KHR_materials_volume": { "attenuationDistance": 2, "attenuationColor": [0.5, 1, 1] },
+        "KHR_materials_volume": { "thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [0.5, 1, 1] },
     });
     with_material(glass, |material| {
         assert_eq!((material.diffuse, material.transmittance, material.ior), (0.25, 0.75, 1.25));
@@ -100,7 +100,17 @@ fn glass_refracts_and_absorbs() {
     });
     with_material(window, |material| {
         assert_eq!((material.diffuse, material.transmittance, material.ior), (0.0, 1.0, 1.5));
-        assert_eq!(material.optics.unwrap().absorption, Optics::PLAIN.absorption);
+        // Without a thickness, the surface is a sheet.
+        let optics = material.optics.unwrap();
+        assert_eq!((optics.absorption, optics.thin), (Optics::PLAIN.absorption, true));
+    });
+    let sheet = json!({
+        "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 } },
+        "pbrMetallicRoughness": { "metallicFactor": 0, "baseColorFactor": [0.25, 1, 0, 1] },
+    });
+    with_material(sheet, |material| {
+        let optics = material.optics.unwrap();
+        assert_eq!((optics.transmission_color, optics.thin), (LinearRgb::new(0.25, 1.0, 0.0), true));
     });
 }
 
@@ -359,6 +369,12 @@ fn emissive_and_normal_textures_are_maps() {
     assert_eq!(notes(&file), said.map(|note| format!("model.gltf: material 0: {note}")));
     // A picture that cannot be read does not shine.
     file["images"][0]["uri"] = json!("none.png");
+    with_file(&file, |import| {
+        let optics = *import.scene.materials[0].optics.unwrap();
+        assert_eq!(optics, Optics { sides: Sides::Front, ..Optics::PLAIN });
+    });
+    // Both sides of an open mesh are seen if the file says so.
+    file["materials"][0]["doubleSided"] = json!(true);
     with_file(&file, |import| assert_eq!(import.scene.materials[0].optics, None));
 }
 

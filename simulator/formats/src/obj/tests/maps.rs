@@ -88,7 +88,7 @@ fn options_place_the_picture() {
 fn a_picture_that_is_not_there_is_a_note() {
     let note = |mtl: &str| with_material(mtl, |import| import.notes[0].clone());
     assert_eq!(note("map_Kd none.png"), "m.mtl:2: `none.png`: left out: there is no such picture");
-    let outside = "not in the folder of the file or below it";
+    let outside = "not in the folder of the scene or below it";
     let expected = format!("m.mtl:2: `../none.png`: left out: {outside}; move it there");
     assert_eq!(note("map_Kd ../none.png"), expected);
     let expected = format!("m.mtl:2: `C:\\\\art\\\\Wood.png`: {outside}: the file of that name here is used");
