@@ -204,6 +204,9 @@ pub enum Fault {
     /// A [`Map`](crate::Map) changes a color of [`Optics`](crate::Optics), but the material has none. Give it
     /// optics.
     MapWithoutOptics,
+    /// A transparent material is seen from one side only. Light that enters a body must leave it at a back:
+    /// leave out [`Optics::sides`](crate::Optics::sides).
+    OneSidedGlass,
     /// A thin material absorbs light behind its surface, where it has no inside. Leave out
     /// [`Optics::absorption`](crate::Optics::absorption), and give the color to
     /// [`Optics::transmission_color`](crate::Optics::transmission_color).
@@ -429,6 +432,10 @@ impl fmt::Display for Fault {
             }
             Self::MapWithoutOptics => {
                 "a map changes a color of the optics, but the material has none; give it optics"
+            }
+            Self::OneSidedGlass => {
+                "a transparent material is seen from one side only, but light must leave it at a back; leave \
+                 out `sides`"
             }
             Self::ThinAbsorbs => {
                 "a thin material absorbs light behind its surface, where it has no inside; leave out \

@@ -143,6 +143,9 @@ impl<'a> Material<'a> {
         if !cfg!(feature = "optics") && self.needs_optics() {
             return Err(Fault::WithoutFeature { feature: "optics" });
         }
+        if self.transmittance > 0.0 && self.optics.is_some_and(|optics| optics.sides == Sides::Front) {
+            return Err(Fault::OneSidedGlass);
+        }
         if self.optics.is_none() && self.maps.iter().any(Map::needs_optics) {
             return Err(Fault::MapWithoutOptics);
         }

@@ -63,8 +63,8 @@ pub struct Optics {
     pub gloss: Option<f32>,
     /// Translucency: as [`gloss`](Self::gloss), for refracted rays; `None`: clear glass.
     pub translucency: Option<f32>,
-    /// The sides from which the surface is seen. Camera rays, mirrored and refracted rays pass through the
-    /// other side as if nothing was there. Shadows are thrown by both sides of opaque surfaces.
+    /// The sides from which an opaque surface is seen. Camera rays, mirrored and refracted rays pass through
+    /// the other side as if nothing was there. Shadows are thrown by both sides.
     pub sides: Sides,
     /// Whether the surface is a thin sheet, such as a window pane of one rectangle or a soap film: light goes
     /// straight through, and is mirrored on either side as by the front. A sheet has no inside, so that the

@@ -150,10 +150,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         }
         // Most often one glass object is in the way, of which the first hit is known already.
         let Some(object) = self.objects.get(index) else { return Through::All };
-        let next = |range| Some((self.sees(object, ray, range)?, index));
-        // Backs of one-sided glass are no layers.
-        let first = if self.has_one_sided() { next(range) } else { met };
-        self.light_through_layers(ray, range, object.form().most_hits(), first, next)
+        let next = |range| Some((self.intersect(object, ray, range)?, index));
+        self.light_through_layers(ray, range, object.form().most_hits(), met, next)
     }
 
     /// The objects among `those` that can be in the way from a surface to a light in the unit direction

@@ -42,8 +42,8 @@ pub enum Onto {
     /// [`Optics::reflection_color`](crate::Optics::reflection_color) is multiplied by the texture, channel by
     /// channel.
     ReflectionColor,
-    /// [`Optics::transmission_color`](crate::Optics::transmission_color) is multiplied by the texture, channel
-    /// by channel.
+    /// [`Optics::transmission_color`](crate::Optics::transmission_color) is multiplied by the texture,
+    /// channel by channel.
     TransmissionColor,
     /// [`Optics::emission`](crate::Optics::emission) is multiplied by the texture, channel by channel. A
     /// [`Light::Object`](crate::Light::Object) shines as without the map.
@@ -103,7 +103,8 @@ impl<'a> Map<'a> {
                 texture: texture.prepare(scale, memory)?,
             })
         })?;
-        // All bump maps and normal maps may tilt a normal in one direction, so the sum of their slopes must be in range.
+        // All bump maps and normal maps may tilt a normal in one direction, so the sum of their slopes must be
+        // in range.
         let slopes = prepared.iter().fold(R::Setup::ZERO, |sum, map: &PreparedMap<R>| match map.onto {
             PreparedOnto::Bump { slope, .. } => sum + slope.to_setup().abs(),
             PreparedOnto::Normal { strength } => sum + strength.to_setup().abs(),

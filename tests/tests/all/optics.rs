@@ -124,6 +124,15 @@ fn backs_of_one_sided_surfaces_are_not_seen_and_throw_shadows() {
     }
     let mesh = Mesh { vertices: &CORNERS, triangles: &BOTH[..1], normals: None, uvs: None, colors: None };
     assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.5; 3]);
+    // Glass needs its backs.
+    let glass = Material { transmittance: 0.5, ..sheet };
+    let (camera, background) = (CAMERA, Background::gray(0.5));
+    let objects = [wall(0.0, 0.0, 0)];
+    let scene =
+        Scene { camera, background, objects: &objects, materials: &[glass], lights: &[], motions: &[] };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let error = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap_err();
+    assert_eq!(error.fault, Fault::OneSidedGlass);
     // Both sides throw shadows.
     let light = Light::Point { position: Vec3::new(0.0, 0.0, 9.0), color: LinearRgb::WHITE };
     let matte = Material::matte(LinearRgb::WHITE);

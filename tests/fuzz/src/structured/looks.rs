@@ -40,7 +40,7 @@ impl<'a> Maker<'_, '_, 'a> {
             material.diffuse = self.choices.share();
         }
         if self.choices.chance(25) {
-            material.optics = Some(self.optics());
+            material.optics = Some(self.optics(material.transmittance > 0.0));
         }
         if self.choices.chance(8) {
             let colors = [Onto::ReflectionColor, Onto::TransmissionColor, Onto::Emission];
@@ -63,7 +63,7 @@ impl<'a> Maker<'_, '_, 'a> {
         material
     }
 
-    fn optics(&mut self) -> &'a Optics {
+    fn optics(&mut self, is_glass: bool) -> &'a Optics {
         let mut optics = Optics {
             highlight: self.choices.one_of([Highlight::Phong, Highlight::BlinnPhong]),
             fresnel: self.choices.one_of([Fresnel::Exact, Fresnel::Schlick, Fresnel::Constant]),
@@ -89,7 +89,7 @@ impl<'a> Maker<'_, '_, 'a> {
         if self.choices.chance(15) {
             optics.translucency = Some(self.choices.one_of([0.0, 3.0, 100.0, 1e5]));
         }
-        if self.choices.chance(20) {
+        if !is_glass && self.choices.chance(20) {
             optics.sides = Sides::Front;
         }
         if self.choices.chance(10) {

@@ -78,7 +78,9 @@ fn glass_refracts_and_absorbs() {
     glass["extensions"] = json!({
         "KHR_materials_transmission": { "transmissionFactor": 0.75 },
         "KHR_materials_ior": { "ior": 1.25 },
-        "KHR_materials_volume": { "thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [0.5, 1, 1] },
+        "KHR_materials_volume": {
+            "thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [0.5, 1, 1],
+        },
     });
     with_material(glass, |material| {
         assert_eq!((material.diffuse, material.transmittance, material.ior), (0.25, 0.75, 1.25));
