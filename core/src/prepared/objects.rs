@@ -112,12 +112,21 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         mut range: Interval<R>,
     ) -> Option<R> {
         for _ in 0..MAX_BACKS {
-            if !(self.surface(object, ray, range.min).normal.dot(ray.direction) > R::ZERO) {
+            if self.is_front(object, ray, range.min) {
                 return Some(range.min);
             }
             range.min = self.intersect(object, ray, range)?;
         }
         None
+    }
+
+    /// Whether a ray meets the front of an object at this distance.
+    fn is_front(&self, object: &PreparedObject<'m, R, S::Prepared<'m, R>>, ray: &Ray<R>, t: R) -> bool {
+        #[cfg(feature = "distributed")]
+        if let Some(moved) = object.moved(self.time()) {
+            return object.shape.is_front(&moved.ray_back(ray), t);
+        }
+        object.shape.is_front(ray, t)
     }
 
     /// Whether any object is seen from one side only. Without the feature there is none, and the compiler

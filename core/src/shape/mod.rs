@@ -144,6 +144,12 @@ pub trait Intersect<R: Real> {
     /// The surface at distance `t` along a ray, where [`intersect`](Self::intersect) returned `t`.
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R>;
 
+    /// Whether the ray meets the front of the surface at distance `t`, where [`intersect`](Self::intersect)
+    /// returned `t`.
+    fn is_front(&self, ray: &Ray<R>, t: R) -> bool {
+        !(self.surface(ray, t).normal.dot(ray.direction) > R::ZERO)
+    }
+
     /// The coordinates u and v of a place on the surface, for textures: most often from 0 to 1 across the
     /// whole shape. Only textures that are placed by u and v call it, also for points beside the surface. A
     /// shape without bounds returns lengths in units of the scene, of which there are `scale` to one of

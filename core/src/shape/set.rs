@@ -148,6 +148,12 @@ macro_rules! shape_set {
                 }
             }
 
+            fn is_front(&self, ray: &$crate::math::Ray<R>, t: R) -> bool {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Intersect::is_front(shape, ray, t)),+
+                }
+            }
+
             fn tint(&self, surface: &$crate::Surface<R>) -> Option<$crate::LinearRgb<R>> {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Intersect::tint(shape, surface)),+

@@ -366,27 +366,24 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let mesh_ray = MeshRay::new(ray);
         let point = ray.at(t);
         let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
-        let mut met: Option<(u16, Meeting<R>, Vec3<R>)> = None;
+        let mut met: Option<(u16, Meeting<R>)> = None;
         self.0.hierarchy.visit(point, margin, |triangle| {
-            let triangle = triangle as u16;
-            let is_first = met.is_none_or(|(first, ..)| triangle < first);
-            // Of two triangles at one place with opposite fronts, the front is seen.
-            let has_front = met.is_some_and(|(.., normal)| !(normal.dot(ray.direction) > R::ZERO));
-            if (is_first || !has_front)
-                && let Some(meeting) = self.0.meet(triangle.into(), &mesh_ray)
+            let is_first = met.is_none_or(|(first, _)| triangle < usize::from(first));
+            if is_first
+                && let Some(meeting) = self.0.meet(triangle, &mesh_ray)
                 && meeting.t == t
-                && let Some(normal) = self.0.corners(triangle).and_then(normal)
-                && (is_first && !has_front || !(normal.dot(ray.direction) > R::ZERO))
             {
-                met = Some((triangle, meeting, normal));
+                met = Some((triangle as u16, meeting));
             }
         });
         let back = -ray.direction;
         let flat =
             |normal| Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
         // If `intersect` returned `t`, there is a triangle and it has a normal.
-        let Some((triangle, meeting, normal)) = met else { return flat(back) };
-        let Some([a, b, c]) = self.0.corners(triangle) else { return flat(back) };
+        let Some((triangle, meeting)) = met else { return flat(back) };
+        let Some(corners) = self.0.corners(triangle) else { return flat(back) };
+        let normal = normal(corners).unwrap_or(back);
+        let [a, b, c] = corners;
         Surface {
             point: point - normal * normal.dot(point - a),
             normal,
@@ -394,6 +391,21 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
             magnitude: a.magnitude().larger(b.magnitude()).larger(c.magnitude()),
             part: triangle.into(),
         }
+    }
+
+    /// Whether any of the triangles that the ray meets there shows its front: two with opposite fronts may lie
+    /// at one place.
+    fn is_front(&self, ray: &Ray<R>, t: R) -> bool {
+        let mesh_ray = MeshRay::new(ray);
+        let point = ray.at(t);
+        let margin = R::offset(ray.origin.magnitude().larger(point.magnitude()));
+        let mut is_front = false;
+        self.0.hierarchy.visit(point, margin, |triangle| {
+            let is_met = self.0.meet(triangle, &mesh_ray).is_some_and(|meeting| meeting.t == t);
+            let normal = || self.0.corners(triangle as u16).and_then(normal);
+            is_front |= is_met && normal().is_some_and(|normal| !(normal.dot(ray.direction) > R::ZERO));
+        });
+        is_front
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
