@@ -100,19 +100,21 @@ impl<R: Real> Path<R> {
             return take(waiting, &mut self.next);
         };
         let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
-        let (mapped, mut room_of_optics);
+        let mut room_of_optics = None;
+        let mapped;
         let mut normal = hit.surface.shading_normal;
         let mut room = None;
         let still = scene.still(hit.object, &hit.surface, &mut room);
         if !material.maps.is_empty() {
             let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
-            room_of_optics = None;
             mapped = material.mapped(still, uv, &mut room_of_optics);
             normal = scene.bumped(hit.object, still, ray.direction, material);
             material = &mapped;
         }
         trace.seen.hit(hit);
         let color = material.color.color(still, || scene.uv(hit.object, still));
+        // Left out by an attribute: dead code here made the program for an ATmega2560 larger.
+        #[cfg(feature = "textures")]
         let color = scene.tint(hit.object, still).map_or(color, |tint| tint * color);
         let shaded = ShadedHit::new(&ray, (hit, color), normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));

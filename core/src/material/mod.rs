@@ -104,6 +104,20 @@ impl<'a> Material<'a> {
         optics.saturating_add(self.color.bytes::<R>()).saturating_add(Map::bytes::<R>(self.maps))
     }
 
+    /// Refuses optics that do not fit the rest of the material. Without the features, there is nothing to fit.
+    fn check_optics(&self) -> Result<(), Fault> {
+        if cfg!(feature = "optics")
+            && self.transmittance > 0.0
+            && self.optics.is_some_and(|optics| optics.sides == Sides::Front)
+        {
+            return Err(Fault::OneSidedGlass);
+        }
+        if cfg!(feature = "textures") && self.optics.is_none() && self.maps.iter().any(Map::needs_optics) {
+            return Err(Fault::MapWithoutOptics);
+        }
+        Ok(())
+    }
+
     /// Checks every number and converts it.
     pub(crate) fn prepare<'m, R: Real>(
         &self,
@@ -143,12 +157,7 @@ impl<'a> Material<'a> {
         if !cfg!(feature = "optics") && self.needs_optics() {
             return Err(Fault::WithoutFeature { feature: "optics" });
         }
-        if self.transmittance > 0.0 && self.optics.is_some_and(|optics| optics.sides == Sides::Front) {
-            return Err(Fault::OneSidedGlass);
-        }
-        if self.optics.is_none() && self.maps.iter().any(Map::needs_optics) {
-            return Err(Fault::MapWithoutOptics);
-        }
+        self.check_optics()?;
         let optics = match self.optics {
             None => None,
             Some(optics) => Some(memory.store(optics.prepare(ior, scale)?)?),
