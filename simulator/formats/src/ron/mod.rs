@@ -43,7 +43,7 @@
 //! - In place of a mesh, the name of an `.obj` file may be written; in place of an image, that of a `.png` or
 //!   `.ppm` file, which is taken as sRGB with `Bilinear` and `Repeat`;
 //!   `Image(file: "wood.png", ends: Mirror)` says otherwise. A PNG file with a palette of 4 or 8 bits keeps
-//!   it. Names are relative to the folder of the scene's file, and stay in it; see [`files`](crate::files).
+//!   it. Names are relative to the folder of the scene's file, and stay in it; see [`files`].
 //! - `settings` of the scene say how its picture is meant to be drawn, see [`FileSettings`]; options of the
 //!   command line overrule them.
 //! - `Some` and the inner parentheses of `Sphere((center: …))` are omitted.
