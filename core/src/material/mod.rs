@@ -104,7 +104,7 @@ impl<'a> Material<'a> {
         optics.saturating_add(self.color.bytes::<R>()).saturating_add(Map::bytes::<R>(self.maps))
     }
 
-    /// Refuses optics that do not fit the rest of the material. Without the features, there is nothing to fit.
+    /// Refuses optics that do not fit the rest of the material. Without the features, nothing can misfit.
     fn check_optics(&self) -> Result<(), Fault> {
         if cfg!(feature = "optics")
             && self.transmittance > 0.0

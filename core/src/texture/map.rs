@@ -103,8 +103,8 @@ impl<'a> Map<'a> {
                 texture: texture.prepare(scale, memory)?,
             })
         })?;
-        // All bump maps and normal maps may tilt a normal in one direction, so the sum of their slopes must be
-        // in range.
+        // All bump maps and normal maps may tilt a normal in one direction, so the sum of their slopes must
+        // be in range.
         let slopes = prepared.iter().fold(R::Setup::ZERO, |sum, map: &PreparedMap<R>| match map.onto {
             PreparedOnto::Bump { slope, .. } => sum + slope.to_setup().abs(),
             PreparedOnto::Normal { strength } => sum + strength.to_setup().abs(),
@@ -123,9 +123,9 @@ impl Onto {
             Self::Specular => PreparedOnto::Specular,
             Self::Reflectance => PreparedOnto::Reflectance,
             Self::Transmittance => PreparedOnto::Transmittance,
-            Self::ReflectionColor => PreparedOnto::ReflectionColor,
-            Self::TransmissionColor => PreparedOnto::TransmissionColor,
-            Self::Emission => PreparedOnto::Emission,
+            Self::ReflectionColor => PreparedOnto::Optics(OpticsColor::Reflection),
+            Self::TransmissionColor => PreparedOnto::Optics(OpticsColor::Transmission),
+            Self::Emission => PreparedOnto::Optics(OpticsColor::Emission),
             Self::Normal { strength } => {
                 check_number(strength)?;
                 check_held::<R>(R::Setup::from_f32(strength))?;
@@ -147,6 +147,14 @@ impl Onto {
     }
 }
 
+/// A color of the optics of a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum OpticsColor {
+    Reflection,
+    Transmission,
+    Emission,
+}
+
 /// A [`Map`], prepared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PreparedMap<'m, R: Real> {
@@ -161,9 +169,7 @@ enum PreparedOnto<R> {
     Specular,
     Reflectance,
     Transmittance,
-    ReflectionColor,
-    TransmissionColor,
-    Emission,
+    Optics(OpticsColor),
     /// The slope between black and white at the distance `step`.
     Bump {
         slope: R,
@@ -207,6 +213,14 @@ impl<R: Real> OpticsShares<R> {
         let white = LinearRgb::new(R::ONE, R::ONE, R::ONE);
         Self { reflection: white, transmission: white, emission: white }
     };
+
+    fn part(&mut self, color: OpticsColor) -> &mut LinearRgb<R> {
+        match color {
+            OpticsColor::Reflection => &mut self.reflection,
+            OpticsColor::Transmission => &mut self.transmission,
+            OpticsColor::Emission => &mut self.emission,
+        }
+    }
 }
 
 impl<'m, R: Real> PreparedMaps<'m, R> {
@@ -243,26 +257,15 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
             optics: None,
         };
         for PreparedMap { onto, texture } in self.all() {
-            let mut color = |select: fn(&mut OpticsShares<R>) -> &mut LinearRgb<R>| {
-                let share = select(shares.optics.get_or_insert(OpticsShares::ALL));
-                *share = *share * texture.color(surface, || uv(surface));
-            };
             let share = match onto {
                 PreparedOnto::Ambient => &mut shares.ambient,
                 PreparedOnto::Diffuse => &mut shares.diffuse,
                 PreparedOnto::Specular => &mut shares.specular,
                 PreparedOnto::Reflectance => &mut shares.reflectance,
                 PreparedOnto::Transmittance => &mut shares.transmittance,
-                PreparedOnto::ReflectionColor => {
-                    color(|optics| &mut optics.reflection);
-                    continue;
-                }
-                PreparedOnto::TransmissionColor => {
-                    color(|optics| &mut optics.transmission);
-                    continue;
-                }
-                PreparedOnto::Emission => {
-                    color(|optics| &mut optics.emission);
+                PreparedOnto::Optics(part) => {
+                    let share = shares.optics.get_or_insert(OpticsShares::ALL).part(*part);
+                    *share = *share * texture.color(surface, || uv(surface));
                     continue;
                 }
                 PreparedOnto::Bump { .. } | PreparedOnto::Normal { .. } => continue,

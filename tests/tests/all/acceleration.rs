@@ -544,7 +544,8 @@ proptest! {
     ) {
         // On an edge between a front and a back, a mesh that is seen from one side has the color of the first
         // triangle, and its pieces have that of the front.
-        let optics = material.optics.map(|optics| &*Box::leak(Box::new(Optics { sides: Sides::Both, ..*optics })));
+        let two_sided = |optics: &Optics| &*Box::leak(Box::new(Optics { sides: Sides::Both, ..*optics }));
+        let optics = material.optics.map(two_sided);
         let material = Material { optics, ..material };
         let floor = || Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, -103.0, 0.0), 100.0)), 0);
         let pieces = whole.triangles.chunks(4).map(|triangles| Mesh { triangles, ..whole });

@@ -393,8 +393,8 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         }
     }
 
-    /// Whether any of the triangles that the ray meets there shows its front: two with opposite fronts may lie
-    /// at one place.
+    /// Whether any of the triangles that the ray meets there shows its front: two with opposite fronts may
+    /// lie at one place.
     fn is_front(&self, ray: &Ray<R>, t: R) -> bool {
         let mesh_ray = MeshRay::new(ray);
         let point = ray.at(t);
