@@ -1,8 +1,8 @@
-//! Scenes without repeated objects. Files may have thousands of equal objects at one place, of which every ray
-//! there tests all: a hierarchy cannot divide them.
+//! Scenes without repeated objects. Files may have thousands of equal objects at one place, of which every
+//! ray there tests all: a hierarchy cannot divide them.
 //!
-//! Of equal objects, the first is seen. The others change nothing as long as they are opaque, do not move, and
-//! are no lights.
+//! Of equal objects, the first is seen. The others change nothing as long as they are opaque, do not move,
+//! and are no lights.
 
 use core::fmt::{self, Write};
 use std::collections::HashMap;

@@ -28,6 +28,7 @@ pub mod raster;
 pub mod ron;
 mod source;
 mod space;
+mod srgb;
 mod text;
 
 pub use loaded::{FILE_SETTINGS, Format, LoadError, LoadedScene, OpenOptions};

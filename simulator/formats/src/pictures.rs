@@ -104,12 +104,13 @@ fn png(image: &Image<'_>) -> io::Result<Vec<u8>> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::raster::Raster;
     use rayline::{Ends, Filter};
 
-    const IMAGE: Image = Image {
+    /// An image as it is read from a file.
+    pub(crate) const IMAGE: Image = Image {
         width: 2,
         height: 1,
         pixels: Pixels::Rgb888(&[1, 2, 3, 4, 5, 6]),

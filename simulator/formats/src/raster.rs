@@ -134,8 +134,8 @@ fn png_reader(bytes: &[u8]) -> Result<png::Reader<Cursor<&[u8]>>, RasterError> {
     decoder.read_info().map_err(broken)
 }
 
-/// Reads an image piece by piece, from the top: red, green, blue and opacity of each pixel. A PNG file that is
-/// not interlaced is never held as a whole. The result is width and height.
+/// Reads an image piece by piece, from the top: red, green, blue and opacity of each pixel. A PNG file that
+/// is not interlaced is never held as a whole. The result is width and height.
 ///
 /// # Errors
 /// The errors of [`Raster::decode`].

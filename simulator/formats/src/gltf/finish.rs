@@ -6,8 +6,9 @@ use rayline::{LinearRgb, Map, Onto, Placed, Texture};
 use super::error::Wrong;
 use super::json::{Clearcoat, Material as Described, SpecularGlossiness, TextureInfo};
 use super::materials::{Materials, rgb, share};
-use super::textures::{Picture, byte};
+use super::textures::Picture;
 use crate::notes::Notes;
+use crate::srgb::byte;
 
 /// The largest exponent of a highlight: smaller spots fall between the pixels of small displays.
 const SMOOTHEST: f32 = 2000.0;

@@ -8,8 +8,9 @@ use super::error::{At, GltfFault, Wrong};
 use super::json::Primitive;
 use super::nodes::Place;
 use super::skins::{self, Places};
-use super::textures::{Coordinates, code};
+use super::textures::Coordinates;
 use crate::model::Whole;
+use crate::srgb::code;
 
 /// How triangles follow from corners.
 #[derive(Clone, Copy, Debug)]

@@ -50,7 +50,7 @@ impl Place {
         Self(DAffine3::from_mat4(DMat4::from_cols_array(&matrix.map(f64::from))))
     }
 
-    /// This transform after another one.
+    /// The transform that applies another one first, and then this one.
     pub(super) fn after(&self, first: &Self) -> Self {
         Self(self.0 * first.0)
     }

@@ -12,6 +12,7 @@ use crate::files::MAX_PIXELS;
 use crate::model::FARTHEST_UV;
 use crate::notes::Notes;
 use crate::palette::{Colors, Compact};
+use crate::srgb::{Codes, byte, light};
 
 /// Numbers of OpenGL.
 const NEAREST: u32 = 9728;
@@ -326,7 +327,7 @@ impl<'a, 'f> Textures<'a, 'f> {
 }
 
 impl Picture<'_> {
-    /// The same picture without interpolation.
+    /// The picture without interpolation.
     pub(super) fn sharp(&self) -> Self {
         Self { filter: Filter::Nearest, ..*self }
     }
@@ -359,38 +360,6 @@ impl Picture<'_> {
         });
         sums.map(|sum| if all > 0.0 { (sum / all) as f32 } else { 0.0 })
     }
-}
-
-/// A table from codes of sRGB to the codes of their light multiplied by a factor.
-struct Codes(Vec<u8>);
-
-impl Codes {
-    fn new(factor: f32) -> Self {
-        Self(
-            (0..=u8::MAX)
-                .map(|code| if factor < 1.0 { self::code(light(code) * factor) } else { code })
-                .collect(),
-        )
-    }
-
-    fn of(&self, code: u8) -> u8 {
-        self.0.get(usize::from(code)).copied().unwrap_or(code)
-    }
-}
-
-/// The linear light of a code of sRGB (IEC 61966-2-1).
-fn light(code: u8) -> f32 {
-    let code = f32::from(code) / 255.0;
-    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
-}
-
-pub(super) fn code(light: f32) -> u8 {
-    byte(if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 })
-}
-
-pub(super) fn byte(share: f32) -> u8 {
-    // The cast saturates.
-    (share * 255.0).round() as u8
 }
 
 fn ends(sampler: Option<&Sampler>) -> Ends {

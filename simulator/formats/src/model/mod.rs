@@ -10,10 +10,8 @@ pub(crate) mod view;
 
 pub(crate) use far::Moved;
 pub(crate) use files::{Beside, beside};
-#[cfg(test)]
-pub(crate) use pictures::code;
-pub(crate) use pictures::{Pictures, Wrapping, mean_of_codes, of_code};
-pub(crate) use pieces::Whole;
+pub(crate) use pictures::{Pictures, Wrapping, mean_of_codes};
+pub(crate) use pieces::{Whole, has_area};
 pub use view::{ModelView, Up};
 
 /// The largest texture coordinate in fixed point.

@@ -10,6 +10,7 @@ use rayline::{Encoding, Ends, Figure, Filter, Image, Pixels, Placed, Placement};
 
 use crate::files::{Files, MAX_PIXELS};
 use crate::raster::Raster;
+use crate::srgb::{Codes, byte};
 
 /// How a picture lies on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,40 +165,4 @@ pub(crate) fn mean_of_codes(picture: &Raster) -> [f64; 3] {
         }
     }
     sums.map(|sum| sum as f64 / 255.0 / picture.pixels.len().max(1) as f64)
-}
-
-/// A table from codes of sRGB to the codes of their light multiplied by a factor.
-struct Codes(Vec<u8>);
-
-impl Codes {
-    fn new(factor: f32) -> Self {
-        let table =
-            (0..=u8::MAX).map(|code| if factor < 1.0 { self::code(light(code) * factor) } else { code });
-        Self(table.collect())
-    }
-
-    fn of(&self, code: u8) -> u8 {
-        self.0.get(usize::from(code)).copied().unwrap_or(code)
-    }
-}
-
-/// The linear light of a code of sRGB (IEC 61966-2-1), 0 to 1.
-pub(crate) fn light(code: u8) -> f32 {
-    of_code(f32::from(code) / 255.0)
-}
-
-/// The linear light of a share of the largest code of sRGB.
-pub(crate) fn of_code(code: f32) -> f32 {
-    if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
-}
-
-/// The code of sRGB for linear light.
-pub(crate) fn code(light: f32) -> u8 {
-    byte(if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 })
-}
-
-/// A share from 0 to 1 as a byte.
-pub(crate) fn byte(share: f32) -> u8 {
-    // The cast saturates.
-    (share * 255.0).round() as u8
 }

@@ -47,7 +47,8 @@ impl Whole<'_> {
     pub(crate) fn meshes<'a>(&self, arena: &'a Bump) -> Vec<Mesh<'a>> {
         let of_piece = |piece: Piece| {
             let vertices = pick(arena, &piece, self.vertices, Vec3::ZERO);
-            piece.triangles.iter().any(|triangle| has_area(triangle, vertices)).then(|| Mesh {
+            let corner = |index: u16| vertices.get(usize::from(index)).copied().unwrap_or(Vec3::ZERO);
+            piece.triangles.iter().any(|triangle| has_area(triangle.map(corner))).then(|| Mesh {
                 vertices,
                 triangles: arena.alloc_slice_copy(&piece.triangles),
                 normals: self.normals.map(|normals| pick(arena, &piece, normals, Vec3::ZERO)),
@@ -105,10 +106,10 @@ fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
 }
 
 /// Whether a triangle is thicker than two millionths of its sides. The core accepts triangles half as thick,
-/// so it never refuses a mesh with one that passes this test.
-fn has_area(triangle: &[u16; 3], vertices: &[Vec3]) -> bool {
-    let [a, b, c] = triangle.map(|corner| vertices.get(usize::from(corner)).copied().unwrap_or(Vec3::ZERO));
-    let (ab, ac) = ((b - a).to::<f64>(), (c - a).to::<f64>());
+/// so it never refuses one that passes this test, or a mesh with one.
+pub(crate) fn has_area(corners: [Vec3; 3]) -> bool {
+    let [a, b, c] = corners.map(Vec3::to::<f64>);
+    let (ab, ac) = (b - a, c - a);
     ab.cross(ac).length() > 2e-6 * ab.length() * ac.length()
 }
 

@@ -195,7 +195,7 @@ mod tests {
     use rayline::{Fresnel, Material, Optics, PreparedScene, Renderer, Scene, Settings};
 
     use super::*;
-    use crate::model::code;
+    use crate::srgb::code;
 
     const SIDES: [(f32, f32); 8] = [
         (24.0, 20.0),
@@ -256,8 +256,8 @@ mod tests {
         Shape::Cuboid(Cuboid::aligned(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 1.0, 1.0)))
     }
 
-    /// What a model of a gray looks like is told from the sky beside it, by 6 of 255 codes at the least and
-    /// by far more almost everywhere; and white is not too bright.
+    /// A gray model differs from the sky beside it by at least 6 of 255 codes, and by far more almost
+    /// everywhere; and white is not too bright.
     #[test]
     fn no_gray_model_blends_into_the_sky() {
         for gray in [0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 1.0] {

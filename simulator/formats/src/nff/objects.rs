@@ -7,6 +7,9 @@ use rayline::{Object, Vec3};
 
 use super::NffError;
 use super::tokens::Tokens;
+use crate::model::has_area;
+use crate::model::polygon::Polygons;
+use crate::space::vector;
 
 /// The shapes that one statement becomes, and a note if it was changed or left out.
 pub(super) struct Made<'a> {
@@ -83,7 +86,11 @@ pub(super) fn polygon<'a>(arena: &'a Bump, tokens: &mut Tokens<'_>) -> Result<Ma
         [] | [_] | [_, _] => Made::left_out(FEW_CORNERS),
         [a, b, c] => {
             let triangle = Triangle::flat(a, b, c);
-            if has_area(&triangle) { Made::one(Shape::Triangle(triangle)) } else { Made::left_out(NO_AREA) }
+            if has_area(triangle.vertices) {
+                Made::one(Shape::Triangle(triangle))
+            } else {
+                Made::left_out(NO_AREA)
+            }
         }
         _ => match flatness(&vertices) {
             Flatness::Flat => Made::one(Shape::Polygon(Polygon::new(arena.alloc_slice_copy(&vertices)))),
@@ -127,13 +134,14 @@ fn flatness(vertices: &[Vec3]) -> Flatness {
     if large.any(is_plane) { Flatness::Flat } else { Flatness::Bent }
 }
 
-/// The triangles of a polygon that is not flat: a fan around its first vertex.
+/// The triangles of a polygon that is not flat.
 fn bent<'a>(vertices: &[Vec3]) -> Made<'a> {
-    let mut rest = vertices.iter().copied();
-    let first = rest.next();
-    let mut previous = rest.next();
-    let fan = rest.filter_map(|third| Some(Triangle::flat(first?, previous.replace(third)?, third)));
-    let shapes = fan.filter(has_area).map(Shape::Triangle).collect();
+    let corners: Vec<_> = vertices.iter().map(|vertex| vector(*vertex)).collect();
+    let (triangles, _) = Polygons::default().triangles(&corners);
+    let at = |corner: u32| vertices.get(corner as usize).copied().unwrap_or(Vec3::ZERO);
+    let triangles = triangles.into_iter().map(|triangle| triangle.map(at));
+    let shapes = triangles.filter(|corners| has_area(*corners));
+    let shapes = shapes.map(|[a, b, c]| Shape::Triangle(Triangle::flat(a, b, c))).collect();
     Made { shapes, note: Some("a polygon that is not flat is drawn as triangles") }
 }
 
@@ -160,7 +168,7 @@ pub(super) fn patch<'a>(tokens: &mut Tokens<'_>) -> Result<Made<'a>, NffError> {
     for third in corners {
         let fan = [first, core::mem::replace(&mut second, third), third];
         let triangle = Triangle { vertices: fan.map(|corner| corner.place), normals: None };
-        if !has_area(&triangle) {
+        if !has_area(triangle.vertices) {
             note.get_or_insert(NO_AREA);
             continue;
         }
@@ -182,14 +190,6 @@ fn with_lengths(normals: [Vec3; 3], triangle: &Triangle) -> [Vec3; 3] {
     let [first, second, third] = normals;
     let plane = if upright.dot(first + second + third) < 0.0 { -upright } else { upright };
     normals.map(|normal| if normal == Vec3::ZERO { plane } else { normal })
-}
-
-/// Whether a triangle is thicker than two millionths of its sides. The core accepts triangles half as thick,
-/// so it never refuses one that passes this test.
-fn has_area(triangle: &Triangle) -> bool {
-    let [a, b, c] = triangle.vertices.map(Vec3::to::<f64>);
-    let (ab, ac) = (b - a, c - a);
-    ab.cross(ac).length() > 2e-6 * ab.length() * ac.length()
 }
 
 /// The bounding box of all objects; `None` if there are none.

@@ -280,6 +280,12 @@ fn polygons_that_are_not_flat_become_triangles() {
         .map(|(x, y, z)| Vec3::new(x, y, z));
     assert_eq!(shapes, [[a, b, c], [a, c, d]].map(|[a, b, c]| Shape::Triangle(Triangle::flat(a, b, c))));
     assert_eq!(notes, ["line 4: a polygon that is not flat is drawn as triangles"]);
+    // The notch of an arrowhead stays open: its corner is in both triangles.
+    let (shapes, _) = made(&arena, "p 4 0 0 0 2 1 .2 0 2 0 .5 1 0");
+    let notch = Vec3::new(0.5, 1.0, 0.0);
+    let has_notch =
+        |shape: &Shape<'_>| matches!(shape, Shape::Triangle(triangle) if triangle.vertices.contains(&notch));
+    assert!(shapes.len() == 2 && shapes.iter().all(has_notch), "{shapes:?}");
     // A vertex that is off by less than rounding leaves the polygon whole.
     let (shapes, notes) = made(&arena, "p 4 -1 0 1 1 .001 1 1 0 -1 -1 0 -1");
     assert!(matches!(*shapes, [Shape::Polygon(_)]) && notes.is_empty(), "{shapes:?} {notes:?}");

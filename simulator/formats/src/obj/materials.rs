@@ -12,6 +12,7 @@ use crate::model::{Beside, Pictures, Wrapping, beside, mean_of_codes};
 use crate::nff::Excerpt;
 use crate::notes::Notes;
 use crate::raster::Raster;
+use crate::srgb::light_of_share;
 
 /// The color of surfaces without one.
 const GRAY: LinearRgb = LinearRgb::gray(0.7);
@@ -64,8 +65,8 @@ impl<'a> Materials<'a> {
         (maps().next().is_some(), maps().all(|(_, map)| !map.clamps))
     }
 
-    /// The number in the scene of a material of the library. For `None` it is gray, and white on vertices with
-    /// colors. `length_of_uv` is the length of a unit of texture coordinates on the mesh, if it has them.
+    /// The number in the scene of a material of the library. For `None` it is gray, and white on vertices
+    /// with colors. `length_of_uv` is the length of a unit of texture coordinates on the mesh, if it has them.
     pub(super) fn id(
         &mut self,
         index: Option<usize>,
@@ -232,7 +233,7 @@ impl<'a> Materials<'a> {
         notes: &mut Notes,
     ) -> Option<&'a Placed<'a>> {
         let picture = self.picture(map, described, notes)?;
-        let light = move |code| if is_linear { code } else { crate::model::of_code(code) };
+        let light = move |code| if is_linear { code } else { light_of_share(code) };
         let wrapping = map.1.wrapping(&map.0, notes);
         let placed = self.pictures.levels(&picture, false, wrapping, light);
         placed.map_err(|reason| notes.add(&*map.0, format!("left out: {reason}"))).ok()

@@ -471,14 +471,7 @@ fn fields_beside_a_file_overrule_it() {
     let (arena, folder) = (Bump::new(), tempfile::tempdir().unwrap());
     let png = crate::raster::to_png((2, 1), 3, &[1, 2, 3, 4, 5, 6]).unwrap();
     fs::write(folder.path().join("a.png"), png).unwrap();
-    let named = Image {
-        width: 2,
-        height: 1,
-        pixels: Pixels::Rgb888(&[1, 2, 3, 4, 5, 6]),
-        encoding: Encoding::Srgb,
-        filter: Filter::Bilinear,
-        ends: Ends::Repeat,
-    };
+    let named = crate::pictures::tests::IMAGE;
     for (written, expected) in [
         ("\"a.png\"", named),
         ("file: \"a.png\"", named),

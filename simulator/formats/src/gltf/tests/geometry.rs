@@ -292,7 +292,7 @@ fn large_meshes_that_nodes_share_are_held_once() {
         { "name": "Sheet", "mesh": 0, "scale": [2, 2, 2] },
         // Turned about z by a right angle: x becomes y, and y becomes -x.
         { "mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, half, half], "translation": [100, 0, 5] },
-        // These cannot be instances of the same size: mirrored, stretched, of another size.
+        // Mirrored, stretched and smaller nodes cannot be instances of this size.
         { "mesh": 0, "scale": [-2, 2, 2] },
         { "mesh": 0, "scale": [2, 3, 2] },
         { "mesh": 0 },
