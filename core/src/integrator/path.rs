@@ -115,7 +115,7 @@ impl<R: Real> Path<R> {
         let color = material.color.color(still, || scene.uv(hit.object, still));
         // Left out by an attribute: dead code here made the program for an ATmega2560 larger.
         #[cfg(feature = "textures")]
-        let color = scene.tint(hit.object, still).map_or(color, |tint| tint * color);
+        let color = if scene.is_tinted(hit.object) { scene.tint(hit.object, still) * color } else { color };
         let shaded = ShadedHit::new(&ray, (hit, color), normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadow_rays.begin_at(hit.object);

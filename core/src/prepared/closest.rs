@@ -28,6 +28,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     #[inline]
     pub(crate) fn closest(&self, ray: &Ray<R>, range: Interval<R>, among: Among<'_>) -> Option<(R, usize)> {
         match among {
+            _ if self.has_one_sided() => self.closest_of_all(ray, range),
             Among::Few(set) => self.closest_of(ray, range, set),
             Among::Listed(list) => self.closest_of(ray, range, list.iter().map(|index| usize::from(*index))),
             Among::All => self.closest_of_all(ray, range),
@@ -39,7 +40,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     // Forced, as in the rest of this file: without it, `classic` takes an M4F 1.05 times the instructions.
     #[inline(always)]
     pub(crate) fn closest_from(&self, ray: &Ray<R>, from: Departure, among: ObjectSet) -> Option<(R, usize)> {
-        if self.candidates().is_none() {
+        if self.candidates().is_none() || self.has_one_sided() {
             // A copy, so that the ray itself can stay in registers: 0.95 times the instructions on an M4F.
             return self.closest_of_all(&{ *ray }, Interval::AHEAD);
         }
@@ -115,8 +116,23 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     fn closest_of_all(&self, ray: &Ray<R>, range: Interval<R>) -> Option<(R, usize)> {
         match self.hierarchy() {
             Some(hierarchy) => self.closest_in_hierarchy(hierarchy, ray, range),
+            None if self.has_one_sided() => self.closest_seen(ray, range),
             None => self.closest_of(ray, range, 0..self.objects.len()),
         }
+    }
+
+    /// [`closest`](Self::closest) among all objects of a scene with one-sided surfaces. Apart from the loop
+    /// for other scenes: the test of each hit took `table` on an M3 1.02 times the instructions.
+    #[cold]
+    fn closest_seen(&self, ray: &Ray<R>, mut range: Interval<R>) -> Option<(R, usize)> {
+        let mut closest = None;
+        for (index, object) in self.objects.iter().enumerate() {
+            if let Some(t) = self.sees(object, ray, range) {
+                range.max = t;
+                closest = Some((t, index));
+            }
+        }
+        closest
     }
 
     /// [`closest`](Self::closest) among the objects at these positions, which ascend.
@@ -143,7 +159,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         for index in among {
             let Some(object) = self.objects.get(index) else { continue };
             if !misses(object)
-                && let Some(t) = self.sees(object, ray, range)
+                && let Some(t) = self.intersect(object, ray, range)
             {
                 range.max = t;
                 closest = Some((t, index));

@@ -64,6 +64,9 @@ pub struct PreparedScene<'m, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// Whether any object is seen from one side only.
     #[cfg(feature = "optics")]
     has_one_sided: bool,
+    /// Whether any object has colors of its own.
+    #[cfg(feature = "textures")]
+    has_tinted: bool,
     scale: Scale,
     /// `None`: too many objects for sets, or not wanted.
     candidates: Option<Candidates<'m, R>>,
@@ -161,6 +164,8 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             ambient: ambient::<R>(lights)?,
             #[cfg(feature = "optics")]
             has_one_sided: prepared_objects.iter().any(|object| object.material.is_one_sided()),
+            #[cfg(feature = "textures")]
+            has_tinted: prepared_objects.iter().any(|object| object.shape.is_tinted()),
             scale,
             candidates,
             hierarchy,

@@ -2,6 +2,7 @@
 
 use super::{Departure, PreparedScene};
 use crate::arena::Arena;
+#[cfg(feature = "textures")]
 use crate::color::LinearRgb;
 use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
@@ -196,13 +197,26 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map_or([R::ZERO; 2], |object| object.shape.uv(surface, self.scale))
     }
 
-    /// The color of an object's own shape at a surface, if it has one.
+    /// Whether the shape of an object has colors of its own.
     #[inline]
-    pub(crate) fn tint(&self, object: usize, surface: &Surface<R>) -> Option<LinearRgb<R>> {
-        if !cfg!(feature = "textures") {
-            return None;
-        }
-        self.objects.get(object)?.shape.tint(surface)
+    pub(crate) fn is_tinted(&self, object: usize) -> bool {
+        // Few scenes have such shapes, and each hit comes here.
+        #[cfg(feature = "textures")]
+        let is_tinted =
+            self.has_tinted && self.objects.get(object).is_some_and(|object| object.shape.is_tinted());
+        #[cfg(not(feature = "textures"))]
+        let is_tinted = {
+            let _ = object;
+            false
+        };
+        is_tinted
+    }
+
+    /// The color of an object's own shape at a surface.
+    #[cfg(feature = "textures")]
+    pub(crate) fn tint(&self, object: usize, surface: &Surface<R>) -> LinearRgb<R> {
+        let white = LinearRgb::even(R::ONE);
+        self.objects.get(object).map_or(white, |object| object.shape.tint(surface))
     }
 
     /// The normal of a surface of an object, turned by the maps of the material. `still` is the surface where

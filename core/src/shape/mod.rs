@@ -156,10 +156,16 @@ pub trait Intersect<R: Real> {
     /// `surface` ([`Scale::unscaled`]).
     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2];
 
-    /// A color of the shape itself at a place on its surface, by which the color of the material is
-    /// multiplied: that of a mesh with colors at its vertices. None by default.
-    fn tint(&self, _surface: &Surface<R>) -> Option<LinearRgb<R>> {
-        None
+    /// Whether the shape has colors of its own, as a mesh with colors at its vertices has: then
+    /// [`tint`](Self::tint) is called. `false` by default.
+    fn is_tinted(&self) -> bool {
+        false
+    }
+
+    /// The color of the shape itself at a place on its surface, by which the color of the material is
+    /// multiplied. White by default.
+    fn tint(&self, _surface: &Surface<R>) -> LinearRgb<R> {
+        LinearRgb::even(R::ONE)
     }
 
     /// The kind of the shape, if it is a ball or flat: then some rays need not be tested. By default nothing

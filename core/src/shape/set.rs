@@ -154,7 +154,13 @@ macro_rules! shape_set {
                 }
             }
 
-            fn tint(&self, surface: &$crate::Surface<R>) -> Option<$crate::LinearRgb<R>> {
+            fn is_tinted(&self) -> bool {
+                match self {
+                    $(Self::$Variant(shape) => $crate::shape::Intersect::is_tinted(shape)),+
+                }
+            }
+
+            fn tint(&self, surface: &$crate::Surface<R>) -> $crate::LinearRgb<R> {
                 match self {
                     $(Self::$Variant(shape) => $crate::shape::Intersect::tint(shape, surface)),+
                 }

@@ -88,7 +88,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         let Some(material) = self.material else { return };
         if let Some(mark) = material.color.mark(surface, color, || self.scene.uv(hit.object, surface)) {
             self.path = fold(self.path, mark);
-        } else if self.scene.tint(hit.object, surface).is_some() {
+        } else if self.scene.is_tinted(hit.object) {
             self.path = fold(self.path, level_mark(color));
         }
         if !material.maps.is_empty() {

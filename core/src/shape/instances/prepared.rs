@@ -126,8 +126,13 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
         self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.places.sized))
     }
 
-    fn tint(&self, surface: &Surface<R>) -> Option<LinearRgb<R>> {
-        self.on_model(surface).and_then(|(_, surface)| self.model.tint(&surface))
+    fn is_tinted(&self) -> bool {
+        self.model.is_tinted()
+    }
+
+    fn tint(&self, surface: &Surface<R>) -> LinearRgb<R> {
+        let white = LinearRgb::even(R::ONE);
+        self.on_model(surface).map_or(white, |(_, surface)| self.model.tint(&surface))
     }
 }
 

@@ -415,13 +415,17 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         self.0.interpolated_uv(triangle, b, c).unwrap_or([b, c])
     }
 
-    fn tint(&self, surface: &Surface<R>) -> Option<LinearRgb<R>> {
-        if !cfg!(feature = "textures") || self.0.colors.is_empty() {
-            return None;
-        }
+    fn is_tinted(&self) -> bool {
+        !self.0.colors.is_empty()
+    }
+
+    fn tint(&self, surface: &Surface<R>) -> LinearRgb<R> {
         let triangle = surface.part as u16;
-        let (b, c) = weights(self.0.corners(triangle)?, surface.point);
-        self.0.interpolated_color(triangle, b, c)
+        let color = self.0.corners(triangle).and_then(|corners| {
+            let (b, c) = weights(corners, surface.point);
+            self.0.interpolated_color(triangle, b, c)
+        });
+        color.unwrap_or(LinearRgb::even(R::ONE))
     }
 }
 
