@@ -207,6 +207,12 @@ pub enum Fault {
     /// A transparent material is seen from one side only. Light that enters a body must leave it at a back:
     /// leave out [`Optics::sides`](crate::Optics::sides).
     OneSidedGlass,
+    /// A transparent material is on a mesh with a smooth terminator. Refracted rays must leave the triangles
+    /// themselves: leave out [`Mesh::smooth_terminator`](crate::shape::Mesh::smooth_terminator).
+    TerminatorOnGlass,
+    /// A mesh without normals has a smooth terminator. Give it normals, or leave out
+    /// [`Mesh::smooth_terminator`](crate::shape::Mesh::smooth_terminator).
+    TerminatorWithoutNormals,
     /// A thin material absorbs light behind its surface, where it has no inside. Leave out
     /// [`Optics::absorption`](crate::Optics::absorption), and give the color to
     /// [`Optics::transmission_color`](crate::Optics::transmission_color).
@@ -436,6 +442,14 @@ impl fmt::Display for Fault {
             Self::OneSidedGlass => {
                 "a transparent material is seen from one side only, but light must leave it at a back; leave \
                  out `sides`"
+            }
+            Self::TerminatorOnGlass => {
+                "a transparent material is on a mesh with a smooth terminator, but refracted rays must leave \
+                 the triangles themselves; leave out `smooth_terminator`"
+            }
+            Self::TerminatorWithoutNormals => {
+                "a mesh without normals has a smooth terminator; give it normals, or leave out \
+                 `smooth_terminator`"
             }
             Self::ThinAbsorbs => {
                 "a thin material absorbs light behind its surface, where it has no inside; leave out \

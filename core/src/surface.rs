@@ -11,8 +11,8 @@ pub struct Surface<R> {
     pub normal: Vec3<R>,
     /// The unit normal to shade with: interpolated where vertices have normals, else the geometric one.
     pub shading_normal: Vec3<R>,
-    /// The largest number in the computation of `point`: the rounding error of `point` is a few units in the
-    /// last place of `magnitude`.
+    /// Bounds the rounding error of `point`: rays leave it by [`Real::offset`](crate::math::Real::offset) of
+    /// `magnitude`. Most often, this is the largest number in the computation of `point`.
     pub magnitude: R,
     /// The number of the part of the shape that was hit, such as a face or a triangle; 0 for a shape of one
     /// part.

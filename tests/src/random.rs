@@ -123,9 +123,9 @@ pub fn meshes(
             8,
         ),
         proptest::collection::vec([corner(), corner(), corner()], triangles),
-        [any::<bool>(), any::<bool>(), any::<bool>()],
+        [any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>()],
     )
-        .prop_map(|(vertices, triangles, [is_smooth, has_uvs, has_colors])| {
+        .prop_map(|(vertices, triangles, [is_smooth, has_uvs, has_colors, is_lifted])| {
             let ((vertices, normals), (uvs, colors)): ((Vec<_>, Vec<_>), (Vec<_>, Vec<_>)) =
                 vertices.into_iter().unzip();
             let (normals, uvs, colors): (&[_], &[_], &[_]) = (normals.leak(), uvs.leak(), colors.leak());
@@ -135,6 +135,7 @@ pub fn meshes(
                 normals: is_smooth.then_some(normals),
                 uvs: has_uvs.then_some(uvs),
                 colors: has_colors.then_some(colors),
+                smooth_terminator: is_smooth && is_lifted,
             }
         })
         .boxed()

@@ -81,8 +81,8 @@ fn one<N: BakedNumber>(scene: &Scene<'_>, index: usize, mesh: &Mesh<'_>) -> Resu
     let row =
         |numbers: &[N; 4]| format!("[{}]", joined(numbers, |number| format!("n({})", number.argument())));
     let source = mesh.bake(scene.scale::<N>(), |parts| {
-        let BakedParts { triangles, uvs, colors, vertices, normals, order, nodes, bounds, scale, extent } =
-            parts;
+        let BakedParts { triangles, uvs, colors, vertices, normals, bounds, lift, .. } = parts;
+        let BakedParts { order, nodes, scale, extent, .. } = parts;
         let [min, max] = bounds;
         let nodes = joined(nodes, |node| {
             let [lower, upper] = node.planes().map(|planes| joined(&planes, row));
@@ -99,6 +99,7 @@ rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
     order: &{order:?},
     nodes: &[{nodes}],
     bounds: [{}, {}],
+    lift: n({}),
     scale: {scale:?},
     extent: {extent:?},
 }});
@@ -109,6 +110,7 @@ rayline::shape::BakedMesh::new(rayline::shape::BakedParts {{
             joined(normals, |SmallNormal(normal)| format!("rayline::shape::SmallNormal({normal:?})")),
             vector(min),
             vector(max),
+            lift.argument(),
         )
     });
     source.map_err(|fault| BakeError(format!("object {index}: {fault}")))

@@ -100,6 +100,7 @@ pub static MESH: Scene<'static> = of(&[
             normals: Some(&VERTICES),
             uvs: None,
             colors: None,
+            smooth_terminator: false,
         }),
         1,
     ),

@@ -167,7 +167,7 @@ impl<R: Real> Path<R> {
         }
         match reflected {
             Some(throughput) => {
-                let direction = shaded.spread_mirrored(&trace.numbers, bounces);
+                let direction = shaded.spread_mirrored(trace.scene, &trace.numbers, bounces);
                 self.next = shaded.leave(trace.scene, direction, throughput, bounces, RayKind::Reflected);
                 true
             }

@@ -297,13 +297,32 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 
     /// The direction of a ray that the surface mirrors: in the lobe of a glossy material.
     #[inline]
-    pub(super) fn spread_mirrored(&self, numbers: &RayNumbers, bounces: u8) -> Vec3<R> {
+    pub(super) fn spread_mirrored<S: Geometry>(
+        &self,
+        scene: &PreparedScene<'_, R, S>,
+        numbers: &RayNumbers,
+        bounces: u8,
+    ) -> Vec3<R> {
+        let mirrored = if scene.bends_normals() { self.mirrored_outside() } else { self.mirrored };
         match self.material.optics().and_then(|optics| optics.gloss) {
             Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(self.mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
+                self.spread(mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
             }
-            _ => self.mirrored,
+            _ => mirrored,
         }
+    }
+
+    /// The mirrored direction. Where the normal to shade with is bent so far that it would lead into the
+    /// body, whose inside is dark: the nearest direction along the surface, and 1/70 of a degree above it for
+    /// rounding.
+    fn mirrored_outside(&self) -> Vec3<R> {
+        let (geometric, _, _) = self.hit.surface.normal.facing(self.incoming);
+        let height = geometric.dot(self.mirrored);
+        if !(height < R::ZERO) {
+            return self.mirrored;
+        }
+        let bent = self.mirrored + geometric * (R::from_fraction(1 << 4) - height);
+        bent.normalized().unwrap_or(geometric)
     }
 
     /// The direction of a ray that the surface refracts into a direction: in the lobe of a translucent

@@ -137,8 +137,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
             let (named, materials) = (usize::from(object.material.0), prepared_materials.len());
             let material =
                 prepared_materials.get(named).ok_or(Fault::UnknownMaterial { named, materials })?;
+            let shape = object.shape.prepare(scale, arena)?;
+            if shape.is_lifted() && material.transmittance > R::ZERO {
+                return Err(Fault::TerminatorOnGlass);
+            }
             Ok(PreparedObject {
-                shape: object.shape.prepare(scale, arena)?,
+                shape,
                 material,
                 #[cfg(feature = "distributed")]
                 motion: None,

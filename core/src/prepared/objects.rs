@@ -219,6 +219,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         self.objects.get(object).map_or(white, |object| object.shape.tint(surface))
     }
 
+    /// Whether normals to shade with may differ from geometric ones: where shapes or maps bend them.
+    #[inline]
+    pub(crate) fn bends_normals(&self) -> bool {
+        cfg!(feature = "textures") || S::Prepared::<'m, R>::IS_SMOOTHED
+    }
+
     /// The normal of a surface of an object, turned by the maps of the material. `still` is the surface where
     /// the object was described; the ray's direction and the normal are those at the time of the sample.
     #[inline]

@@ -129,6 +129,10 @@ pub trait Geometry: Copy + Debug {
 
 /// A prepared shape, which rays can meet.
 pub trait Intersect<R: Real> {
+    /// Whether [`Surface::shading_normal`] may differ from [`Surface::normal`]: then mirrored rays are kept
+    /// out of the body. `false` by default.
+    const IS_SMOOTHED: bool = false;
+
     /// The distance to the nearest hit inside `range`. A ray that merely touches a curved outline misses the
     /// shape.
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R>;
@@ -155,6 +159,12 @@ pub trait Intersect<R: Real> {
     /// shape without bounds returns lengths in units of the scene, of which there are `scale` to one of
     /// `surface` ([`Scale::unscaled`]).
     fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2];
+
+    /// Whether surfaces of the shape may lie beside the places where rays meet it, as those of a mesh with a
+    /// smooth terminator do. No transparent material may have such a shape. `false` by default.
+    fn is_lifted(&self) -> bool {
+        false
+    }
 
     /// Whether the shape has colors of its own, as a mesh with colors at its vertices has: then
     /// [`tint`](Self::tint) is called. `false` by default.

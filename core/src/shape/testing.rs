@@ -82,6 +82,11 @@ pub(super) fn assert_meets<G: Geometry>(shape: G, origin: Vec3, toward: Vec3, t:
     }
 }
 
+/// The point of the surface that a ray toward `toward` meets.
+pub(super) fn surface_point<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 3] {
+    meet_in::<f64, G>(shape, origin, toward).expect("a hit").point
+}
+
 /// The shading normal at the hit of a ray.
 pub(super) fn shading_normal<G: Geometry>(shape: G, origin: Vec3, toward: Vec3) -> [f64; 3] {
     meet_in::<f64, G>(shape, origin, toward).expect("a hit").shading_normal

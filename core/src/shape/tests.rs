@@ -93,6 +93,7 @@ impl Shapes {
             normals: None,
             uvs: None,
             colors: None,
+            smooth_terminator: false,
         }
     }
 

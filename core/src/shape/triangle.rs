@@ -85,6 +85,8 @@ impl<R: Real> PreparedTriangle<'_, R> {
 }
 
 impl<R: Real> Intersect<R> for PreparedTriangle<'_, R> {
+    const IS_SMOOTHED: bool = true;
+
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
         let inside = |b: R, c: R| b >= R::ZERO && c >= R::ZERO && b.add_saturating(c) <= R::ONE;
         self.patch.meet(ray, range, inside)

@@ -373,8 +373,7 @@ mod tests {
 
     #[test]
     fn models_of_instances_are_in_ram_and_meshes_by_themselves_in_flash() {
-        let mesh =
-            Mesh { vertices: &TRIANGLE, triangles: &[[0, 1, 2]], normals: None, uvs: None, colors: None };
+        let mesh = Mesh::new(&TRIANGLE, &[[0, 1, 2]]);
         let poses = [Pose::at(Vec3::ZERO)];
         let model = Model::Mesh(mesh);
         let [alone, instance] = [Shape::Mesh(mesh), Shape::Instances(Instances::new(&model, &poses))]

@@ -44,6 +44,8 @@ struct Crossing {
     geometric: DVec3,
     /// The unit normal to shade with.
     normal: DVec3,
+    /// How far rays leave the surface beside the crossing, along the geometric normal.
+    lift: f64,
 }
 
 impl<'s> Textbook<'s> {

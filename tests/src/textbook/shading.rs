@@ -15,7 +15,7 @@ impl Textbook<'_> {
         };
         let material = &self.scene.materials[usize::from(object.material.0)];
         let optics = material.optics.unwrap_or(&Optics::PLAIN);
-        let point = ray.origin + ray.direction * crossing.t;
+        let point = ray.origin + ray.direction * crossing.t + crossing.geometric * crossing.lift;
         let view = -ray.direction;
         let normal = if crossing.normal.dot(view) < 0.0 { -crossing.normal } else { crossing.normal };
         let local = self.local_light(material, optics, point, normal, view);
@@ -49,7 +49,14 @@ impl Textbook<'_> {
         if let Some(direction) = refraction {
             refracted = follow(glass, direction, false);
         }
-        local + follow(mirror, ray.direction.reflect(normal), true) + refracted
+        // A bent normal does not mirror rays into the body, but along its surface.
+        let facing = if from_outside { crossing.geometric } else { -crossing.geometric };
+        let mut mirrored = ray.direction.reflect(normal);
+        let height = facing.dot(mirrored);
+        if height < 0.0 {
+            mirrored = (mirrored + facing * (1.0 / 4096.0 - height)).normalize();
+        }
+        local + follow(mirror, mirrored, true) + refracted
     }
 
     /// The light from a surface by ambient light and by the lights that are visible from the point.

@@ -40,7 +40,7 @@ pub(super) fn crossings(shape: &Shape<'_>, ray: Ray) -> Vec<Crossing> {
             let faces = polyhedron.planes.iter().map(|plane| (vector(plane.point), vector(plane.normal)));
             self::polyhedron(&faces.collect::<Vec<_>>(), ray)
         }
-        Shape::Mesh(mesh) => triangles(mesh).filter_map(|triangle| self::triangle(&triangle, ray)).collect(),
+        Shape::Mesh(mesh) => self::mesh(mesh, ray),
         Shape::Csg(csg) => super::solids::crossings(csg.steps, ray),
         Shape::Metaballs(metaballs) => self::metaballs(metaballs.blobs, ray),
         Shape::Instances(shape) => instances(&shape, ray),
@@ -60,6 +60,7 @@ fn instances(instances: &Instances<'_>, ray: Ray) -> Vec<Crossing> {
             t: crossing.t * size,
             geometric: turn * crossing.geometric,
             normal: turn * crossing.normal,
+            lift: crossing.lift * size,
         })
     });
     places.collect()
@@ -114,7 +115,7 @@ fn metaballs(blobs: &[Blob], ray: Ray) -> Vec<Crossing> {
 }
 
 fn flat(t: f64, normal: DVec3) -> Crossing {
-    Crossing { t, geometric: normal, normal }
+    Crossing { t, geometric: normal, normal, lift: 0.0 }
 }
 
 /// The real roots of a t² + b t + c = 0.
@@ -268,7 +269,7 @@ fn triangle(triangle: &Triangle, ray: Ray) -> Option<Crossing> {
         let [at_a, at_b, at_c] = normals.map(|normal| vector(normal).normalize());
         (at_a * (1.0 - u - v) + at_b * u + at_c * v).normalize()
     });
-    Some(Crossing { t: ac.dot(q) / determinant, geometric, normal })
+    Some(Crossing { t: ac.dot(q) / determinant, geometric, normal, lift: 0.0 })
 }
 
 /// The triangles of a mesh.
@@ -277,6 +278,29 @@ fn triangles(mesh: Mesh<'_>) -> impl Iterator<Item = Triangle> {
         let of = |vectors: &[Vec3]| corners.map(|corner| vectors[usize::from(corner)]);
         Triangle { vertices: of(mesh.vertices), normals: mesh.normals.map(of) }
     })
+}
+
+/// The points on the triangles, and how far above them the smooth surface lies: the mean of the projections
+/// of the point onto the planes at the corners that lie above it (Hanika 2021), along the triangle's normal.
+fn mesh(mesh: Mesh<'_>, ray: Ray) -> Vec<Crossing> {
+    let lifted = |triangle: Triangle| {
+        let crossing = self::triangle(&triangle, ray)?;
+        let (true, Some(normals)) = (mesh.smooth_terminator, triangle.normals) else { return Some(crossing) };
+        let side = -crossing.geometric.dot(ray.direction).signum();
+        let facing = crossing.geometric * side;
+        let point = ray.origin + ray.direction * crossing.t;
+        let [a, b, c] = triangle.vertices.map(vector);
+        let area = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).length();
+        let shares = [area(point, b, c), area(point, c, a), area(point, a, b)];
+        let heights = [a, b, c].into_iter().zip(normals).map(|(corner, normal)| {
+            let normal = vector(normal).normalize();
+            let normal = normal * normal.dot(facing).signum();
+            (corner - point).dot(normal).max(0.0) * normal.dot(facing)
+        });
+        let sum: f64 = heights.zip(shares).map(|(height, share)| height * share).sum();
+        Some(Crossing { lift: sum / area(a, b, c) * side, ..crossing })
+    };
+    triangles(mesh).filter_map(lifted).collect()
 }
 
 /// The point in the plane of the outline (Newell's normal: Sutherland, Sproull and Schumacker 1974), tested

@@ -31,4 +31,5 @@ mod reference;
 mod robustness;
 mod sampling;
 mod smooth_edges;
+mod smooth_normals;
 mod solids;

@@ -119,10 +119,10 @@ fn backs_of_one_sided_surfaces_are_not_seen_and_throw_shadows() {
         [Vec3::new(-2.0, -2.0, 0.0), Vec3::new(2.0, -2.0, 0.0), Vec3::new(0.0, 2.0, 0.0)];
     const BOTH: [[u16; 3]; 2] = [[0, 2, 1], [0, 1, 2]];
     for triangles in [&BOTH[..], &BOTH[1..]] {
-        let mesh = Mesh { vertices: &CORNERS, triangles, normals: None, uvs: None, colors: None };
+        let mesh = Mesh::new(&CORNERS, triangles);
         assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.8, 0.6, 0.4]);
     }
-    let mesh = Mesh { vertices: &CORNERS, triangles: &BOTH[..1], normals: None, uvs: None, colors: None };
+    let mesh = Mesh::new(&CORNERS, &BOTH[..1]);
     assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[sheet], &[], [0.5; 3]);
     // Glass needs its backs.
     let glass = Material { transmittance: 0.5, ..sheet };
@@ -230,8 +230,7 @@ fn vertices_have_colors() {
     const CORNERS: [Vec3; 3] =
         [Vec3::new(-2.0, -1.0, 0.0), Vec3::new(2.0, -1.0, 0.0), Vec3::new(0.0, 2.0, 0.0)];
     const COLORS: [[u8; 3]; 3] = [[255, 0, 188], [0, 255, 188], [0, 0, 188]];
-    let mesh =
-        Mesh { vertices: &CORNERS, triangles: &[[0, 1, 2]], normals: None, uvs: None, colors: Some(&COLORS) };
+    let mesh = Mesh { colors: Some(&COLORS), ..Mesh::new(&CORNERS, &[[0, 1, 2]]) };
     let shown = Material { ambient: 0.9, ..Material::matte(LinearRgb::new(1.0, 0.5, 1.0)) };
     let half = 0.9 * ((188.0f64 / 255.0 + 0.055) / 1.055).powf(2.4);
     assert_sees(&[Object::new(Shape::Mesh(mesh), 0)], &[shown], &[], [0.3, 0.15, half]);

@@ -182,6 +182,7 @@ fn instances() {
         normals: None,
         uvs: None,
         colors: None,
+        smooth_terminator: false,
     });
     let around: Vec<Pose> = (0..7u8)
         .map(|index| {

@@ -64,6 +64,7 @@ use prepared::Places;
 ///     normals: None,
 ///     uvs: None,
 ///     colors: None,
+///     smooth_terminator: false,
 /// });
 /// static PLACES: [Pose; 2] = [
 ///     Pose::at(Vec3::new(-2.0, 0.0, 0.0)),

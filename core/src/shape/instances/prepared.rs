@@ -85,6 +85,8 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
 const MOST_TAPERING: usize = 32;
 
 impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
+    const IS_SMOOTHED: bool = P::IS_SMOOTHED;
+
     // Not inlined: the list of waiting boxes takes 488 bytes of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -124,6 +126,10 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
         self.on_model(surface).map_or([R::ZERO; 2], |(_, surface)| self.model.uv(&surface, self.places.sized))
+    }
+
+    fn is_lifted(&self) -> bool {
+        self.model.is_lifted()
     }
 
     fn is_tinted(&self) -> bool {

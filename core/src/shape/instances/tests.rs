@@ -129,7 +129,7 @@ static WALLS: [[u16; 3]; 16] = [
 ];
 
 const fn house(vertices: &[Vec3]) -> Mesh<'_> {
-    Mesh { vertices, triangles: &WALLS, normals: None, uvs: None, colors: None }
+    Mesh::new(vertices, &WALLS)
 }
 
 /// Rays from all around must meet both shapes in the same places, with the same normals.
@@ -184,8 +184,7 @@ fn an_instance_is_the_mesh_with_its_vertices_there() {
             let triangles: Vec<[u16; 3]> = (0..count as u16)
                 .flat_map(|copy| WALLS.map(|corners| corners.map(|corner| corner + copy * 10)))
                 .collect();
-            let whole =
-                Mesh { vertices: &vertices, triangles: &triangles, normals: None, uvs: None, colors: None };
+            let whole = Mesh::new(&vertices, &triangles);
             let model = Model::Mesh(house(&HOUSE));
             let instances = Instances::new(&model, places).sized(0.5);
             assert_same::<R>(instances, whole);

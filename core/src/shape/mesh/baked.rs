@@ -38,6 +38,8 @@ pub struct BakedParts<'m, N: Real> {
     pub nodes: &'m [Node<N>],
     /// The corners of the bounds with the smallest and with the largest coordinates.
     pub bounds: [Vec3<N>; 2],
+    /// The longest way from a triangle to the smooth surface that rays leave; 0 if they leave the triangles.
+    pub lift: N,
     /// The result of [`Scale::to_f32`] for the scene.
     pub scale: f32,
     /// The largest absolute coordinate of the description.
@@ -52,15 +54,15 @@ impl<N: Real> BakedMesh<N> {
     /// one other node; or if nodes are nested deeper than
     /// [`MAX_HIERARCHY_DEPTH`](crate::limits::MAX_HIERARCHY_DEPTH), the room that rays have.
     pub const fn new(baked: BakedParts<'static, N>) -> Self {
-        let BakedParts { triangles, uvs, colors, vertices, normals, order, nodes, bounds, scale, extent } =
-            baked;
+        let BakedParts { triangles, uvs, colors, vertices, normals, bounds, lift, .. } = baked;
+        let BakedParts { order, nodes, scale, extent, .. } = baked;
         let [min, max] = bounds;
         assert!(Node::lead_on(nodes), "the nodes of a baked mesh are out of order");
         assert!(Node::are_shallow(nodes), "the nodes of a baked mesh lie in too many others");
         let hierarchy = Hierarchy::baked(nodes, order);
         let bounds = Aabb { min, max };
         Self {
-            parts: MeshData { triangles, vertices, normals, uvs, colors, hierarchy, bounds },
+            parts: MeshData { triangles, vertices, normals, uvs, colors, hierarchy, bounds, lift },
             scale,
             extent,
         }
@@ -106,10 +108,9 @@ impl super::Mesh<'_> {
     ) -> Result<T, Fault> {
         let mut memory = std::vec![core::mem::MaybeUninit::uninit(); self.const_bytes::<N>()];
         let mesh = self.prepare::<N>(scale, &mut Arena::new(&mut memory))?;
-        let MeshData { triangles, uvs, colors, vertices, normals, hierarchy, bounds: Aabb { min, max } } =
-            *mesh.0;
+        let MeshData { triangles, uvs, colors, vertices, normals, hierarchy, bounds, lift } = *mesh.0;
         let (nodes, order) = hierarchy.parts();
-        let (bounds, scale, extent) = ([min, max], scale.to_f32(), self.extent().flat);
+        let (bounds, scale, extent) = ([bounds.min, bounds.max], scale.to_f32(), self.extent().flat);
         Ok(told(BakedParts {
             triangles,
             uvs,
@@ -119,6 +120,7 @@ impl super::Mesh<'_> {
             order,
             nodes,
             bounds,
+            lift,
             scale,
             extent,
         }))

@@ -10,7 +10,7 @@
 //! | boxes, for more than [`FEW_TRIANGLES`] | up to 36 a triangle |
 //! | prepared vertices | 12 a vertex |
 //! | normals at vertices | 6 a vertex |
-//! | the mesh itself | 84; 144 on 64-bit processors |
+//! | the mesh itself | 88; 152 on 64-bit processors |
 //!
 //! A closed mesh has half as many vertices as triangles: it takes 48 bytes a triangle with normals, and 45
 //! without. A mesh that has no more vertices than triangles takes at most 57. The indices of vertices and the
@@ -21,10 +21,16 @@
 //! [`Intersect::surface`] gets only the ray and the distance, not the triangle. It tests the triangles whose
 //! boxes contain the hit once more, in the same way, and takes the first one in the list that the ray meets
 //! at exactly that distance. So the result does not depend on the order in which boxes are visited.
+//!
+//! # The edge of the shadow
+//! Where a smooth mesh turns away from a light, whole triangles do so before their interpolated normals, and
+//! the shadow begins in steps. With [`Mesh::smooth_terminator`], rays leave the smooth surface instead: see
+//! `terminator`.
 
 mod baked;
 mod ray;
 mod smooth;
+mod terminator;
 #[cfg(test)]
 mod tests;
 
@@ -52,18 +58,15 @@ use ray::{Meeting, MeshRay};
 /// use rayline::shape::Mesh;
 ///
 /// /// Four faces; their fronts are outside.
-/// static TETRAHEDRON: Mesh = Mesh {
-///     vertices: &[
+/// static TETRAHEDRON: Mesh = Mesh::new(
+///     &[
 ///         Vec3::new(1.0, 1.0, 1.0),
 ///         Vec3::new(1.0, -1.0, -1.0),
 ///         Vec3::new(-1.0, 1.0, -1.0),
 ///         Vec3::new(-1.0, -1.0, 1.0),
 ///     ],
-///     triangles: &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
-///     normals: None,
-///     uvs: None,
-///     colors: None,
-/// };
+///     &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+/// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -83,11 +86,17 @@ pub struct Mesh<'a> {
     /// Colors at the vertices, as codes of sRGB, interpolated in linear light: one for each vertex. The color
     /// of the material is multiplied by them, channel by channel. They need the feature `textures`.
     pub colors: Option<&'a [[u8; 3]]>,
+    /// Whether rays leave the smooth surface that the normals describe, and not the flat triangles. Removes
+    /// the steps of shadows' edges on coarse meshes; see [Hanika](https://doi.org/10.1007/978-1-4842-7185-8_4). Needs
+    /// normals, and a material that is not transparent.
+    pub smooth_terminator: bool,
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_struct! {
-    [] Mesh as Mesh<'m> { vertices, triangles, normals = None, uvs = None, colors = None }
+    [] Mesh as Mesh<'m> {
+        vertices, triangles, normals = None, uvs = None, colors = None, smooth_terminator = false,
+    }
     may be named
 }
 
@@ -100,6 +109,13 @@ const LEAF: usize = 4;
 /// The number of triangles that the hierarchy has, for a mesh of so many.
 const fn in_boxes(triangles: usize) -> usize {
     if cfg!(feature = "hierarchy") && triangles > FEW_TRIANGLES { triangles } else { 0 }
+}
+
+impl<'a> Mesh<'a> {
+    /// Flat triangles without coordinates or colors of their own.
+    pub const fn new(vertices: &'a [Vec3], triangles: &'a [[u16; 3]]) -> Self {
+        Self { vertices, triangles, normals: None, uvs: None, colors: None, smooth_terminator: false }
+    }
 }
 
 impl Mesh<'_> {
@@ -126,6 +142,9 @@ impl Mesh<'_> {
             && normals.len() != vertices
         {
             return Err(Fault::NormalCount { normals: normals.len(), vertices });
+        }
+        if self.smooth_terminator && self.normals.is_none() {
+            return Err(Fault::TerminatorWithoutNormals);
         }
         if let Some(uvs) = self.uvs {
             if uvs.len() != vertices {
@@ -188,8 +207,8 @@ impl Geometry for Mesh<'_> {
         let bounds = Aabb::point(Vec3::ZERO);
         let uvs = self.uvs.unwrap_or_default();
         let colors = self.colors.unwrap_or_default();
-        let mut parts =
-            MeshData { triangles: self.triangles, vertices, normals, uvs, colors, hierarchy: list, bounds };
+        let (triangles, lift) = (self.triangles, R::ZERO);
+        let mut parts = MeshData { triangles, vertices, normals, uvs, colors, hierarchy: list, bounds, lift };
         // Leave out the triangles without area.
         let mut proper = 0;
         for i in 0..order.len() {
@@ -213,6 +232,9 @@ impl Geometry for Mesh<'_> {
         } else {
             Hierarchy::list(order)
         };
+        if self.smooth_terminator {
+            parts.lift = parts.highest_lift();
+        }
         Ok(PreparedMesh(memory.store(parts)?))
     }
 }
@@ -236,6 +258,8 @@ struct MeshData<'m, R> {
     /// The hierarchy of the triangles that have an area.
     hierarchy: Hierarchy<'m, R>,
     bounds: Aabb<R>,
+    /// The longest way from a triangle to the smooth surface; 0 if rays leave the triangles.
+    lift: R,
 }
 
 impl<R: Real> MeshData<'_, R> {
@@ -340,6 +364,8 @@ fn normal<R: Real>([a, b, c]: [Vec3<R>; 3]) -> Option<Vec3<R>> {
 }
 
 impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
+    const IS_SMOOTHED: bool = true;
+
     // Not inlined: the list of waiting boxes takes 488 bytes of stack, which other shapes should not pay for.
     #[inline(never)]
     fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
@@ -359,7 +385,8 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
     }
 
     fn bounds(&self) -> Option<Aabb<R>> {
-        Some(self.0.bounds)
+        // Surfaces lie inside.
+        Some(if self.0.lift > R::ZERO { self.0.bounds.padded(self.0.lift) } else { self.0.bounds })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -384,13 +411,22 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let Some(corners) = self.0.corners(triangle) else { return flat(back) };
         let normal = normal(corners).unwrap_or(back);
         let [a, b, c] = corners;
+        let mut point = point - normal * normal.dot(point - a);
+        if self.0.lift > R::ZERO {
+            let facing = if normal.dot(ray.direction) > R::ZERO { -normal } else { normal };
+            point = point + facing * self.0.lift(triangle, meeting, point, facing);
+        }
         Surface {
-            point: point - normal * normal.dot(point - a),
+            point,
             normal,
             shading_normal: self.0.shading_normal(triangle, meeting).unwrap_or(normal),
             magnitude: a.magnitude().larger(b.magnitude()).larger(c.magnitude()),
             part: triangle.into(),
         }
+    }
+
+    fn is_lifted(&self) -> bool {
+        self.0.lift > R::ZERO
     }
 
     /// Whether any of the triangles that the ray meets there shows its front: two with opposite fronts may

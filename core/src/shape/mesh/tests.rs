@@ -26,6 +26,7 @@ const RECTANGLE: Mesh = Mesh {
     normals: None,
     uvs: None,
     colors: None,
+    smooth_terminator: false,
 };
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
@@ -45,6 +46,7 @@ impl Owned {
             normals: self.normals.as_deref(),
             uvs: None,
             colors: None,
+            smooth_terminator: false,
         }
     }
 }
@@ -275,6 +277,7 @@ fn triangles_without_area_are_never_met() {
         normals: None,
         uvs: None,
         colors: None,
+        smooth_terminator: false,
     };
     for along in [0.0, 0.5, 1.0, 2.9] {
         assert_misses(mesh, Vec3::new(along, along, 2.0), DOWN);
@@ -308,12 +311,12 @@ fn at_most_64_bytes_a_triangle() {
     let open = Mesh { triangles: &corners, ..smooth };
     assert!(each(open, open.bytes::<f32>()) < 57.0, "{}", each(open, open.bytes::<f32>()));
     // On 64-bit processors; addresses and lengths take half as much on 32-bit ones.
-    assert!(size_of::<MeshData<'_, f32>>() <= 144);
+    assert!(size_of::<MeshData<'_, f32>>() <= 152);
 }
 
 #[test]
 fn bad_meshes_are_refused() {
-    let empty = Mesh { vertices: &[], triangles: &[], normals: None, uvs: None, colors: None };
+    let empty = Mesh::new(&[], &[]);
     assert_eq!(refusal(empty), Fault::NoTriangles);
     assert_eq!(refusal(Mesh { triangles: &[], ..RECTANGLE }), Fault::NoTriangles);
     let unknown = Mesh { triangles: &[[0, 1, 2], [0, 3, 4]], ..RECTANGLE };
@@ -357,7 +360,7 @@ fn small_triangles_far_from_a_ray_are_not_met() {
     // The area of this triangle is 1e-11 of the products whose differences determine the sides.
     let size = 1e-6;
     let vertices = [Vec3::ZERO, Vec3::new(size, 0.0, 0.0), Vec3::new(size, size, 0.3 * size)];
-    let mesh = Mesh { vertices: &vertices, triangles: &[[0, 1, 2]], normals: None, uvs: None, colors: None };
+    let mesh = Mesh::new(&vertices, &[[0, 1, 2]]);
     let mut random = Random(11);
     with_prepared::<f32>(mesh, Vec3::ZERO, |scale, mesh| {
         for _ in 0..100_000 {
@@ -388,6 +391,7 @@ fn nested(depth: u16) -> BakedMesh<f32> {
         order: &[0],
         nodes: (0..depth).map(node).collect::<Vec<_>>().leak(),
         bounds: [Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 3.0, 1.0)],
+        lift: 0.0,
         scale: 1.0,
         extent: 4.0,
     })
@@ -413,4 +417,30 @@ fn baked_meshes_are_no_deeper_than_rays_can_go() {
         .map(|next| Node::<f32>::new([[0.0; 4]; 3], [[4.0; 4]; 3], [leaf, twice(next), leaf, twice(next)]));
     assert!(!Node::are_shallow(&nodes.collect::<Vec<_>>()));
     assert!(Node::<f32>::are_shallow(&[]));
+}
+
+/// A corner of an octahedron in the unit ball: each plane at a corner lies 1 - 1/3 above the middle of the
+/// triangle along its own normal, which is at 1/√3 to the triangle's.
+#[test]
+fn rays_leave_the_smooth_surface_if_wanted() {
+    let corners = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
+    let mesh = Mesh { normals: Some(&corners), ..Mesh::new(&corners, &[[0, 1, 2]]) };
+    let height = 1.0 / 3f64.sqrt();
+    let leaves = |mesh: Mesh<'_>, from: f32| {
+        let way = Vec3::new(-from, -from, -from);
+        let point = surface_point(mesh, Vec3::new(from, from, from) * 2.0, way);
+        assert!((point[0] - point[1]).abs() < 1e-6 && (point[1] - point[2]).abs() < 1e-6);
+        point[0] * 3f64.sqrt()
+    };
+    let lifted = Mesh { smooth_terminator: true, ..mesh };
+    assert!((leaves(mesh, 1.0) - height).abs() < 1e-6);
+    assert!((leaves(lifted, 1.0) - height * (1.0 + 2.0 / 3.0)).abs() < 1e-4);
+    // From behind, the surface is hollow.
+    assert!((leaves(lifted, -1.0) - height).abs() < 1e-6);
+    // All surfaces lie in the bounds.
+    with_prepared::<f32>(lifted, Vec3::ZERO, |_, prepared| {
+        let bounds = prepared.bounds().unwrap();
+        assert!(prepared.is_lifted() && bounds.contains(Vec3::new(0.5556, 0.5556, 0.5556)));
+    });
+    assert_eq!(refusal(Mesh { normals: None, ..lifted }), Fault::TerminatorWithoutNormals);
 }

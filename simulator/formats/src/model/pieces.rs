@@ -54,6 +54,7 @@ impl Whole<'_> {
                 normals: self.normals.map(|normals| pick(arena, &piece, normals, Vec3::ZERO)),
                 uvs: self.uvs.map(|uvs| pick(arena, &piece, uvs, [0.0; 2])),
                 colors: self.colors.map(|colors| pick(arena, &piece, colors, [u8::MAX; 3])),
+                smooth_terminator: false,
             })
         };
         pieces(self.triangles, self.vertices.len(), MAX_COUNT).into_iter().filter_map(of_piece).collect()

@@ -268,6 +268,7 @@ mod tests {
             normals: None,
             uvs: None,
             colors: None,
+            smooth_terminator: false,
         };
         let flat = "vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <1, 1, 0> }";
         let faces = "face_indices { 2, <0, 1, 2>, <2, 1, 3> }";

@@ -37,6 +37,7 @@ const MESH: Mesh<'static> = Mesh {
     normals: Some(&[UP, UP, UP]),
     uvs: Some(&[[0.0, 0.0], [0.0, 1.0], [1.0, -59.0]]),
     colors: Some(&[[0, 128, 255], [1, 2, 3], [9, 8, 7]]),
+    smooth_terminator: true,
 };
 
 /// Every kind of shape.

@@ -277,12 +277,14 @@ impl<'a> Maker<'_, '_, 'a> {
             .choices
             .chance(20)
             .then(|| vertices.iter().map(|_| [0; 3].map(|_: u8| self.choices.below(256) as u8)).collect());
+        let smooth_terminator = normals.is_some() && self.choices.chance(50);
         Mesh {
             vertices: self.arena.alloc_slice_copy(&vertices),
             triangles: self.arena.alloc_slice_copy(&triangles),
             normals: normals.map(|normals| &*self.arena.alloc_slice_copy(&normals)),
             uvs: uvs.map(|uvs| &*self.arena.alloc_slice_copy(&uvs)),
             colors: colors.map(|colors| &*self.arena.alloc_slice_copy(&colors)),
+            smooth_terminator,
         }
     }
 
