@@ -47,9 +47,9 @@ const BRIGHTEST: f32 = 16.0;
 /// to their positions.
 const FAINT: f64 = 1.0 / 1024.0;
 
-/// The least and the largest factor of the exposure: -20 and 6 stops. With a larger one, lights would leave
-/// the range of fixed point.
-const FACTORS: (f64, f64) = (1.0 / 1_048_576.0, 64.0);
+/// The least and the largest factor of the exposure: -20 and 2 stops. At twice the distance there is a
+/// quarter of the light. What the lights still leave dark is dark itself, and must not look white.
+const FACTORS: (f64, f64) = (1.0 / 1_048_576.0, 4.0);
 
 /// All lights of the nodes.
 pub(super) fn of<'f>(
@@ -92,7 +92,7 @@ impl Lights<'_> {
     }
 
     /// The lights, exposed for what the camera sees in a picture of this size: the brightest of what they
-    /// light is white. The scene is that without them.
+    /// light is almost white. The scene is that without them.
     pub(super) fn exposed(
         &self,
         scene: &Scene<'_>,

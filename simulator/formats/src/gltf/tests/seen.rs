@@ -158,37 +158,48 @@ fn above_a_floor(light: Value) -> Value {
     file
 }
 
-/// The ambient coefficient is a tenth of the diffuse one: white is 0.08 and 0.8 times the light. Where the
+/// The ambient coefficient is a tenth of the diffuse one: 0.9 is 0.08 and 0.8 times the light. Where the
 /// camera sees each part of the floor at the distance r from the lamp, in units of its height, it has (1 +
 /// r²)^-1.5 of the brightest light.
 #[test]
 fn lights_are_exposed_for_what_the_camera_sees() {
-    let white = (1.0 - 0.08) / 0.8;
+    let brightest = (0.9 - 0.08) / 0.8;
     with_file(&above_a_floor(json!({ "type": "directional", "intensity": 7 })), |import| {
         let [Light::Directional { color, .. }] = import.scene.lights else { unreachable!() };
-        assert!((color.r - white).abs() < 1e-4, "{color:?}");
-        let told = "model.gltf: exposure: for what the camera sees, the lights are 1.15 times as bright (+0.2 \
-                    stops) as for a white middle of the scene; see --exposure";
+        assert!((color.r - brightest).abs() < 1e-4, "{color:?}");
+        let told = "model.gltf: exposure: for what the camera sees, the lights are 1.02 times as bright \
+                    (+0.0 stops) as for a white middle of the scene; see --exposure";
         assert_eq!(import.notes, [told]);
     });
-    // A 200th of the picture of 4 times 5.33 is a circle with r² = 0.0085; of the part that a spot lights, with
-    // a radius of tan 0.5, it is one with r² = 0.0015.
+    // A hundredth of the picture of 4 times 5.33 is a circle with r² = 0.017; of the part that a spot lights,
+    // with a radius of tan 0.5, it is one with r² = 0.003.
     let spot = json!({ "innerConeAngle": 0.25, "outerConeAngle": 0.5 });
     for (light, squared) in [
-        (json!({ "type": "point", "intensity": 0.001 }), 0.0085f32),
-        (json!({ "type": "point", "intensity": 54_351.4 }), 0.0085),
-        (json!({ "type": "spot", "spot": spot }), 0.0015),
+        (json!({ "type": "point", "intensity": 0.001 }), 0.017f32),
+        (json!({ "type": "point", "intensity": 54_351.4 }), 0.017),
+        (json!({ "type": "spot", "spot": spot }), 0.003),
     ] {
         with_file(&above_a_floor(light.clone()), |import| {
             let [Light::Lamp(lamp)] = import.scene.lights else { unreachable!() };
             let below = arriving(lamp, 2.0).r;
-            let expected = white * (1.0 + squared).powf(1.5);
+            let expected = brightest * (1.0 + squared).powf(1.5);
             assert!((below / expected - 1.0).abs() < 0.01, "{light}: {below}, not {expected}");
             // The middle of the scene is far away: its light would be white at half of the diagonal, 56.6.
             let note = &import.notes[0];
-            assert!(note.contains(" times as bright (-9.4 stops) "), "{note}");
+            assert!(note.contains(" times as bright (-9.6 stops) "), "{note}");
         });
     }
+}
+
+/// A floor of 0.05 would be 0.9 by 18.1 times the light of a white middle.
+#[test]
+fn dark_floors_stay_dark() {
+    let mut file = above_a_floor(json!({ "type": "directional" }));
+    file["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = json!([0.05, 0, 0, 1]);
+    with_file(&file, |import| {
+        let [Light::Directional { color, .. }] = import.scene.lights else { unreachable!() };
+        assert_eq!(*color, LinearRgb::gray(4.0));
+    });
 }
 
 #[test]
