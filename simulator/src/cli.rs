@@ -11,8 +11,8 @@ use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
 use rayline_simulator::files::limits;
 use rayline_simulator::{
-    BOARDS, Bench, BinaryColorTheme, Display, Format, LoadedScene, Mode, ModelView, Number, OpenOptions,
-    OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up,
+    BOARDS, Bench, BinaryColorTheme, Display, Exposure, Format, LoadedScene, Mode, ModelView, Number,
+    OpenOptions, OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up,
 };
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -232,6 +232,20 @@ pub(crate) struct SceneArgs {
         value_parser = direction,
     )]
     from: Option<(f32, f32)>,
+    /// Make all light of the scene brighter or darker by this number of stops, -20 to 20: 1 doubles it, -1
+    /// halves it [default: the scene's own, else 0]
+    ///
+    /// This is the light of lamps, of surfaces that emit it, of the background, and ambient light. The lights
+    /// of a glTF file have no measure in the picture: without this option, they are exposed for what the
+    /// camera sees, and a note tells the factor. With it, 0 means that the lights make a white surface in the
+    /// middle of the scene white.
+    #[arg(
+        long,
+        value_name = "STOPS",
+        allow_negative_numbers = true,
+        value_parser = Exposure::from_str,
+    )]
+    exposure: Option<Exposure>,
     /// The format of the scene, for standard input and files with another extension [default: by the
     /// extension; for standard input by its first bytes, unless it is NFF or OBJ]
     #[arg(long, value_name = "FORMAT", value_parser = named(&Format::EXTENSIONS))]
@@ -245,7 +259,7 @@ impl SceneArgs {
     /// The options for opening the scene.
     pub(crate) const fn options(&self) -> OpenOptions {
         let view = ModelView { up: self.up, from: self.from };
-        OpenOptions { view, format: self.format, allow_paths: self.allow_paths }
+        OpenOptions { view, format: self.format, exposure: self.exposure, allow_paths: self.allow_paths }
     }
 }
 

@@ -52,8 +52,8 @@ pub use panel::on_panel;
 pub use passes::{Pass, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use rayline_formats::{
-    Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files, gltf, nff, obj, povray,
-    raster, ron,
+    Exposure, ExposureError, Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files,
+    gltf, nff, obj, povray, raster, ron,
 };
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};

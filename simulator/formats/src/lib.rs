@@ -9,13 +9,15 @@
 //! - [`raster`] reads and writes images;
 //! - [`files`] reads the bytes of all of them, within limits.
 //!
-//! Nothing here traces a ray. The workspace builds the crate with fewer optimizations than the rest: its code
-//! is long, and runs once for each file.
+//! Rays are traced only to measure the light of glTF files, in a coarse picture. The workspace builds the
+//! crate with fewer optimizations than the rest: its code is long, and runs once for each file.
 
 pub mod animation;
+mod exposure;
 pub mod files;
 pub mod gltf;
 mod loaded;
+mod meter;
 mod model;
 mod nearest;
 pub mod nff;
@@ -31,6 +33,7 @@ mod space;
 mod srgb;
 mod text;
 
+pub use exposure::{Exposure, ExposureError};
 pub use loaded::{FILE_SETTINGS, Format, LoadError, LoadedScene, OpenOptions};
 pub use model::{ModelView, Up};
 pub use pictures::Pictures;

@@ -9,11 +9,13 @@ use bumpalo::Bump;
 use rayline::builtin;
 use rayline::{BytesError, Part, Scene, SceneError, Settings, Transfer};
 
+use crate::exposure::Exposure;
 use crate::files::Files;
 use crate::gltf::{self, GltfError};
 use crate::model::ModelView;
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
+use crate::notes::Notes;
 use crate::obj::{self, ObjError};
 use crate::ron::{self, Position, RonError};
 use crate::text::without_mark;
@@ -29,6 +31,8 @@ pub struct LoadedScene<'a> {
     pub settings: Settings,
     /// Notes about everything that was added to the contents of the file, or left out.
     pub notes: Vec<String>,
+    /// The exposure. The scene has it already.
+    exposure: Exposure,
     /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
 }
@@ -85,6 +89,9 @@ pub struct OpenOptions {
     pub view: ModelView,
     /// The format of the file; `None`: as its name tells, or the first bytes of standard input.
     pub format: Option<Format>,
+    /// The exposure, in place of that of the file. Lights of glTF files are measured in the middle of the
+    /// scene then, and not by what the camera sees: see [`gltf`].
+    pub exposure: Option<Exposure>,
     /// Lets files refer to any other file, not only to those in the folder of the scene or below it.
     pub allow_paths: bool,
 }
@@ -172,10 +179,14 @@ impl<'a> LoadedScene<'a> {
     /// # Errors
     /// The scene does not exist or cannot be read, or has a camera of its own where the options have a view.
     pub fn open_with(source: &Path, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
-        let scene = Self::read(source, options, arena)?;
+        let mut scene = Self::read(source, options, arena)?;
         if options.view != ModelView::default() && scene.has_own_camera() {
             return Err(LoadError::OwnCamera { name: source.to_string_lossy().into_owned() });
         }
+        scene.exposure = options.exposure.unwrap_or(scene.exposure);
+        let mut notes = Notes::default();
+        scene.scene = scene.exposure.of(&scene.scene, arena, &mut notes);
+        scene.notes.extend(notes.lines().into_iter().map(|note| format!("{}: {note}", source.display())));
         Ok(scene)
     }
 
@@ -217,7 +228,8 @@ impl<'a> LoadedScene<'a> {
     fn read_ron(files: &'a Files, arena: &'a Bump) -> Result<Self, LoadError> {
         let import = ron::read_with(arena, files).map_err(LoadError::Ron)?;
         let settings = import.settings.over(FILE_SETTINGS);
-        Ok(Self { settings, ..Self::of_file(files, import.scene, Import::Ron(import)) })
+        let exposure = import.settings.exposure.unwrap_or_default();
+        Ok(Self { settings, exposure, ..Self::of_file(files, import.scene, Import::Ron(import)) })
     }
 
     fn read_obj(files: &'a Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
@@ -228,7 +240,7 @@ impl<'a> LoadedScene<'a> {
     }
 
     fn read_gltf(files: &Files, options: &OpenOptions, arena: &'a Bump) -> Result<Self, LoadError> {
-        let mut import = gltf::read_with(arena, options.view, files).map_err(LoadError::Gltf)?;
+        let mut import = gltf::read_with(arena, options, files).map_err(LoadError::Gltf)?;
         let (settings, notes) = (of_size(import.resolution), core::mem::take(&mut import.notes));
         Ok(Self { settings, notes, ..Self::of_file(files, import.scene, Import::Gltf(import)) })
     }
@@ -250,6 +262,7 @@ impl<'a> LoadedScene<'a> {
             scene,
             settings: FILE_SETTINGS,
             notes: Vec::new(),
+            exposure: Exposure::default(),
             file: Some((path.to_owned(), import)),
         }
     }
@@ -262,6 +275,7 @@ impl<'a> LoadedScene<'a> {
             scene: *builtin.scene,
             settings: Settings { bounces: builtin.bounces, ..FILE_SETTINGS },
             notes: Vec::new(),
+            exposure: Exposure::default(),
             file: None,
         })
     }
@@ -273,6 +287,11 @@ impl<'a> LoadedScene<'a> {
             Some((_, Import::Gltf(import))) => import.name_of(Part::Camera).is_some(),
             _ => true,
         }
+    }
+
+    /// The exposure, which the scene has already.
+    pub(crate) fn exposure(&self) -> Exposure {
+        self.exposure
     }
 
     /// The line of the scene's file that describes an object, counted from 1; `None` if it is unknown.

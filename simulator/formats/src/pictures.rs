@@ -5,9 +5,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use png::BitDepth;
-use rayline::{Encoding, Image, Pixels};
+use rayline::{Encoding, Ends, Filter, Image, Pixels};
 
 use crate::raster::{to_indexed_png, to_png};
+use crate::srgb::byte;
 
 /// The pictures of one scene, as PNG files in the folder of the scene's file. Equal pictures are one file.
 ///
@@ -92,22 +93,24 @@ fn png(image: &Image<'_>) -> io::Result<Vec<u8>> {
         Pixels::Rgb888(rgb) => to_png(size, 3, rgb),
         Pixels::Palette8 { indices, palette } => to_indexed_png(size, BitDepth::Eight, indices, palette),
         Pixels::Palette4 { indices, palette } => to_indexed_png(size, BitDepth::Four, indices, palette),
-        Pixels::Rgb565(_) => {
-            // In linear encoding, the light of a pixel is its code over 255.
-            let codes = Image { encoding: Encoding::Linear, ..*image };
-            let lines = (0..image.height).flat_map(|line| (0..image.width).map(move |column| (column, line)));
-            let light = lines.map(|(column, line)| codes.light(column, line));
-            let rgb = light.flat_map(|light| light.channels()).map(|share| (share * 255.0).round() as u8);
-            to_png(size, 3, &rgb.collect::<Vec<_>>())
+        Pixels::Rgb565(pixels) => {
+            to_png(size, 3, &pixels.iter().flat_map(|pixel| codes(*pixel)).collect::<Vec<_>>())
         }
     }
+}
+
+/// The codes of 8 bits of a pixel of 16 bits.
+pub(crate) fn codes(pixel: u16) -> [u8; 3] {
+    // In linear encoding, the light of a pixel is its code over 255.
+    let (encoding, filter, ends) = (Encoding::Linear, Filter::Nearest, Ends::Repeat);
+    let image = Image { width: 1, height: 1, pixels: Pixels::Rgb565(&[pixel]), encoding, filter, ends };
+    image.light(0, 0).channels().map(byte)
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
     use crate::raster::Raster;
-    use rayline::{Ends, Filter};
 
     /// An image as it is read from a file.
     pub(crate) const IMAGE: Image = Image {

@@ -1,5 +1,7 @@
 //! The codes of sRGB (IEC 61966-2-1) and linear light.
 
+use rayline::Encoding;
+
 /// The linear light of a code.
 pub(crate) fn light(code: u8) -> f32 {
     light_of_share(f32::from(code) / 255.0)
@@ -25,9 +27,17 @@ pub(crate) fn byte(share: f32) -> u8 {
 pub(crate) struct Codes(Vec<u8>);
 
 impl Codes {
-    /// The table for a factor from 0 to 1.
+    /// The table of sRGB for a factor from 0 to 1.
     pub(crate) fn new(factor: f32) -> Self {
-        let multiplied = |code| if factor < 1.0 { self::code(light(code) * factor) } else { code };
+        if factor < 1.0 { Self::encoded(Encoding::Srgb, factor) } else { Self((0..=u8::MAX).collect()) }
+    }
+
+    /// The table of an encoding for any factor. What becomes brighter than white is white.
+    pub(crate) fn encoded(encoding: Encoding, factor: f32) -> Self {
+        let multiplied = |code| match encoding {
+            Encoding::Srgb => self::code(light(code) * factor),
+            Encoding::Linear => byte(f32::from(code) / 255.0 * factor),
+        };
         Self((0..=u8::MAX).map(multiplied).collect())
     }
 

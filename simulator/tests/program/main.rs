@@ -6,6 +6,7 @@
 mod bench;
 mod errors;
 mod exports;
+mod exposure;
 #[cfg(unix)]
 mod files;
 mod films;

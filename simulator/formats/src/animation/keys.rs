@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::error::AnimationFault;
 use super::placement::Placement;
+use crate::Exposure;
 
 /// The camera at a key frame.
 #[derive(Clone, Copy, Debug, Deserialize)]
@@ -64,8 +65,9 @@ pub(super) struct LightKey {
 }
 
 impl LightKey {
-    /// The scene's light with the fields of this key frame.
-    pub(super) fn of(&self, own: &Light) -> Result<Light, AnimationFault> {
+    /// The scene's light with the fields of this key frame. A scene of this exposure has it already; the
+    /// color of the key frame gets it here.
+    pub(super) fn of(&self, own: &Light, exposure: Exposure) -> Result<Light, AnimationFault> {
         let mut light = *own;
         let (place, way, shine) = match &mut light {
             Light::Point { position, color } => (Some(position), None, Some(color)),
@@ -78,7 +80,7 @@ impl LightKey {
         };
         set(place, self.position, "position")?;
         set(way, self.direction, "direction")?;
-        set(shine, self.color, "color")?;
+        set(shine, self.color.map(|color| exposure.of_color(color)), "color")?;
         Ok(light)
     }
 }

@@ -30,8 +30,9 @@
 //! | | `about`: the point that the rotation leaves in place | the origin of the scene |
 //! | light | `position`, `direction`, `color`, as far as the light has them | as in the scene |
 //!
-//! Between two key frames all numbers change evenly; before the first and after the last they stay.
-//! `frames_per_second` may be left out: 20. Textures that are patterns in space do not move with an object.
+//! Between two key frames all numbers change evenly; before the first and after the last they stay. Colors of
+//! lights get the exposure of the scene. `frames_per_second` may be left out: 20. Textures that are patterns
+//! in space do not move with an object.
 
 mod error;
 mod keys;
@@ -168,7 +169,7 @@ impl Animation {
             let index = name.index(&names, scene.scene.lights.len()).map_err(refuse)?;
             let Some(own) = scene.scene.lights.get(index) else { continue };
             let keys: Result<Vec<_>, _> =
-                keys.iter().map(|key| Ok((key.at, key.ease, key.of(own)?))).collect();
+                keys.iter().map(|key| Ok((key.at, key.ease, key.of(own, scene.exposure())?))).collect();
             lights.push((index, Track::new(keys.map_err(refuse)?.into_iter()).map_err(refuse)?));
         }
         Ok(Self { length, camera: camera.transpose()?, objects, lights })

@@ -14,9 +14,17 @@ const SCENE: &str = r#"Scene(
 
 /// Reads a scene and an animation of it, and gives both to a function.
 fn animate<T>(text: &str, then: impl FnOnce(&Scene<'_>, Result<Animation, AnimationError>) -> T) -> T {
+    animate_in(SCENE, text, then)
+}
+
+fn animate_in<T>(
+    scene_text: &str,
+    text: &str,
+    then: impl FnOnce(&Scene<'_>, Result<Animation, AnimationError>) -> T,
+) -> T {
     let (folder, arena) = (tempfile::tempdir().unwrap(), Bump::new());
     let [scene, film] = ["scene.ron", "film.ron"].map(|name| folder.path().join(name));
-    std::fs::write(&scene, SCENE).unwrap();
+    std::fs::write(&scene, scene_text).unwrap();
     std::fs::write(&film, text).unwrap();
     let scene = LoadedScene::open(&scene, &arena).unwrap();
     then(&scene.scene, Animation::read(&film, &scene))
@@ -59,6 +67,20 @@ fn numbers_change_evenly_between_key_frames_and_stay_outside() {
             panic!()
         };
         assert_eq!((*color, *sky), (LinearRgb::new(0.5, 0.5, 1.0), LinearRgb::new(0.5, 0.0, 0.0)));
+    });
+}
+
+#[test]
+fn colors_of_key_frames_get_the_exposure_of_the_scene() {
+    let exposed = SCENE.replace("lights:", "settings: (exposure: 1), lights:");
+    let film = "(seconds: 2, lights: { 0: [(at: 0), (at: 2, color: (0, 0, 1))] })";
+    animate_in(&exposed, film, |scene, animation| {
+        let (animation, arena) = (animation.unwrap(), Bump::new());
+        let color = |seconds| match animation.scene_at(scene, seconds, &arena).lights {
+            [Light::Directional { color, .. }, ..] => color.channels(),
+            lights => panic!("{lights:?}"),
+        };
+        assert_eq!([0.0, 1.0, 2.0].map(color), [[2.0, 2.0, 2.0], [1.0, 1.0, 2.0], [0.0, 0.0, 2.0]]);
     });
 }
 

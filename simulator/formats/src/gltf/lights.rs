@@ -1,16 +1,22 @@
 //! Lights (`KHR_lights_punctual`).
 
 use rayline::math::Aabb;
-use rayline::{Falloff, Lamp, Light, LightCone, LinearRgb};
+use rayline::{Falloff, Lamp, Light, LightCone, LinearRgb, Scene};
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Light as Punctual, Root, Spot};
 use super::nodes::{Place, Placed};
+use crate::meter;
 use crate::nff::Excerpt;
 use crate::notes::Notes;
 
-/// The lights of a scene, and their names.
-pub(super) type Named = (Vec<Light>, Vec<String>);
+/// The lights of a scene.
+#[derive(Debug, Default)]
+pub(super) struct Lights<'f> {
+    all: Vec<Lit<'f>>,
+    /// The root of the sum of their squared illuminances, in lux, in the middle of the scene.
+    white: f64,
+}
 
 /// The kind of a light of the file.
 #[derive(Clone, Copy, Debug)]
@@ -37,14 +43,21 @@ const NEAREST: f32 = 2e-3;
 /// The largest light of a lamp near its position, in units of white.
 const BRIGHTEST: f32 = 16.0;
 
-/// All lights, scaled so that the root of the sum of their squared illuminances in the middle of the scene is
-/// white.
-pub(super) fn of(
-    root: &Root,
+/// The factor of the lights while they are measured. So faint, lamps fall off by the inverse square even near
+/// to their positions.
+const FAINT: f64 = 1.0 / 1024.0;
+
+/// The least and the largest factor of the exposure: -20 and 2 stops. At twice the distance there is a
+/// quarter of the light. What the lights still leave dark is dark itself, and must not look white.
+const FACTORS: (f64, f64) = (1.0 / 1_048_576.0, 4.0);
+
+/// All lights of the nodes.
+pub(super) fn of<'f>(
+    root: &'f Root,
     nodes: &[Placed<'_>],
     bounds: Aabb<f32>,
     notes: &mut Notes,
-) -> Result<Named, Wrong> {
+) -> Result<Lights<'f>, Wrong> {
     let mut all = Vec::new();
     for placed in nodes {
         let Some(extension) = &placed.node.extensions.light else { continue };
@@ -59,10 +72,49 @@ pub(super) fn of(
         }
     }
     let sum: f64 = all.iter().map(|lit| lit.illuminance * lit.illuminance).sum();
-    let white = sum.sqrt();
-    let light = |lit: &Lit<'_>| lit.described(white).at(|| lit.name.clone());
-    let lights = all.iter().map(light).collect::<Result<_, _>>()?;
-    Ok((lights, all.into_iter().map(|lit| lit.name).collect()))
+    Ok(Lights { all, white: sum.sqrt() })
+}
+
+impl Lights<'_> {
+    pub(super) fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    pub(super) fn names(self) -> Vec<String> {
+        self.all.into_iter().map(|lit| lit.name).collect()
+    }
+
+    /// The lights, so bright that the root of the sum of their squared illuminances in the middle of the
+    /// scene is this factor times white.
+    pub(super) fn described(&self, factor: f64) -> Result<Vec<Light>, Wrong> {
+        let light = |lit: &Lit<'_>| lit.described(self.white / factor).at(|| lit.name.clone());
+        self.all.iter().map(light).collect()
+    }
+
+    /// The lights, exposed for what the camera sees in a picture of this size: the brightest of what they
+    /// light is almost white. The scene is that without them.
+    pub(super) fn exposed(
+        &self,
+        scene: &Scene<'_>,
+        resolution: (u32, u32),
+        notes: &mut Notes,
+    ) -> Result<Vec<Light>, Wrong> {
+        let faint = self.described(FAINT)?;
+        let Some(factor) = meter::factor(&Scene { lights: &faint, ..*scene }, resolution) else {
+            notes.add("exposure", "the camera sees nothing that the lights reach; see --exposure");
+            return self.described(1.0);
+        };
+        let factor = (f64::from(factor) * FAINT).clamp(FACTORS.0, FACTORS.1);
+        // Three digits.
+        let digits = (2.0 - factor.log10().floor()).max(0.0) as usize;
+        let what = format!(
+            "for what the camera sees, the lights are {factor:.digits$} times as bright ({:+.1} stops) as \
+             for a white middle of the scene; see --exposure",
+            factor.log2()
+        );
+        notes.add("exposure", what);
+        self.described(factor)
+    }
 }
 
 fn lit<'f>(root: &'f Root, index: usize, placed: &Placed<'_>, bounds: Aabb<f32>) -> Result<Lit<'f>, Wrong> {

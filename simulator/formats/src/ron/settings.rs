@@ -7,6 +7,8 @@ use rayline::{
 };
 use serde::{Deserialize, Serialize};
 
+use crate::Exposure;
+
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -32,6 +34,9 @@ pub struct FileSettings {
     /// [`Settings::transfer`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
+    /// The exposure. The scene is as written: [`LoadedScene`](crate::LoadedScene) exposes it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exposure: Option<Exposure>,
 }
 
 plain!(FileSettings);
@@ -50,6 +55,8 @@ impl FileSettings {
             sampling: changed(usual.sampling, settings.sampling),
             area_lights: changed(usual.area_lights, settings.area_lights),
             transfer: changed(usual.transfer, settings.transfer),
+            // A scene that was opened is exposed already.
+            exposure: None,
         }
     }
 

@@ -108,12 +108,21 @@ pub(super) fn with_bytes<T>(
     bytes: &[u8],
     look: impl FnOnce(Result<Import<'_>, String>) -> T,
 ) -> T {
+    with_options(name, bytes, &OpenOptions::default(), look)
+}
+
+pub(super) fn with_options<T>(
+    name: &str,
+    bytes: &[u8],
+    options: &OpenOptions,
+    look: impl FnOnce(Result<Import<'_>, String>) -> T,
+) -> T {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     fs::write(&path, bytes).unwrap();
     let clean = |text: String| text.replace(&format!("{}/", folder.path().display()), "");
     let arena = Bump::new();
-    let import = read(&arena, &path, &OpenOptions::default())
+    let import = read(&arena, &path, options)
         .map(|import| Import { notes: import.notes.into_iter().map(clean).collect(), ..import });
     look(import.map_err(|error| clean(error.to_string())))
 }
