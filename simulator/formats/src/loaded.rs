@@ -12,7 +12,7 @@ use rayline::{BytesError, Part, Scene, SceneError, Settings, Transfer};
 use crate::exposure::Exposure;
 use crate::files::Files;
 use crate::gltf::{self, GltfError};
-use crate::model::ModelView;
+use crate::model::{self, ModelView, Parted};
 use crate::nearest::{DidYouMean, nearest};
 use crate::nff::{self, NffError};
 use crate::notes::Notes;
@@ -200,13 +200,39 @@ impl<'a> LoadedScene<'a> {
             }
             None => return Self::find(&source.to_string_lossy()),
         };
-        match format {
-            Format::Rayline => Self::read_bytes(files, arena),
+        let scene = match format {
+            Format::Rayline => return Self::read_bytes(files, arena),
             Format::Ron => Self::read_ron(files, arena),
             Format::Nff => Self::read_nff(files, arena),
             Format::Obj => Self::read_obj(files, options, arena),
             Format::Gltf => Self::read_gltf(files, options, arena),
+        };
+        Ok(scene?.parted(arena))
+    }
+
+    /// The scene, whose meshes do not lie in one plane where they overlap.
+    fn parted(mut self, arena: &'a Bump) -> Self {
+        let Parted { objects, moved, is_whole } = model::part(&self.scene, arena);
+        self.scene.objects = objects;
+        let mut notes = Notes::default();
+        if let Some((path, import)) = &self.file {
+            let path = path.display();
+            for index in moved {
+                let place = import.place(Part::Object(index)).unwrap_or_default();
+                notes.add(
+                    format!("{path}:{place}"),
+                    "moved slightly behind an earlier mesh in the same plane, which is the one seen",
+                );
+            }
+            if !is_whole {
+                notes.add(
+                    path.to_string(),
+                    "not all meshes are compared for common planes: there are too many",
+                );
+            }
         }
+        self.notes.extend(notes.lines());
+        self
     }
 
     fn read_bytes(files: &Files, arena: &'a Bump) -> Result<Self, LoadError> {

@@ -178,7 +178,7 @@ mod tests {
         };
         let quads = (0..(side - 1) * (side - 1)).flat_map(quad);
         let triangles = arena.alloc_slice_copy(&quads.collect::<Vec<_>>());
-        let mesh = Mesh { vertices, triangles, normals: Some(vertices), uvs: None, colors: None };
+        let mesh = Mesh { normals: Some(vertices), ..Mesh::new(vertices, triangles) };
         Object::new(Shape::Mesh(mesh), 0)
     }
 

@@ -30,6 +30,8 @@ enum Type {
 #[derive(Debug)]
 struct Lit<'f> {
     light: &'f Punctual,
+    /// In lux or candela of the scene.
+    intensity: f64,
     kind: Type,
     place: Place,
     /// The illuminance, in lux, of a surface in the middle of the scene that faces the light.
@@ -51,17 +53,17 @@ const FAINT: f64 = 1.0 / 1024.0;
 /// quarter of the light. What the lights still leave dark is dark itself, and must not look white.
 const FACTORS: (f64, f64) = (1.0 / 1_048_576.0, 4.0);
 
-/// All lights of the nodes.
+/// All lights of the nodes. `unit` is the length of a unit of the file in the scene.
 pub(super) fn of<'f>(
     root: &'f Root,
     nodes: &[Placed<'_>],
-    bounds: Aabb<f32>,
+    (bounds, unit): (Aabb<f32>, f64),
     notes: &mut Notes,
 ) -> Result<Lights<'f>, Wrong> {
     let mut all = Vec::new();
     for placed in nodes {
         let Some(extension) = &placed.node.extensions.light else { continue };
-        let lit = lit(root, extension.light, placed, bounds).at(|| placed.name())?;
+        let lit = lit(root, extension.light, placed, (bounds, unit)).at(|| placed.name())?;
         if lit.light.range.is_some() {
             notes.add(&*lit.name, "its range is left out: it shines at any distance");
         }
@@ -117,7 +119,12 @@ impl Lights<'_> {
     }
 }
 
-fn lit<'f>(root: &'f Root, index: usize, placed: &Placed<'_>, bounds: Aabb<f32>) -> Result<Lit<'f>, Wrong> {
+fn lit<'f>(
+    root: &'f Root,
+    index: usize,
+    placed: &Placed<'_>,
+    (bounds, unit): (Aabb<f32>, f64),
+) -> Result<Lit<'f>, Wrong> {
     let light = find(&root.extensions.lights.lights, "light", index)?;
     let at = || name("light", index, light.name.as_ref());
     let [red, green, blue] = light.color;
@@ -137,7 +144,10 @@ fn lit<'f>(root: &'f Root, index: usize, placed: &Placed<'_>, bounds: Aabb<f32>)
             return Err(GltfFault::Kind { expected: "a point, spot or directional light", found }).at(at);
         }
     };
-    let brightest = f64::from(light.intensity * red.max(green).max(blue));
+    // A lamp is as bright at the same place of a smaller scene if its candela shrink with the area.
+    let area = if matches!(kind, Type::Directional) { 1.0 } else { unit * unit };
+    let intensity = f64::from(light.intensity) * area;
+    let brightest = f64::from(light.intensity * red.max(green).max(blue)) * area;
     let illuminance = match kind {
         Type::Directional => brightest,
         Type::Point | Type::Spot => {
@@ -147,14 +157,21 @@ fn lit<'f>(root: &'f Root, index: usize, placed: &Placed<'_>, bounds: Aabb<f32>)
             brightest / f64::from(distance).powi(2)
         }
     };
-    Ok(Lit { light, kind, place: placed.place, illuminance, name: format!("{}, {}", placed.name(), at()) })
+    Ok(Lit {
+        light,
+        intensity,
+        kind,
+        place: placed.place,
+        illuminance,
+        name: format!("{}, {}", placed.name(), at()),
+    })
 }
 
 impl Lit<'_> {
     /// Converts the light; an illuminance of `white`, in lux, becomes 1.
     fn described(&self, white: f64) -> Result<Light, GltfFault> {
-        let Punctual { color: [red, green, blue], intensity, .. } = self.light;
-        let measured = (f64::from(*intensity) / white) as f32;
+        let [red, green, blue] = &self.light.color;
+        let measured = (self.intensity / white) as f32;
         let colored = |strength: f32| {
             let share = measured * strength;
             LinearRgb::new(red * share, green * share, blue * share)

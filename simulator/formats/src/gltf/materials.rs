@@ -34,6 +34,8 @@ pub(super) struct Materials<'a, 'f> {
     pub(super) arena: &'a Bump,
     root: &'f Root,
     pub(super) textures: Textures<'a, 'f>,
+    /// The length of a unit of the file in the scene.
+    unit: f32,
     /// The converted materials, by their number in the file and how many times the object's texture
     /// coordinates were halved, if it has any.
     known: HashMap<(Option<usize>, bool, Option<u8>), u16>,
@@ -43,8 +45,9 @@ pub(super) struct Materials<'a, 'f> {
 }
 
 impl<'a, 'f> Materials<'a, 'f> {
-    pub(super) fn new(arena: &'a Bump, root: &'f Root, textures: Textures<'a, 'f>) -> Self {
-        Self { arena, root, textures, known: HashMap::new(), all: Vec::new(), names: Vec::new() }
+    pub(super) fn new(arena: &'a Bump, root: &'f Root, textures: Textures<'a, 'f>, unit: f64) -> Self {
+        let unit = unit as f32;
+        Self { arena, root, textures, unit, known: HashMap::new(), all: Vec::new(), names: Vec::new() }
     }
 
     /// The texture coordinates that a material uses.
@@ -155,7 +158,8 @@ impl<'a, 'f> Materials<'a, 'f> {
             maps.extend(texels.maps);
             Material { specular, shininess, reflectance: texels.reflectance, ior: finish.ior, ..plain }
         } else {
-            let (material, optical) = finished((plain, mean), optics, finish, extensions);
+            let (material, mut optical) = finished((plain, mean), optics, finish, extensions);
+            optical.absorption = optical.absorption * self.unit.recip();
             optics = optical;
             if finish.is_metal && finish.mirror.is_none() && material.reflectance > 0.0 {
                 mirror_of_texels(&mut optics, mean);

@@ -25,6 +25,8 @@
 //! - the first perspective camera of the nodes: the camera; `aspectRatio` becomes width over height of the
 //!   picture.
 //! - `KHR_lights_punctual`: directional lights, and lamps with inverse-square falloff; see below.
+//! - a scene that lies or reaches beyond ±1e6: moved to the origin and made smaller, with its cameras and
+//!   lights.
 //! - buffers, images: read from the file itself, from `data:` URIs, and from files in its folder or below,
 //!   but from no other place. An image that is elsewhere, or cannot be read, is left out.
 //! - `KHR_node_visibility`: meshes of invisible nodes are left out.
@@ -99,6 +101,7 @@ mod json;
 mod lights;
 mod materials;
 mod nodes;
+mod reach;
 mod skins;
 #[cfg(test)]
 mod tests;
@@ -206,10 +209,18 @@ fn of_bytes<'a>(
         notes
             .add(name("animation", index, animation.name.as_ref()), "left out: animations are not supported");
     }
-    let nodes = nodes::placed(&root, &mut notes)?;
-    let mut materials = Materials::new(arena, &root, Textures::new(arena, lists));
+    let mut nodes = nodes::placed(&root, &mut notes)?;
+    let moved = reach::moved(lists, &nodes);
+    let mut skins = Skins::default();
+    if let Some(note) = moved.note() {
+        notes.add("the scene", note);
+        let place = Place::of_scene(&moved);
+        nodes.iter_mut().for_each(|placed| placed.place = place.after(&placed.place));
+        skins.moved = Some(place);
+    }
+    let mut materials = Materials::new(arena, &root, Textures::new(arena, lists), moved.scale());
     let mut names = Names::default();
-    let (mut skins, mut objects, mut room) = (Skins::default(), Vec::new(), MOST);
+    let (mut objects, mut room) = (Vec::new(), MOST);
     let visible = visible(&nodes, &mut notes);
     let mut copies = copies(lists, &visible);
     for placed in visible {
@@ -226,7 +237,7 @@ fn of_bytes<'a>(
     }
     let bounds = view::bounds(&objects).ok_or(GltfFault::NoFaces)?;
     let camera = cameras::first(&root, &nodes, bounds, &mut notes)?;
-    let lamps = lights::of(&root, &nodes, bounds, &mut notes)?;
+    let lamps = lights::of(&root, &nodes, (bounds, moved.scale()), &mut notes)?;
     let (camera, resolution) = match camera {
         Some((camera, size, called)) => {
             names.camera = Some(called);

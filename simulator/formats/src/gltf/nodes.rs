@@ -7,6 +7,7 @@ use rayline::shape::Pose;
 
 use super::error::{At, GltfFault, Wrong, find, name};
 use super::json::{Node, Root};
+use crate::model::Moved;
 use crate::notes::Notes;
 use crate::space::angles;
 
@@ -44,6 +45,11 @@ pub(super) struct Place(DAffine3);
 impl Place {
     /// The transform of the scene itself: identity.
     const ROOT: Self = Self(DAffine3::IDENTITY);
+
+    /// The change of a scene that lies or reaches too far.
+    pub(super) fn of_scene(moved: &Moved) -> Self {
+        Self(moved.transform())
+    }
 
     /// The transform by a matrix, column after column, whose last row is not read.
     pub(super) fn of_matrix(matrix: [f32; 16]) -> Self {
@@ -133,7 +139,12 @@ impl Place {
 
     /// Transforms a point, computed in `f64` and rounded once.
     pub(super) fn point(&self, point: [f32; 3]) -> Vec3 {
-        rounded(self.0.transform_point3(DVec3::from_array(point.map(f64::from))))
+        rounded(self.exact(point))
+    }
+
+    /// Transforms a point, not rounded.
+    pub(super) fn exact(&self, point: [f32; 3]) -> DVec3 {
+        self.0.transform_point3(DVec3::from_array(point.map(f64::from)))
     }
 
     /// Transforms a direction to a unit vector; `None` if its length becomes 0.

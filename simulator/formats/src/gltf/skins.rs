@@ -8,6 +8,8 @@ use super::nodes::{Place, everywhere};
 /// The transforms of the joints of all skins, computed when the first mesh has a skin.
 #[derive(Debug, Default)]
 pub(super) struct Skins {
+    /// The change of a scene that lies or reaches too far; `None`: none.
+    pub(super) moved: Option<Place>,
     /// The places of all nodes.
     places: Option<Vec<Option<Place>>>,
 }
@@ -25,6 +27,7 @@ impl Skins {
         let place = |(number, joint): (usize, &usize)| {
             let place = *find(places, "node", *joint)?;
             let place = place.ok_or(GltfFault::Repeated)?;
+            let place = self.moved.map_or(place, |moved| moved.after(&place));
             Ok(match &inverse {
                 Some(matrices) => {
                     place.after(&Place::of_matrix(*find(matrices, "inverse bind matrix", number)?))
@@ -99,6 +102,11 @@ impl Places {
 /// The weights of the morph targets of a mesh at a node.
 pub(super) fn weights<'f>(node: &'f Node, mesh: &'f Mesh) -> &'f [f32] {
     node.weights.as_deref().unwrap_or(&mesh.weights)
+}
+
+/// The positions of a primitive's vertices; `None` if they cannot be read.
+pub(super) fn positions(lists: Lists<'_>, primitive: &Primitive) -> Option<Vec<[f32; 3]>> {
+    lists.vectors::<3>(*primitive.attributes.get("POSITION")?).ok()
 }
 
 /// Adds the morph targets of a primitive to its positions or normals. A target with another number of

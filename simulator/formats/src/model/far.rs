@@ -1,6 +1,6 @@
 //! Models that lie or reach farther than a scene may.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use rayline::Vec3;
 use rayline::limits::MAX_COORDINATE;
 
@@ -20,17 +20,20 @@ impl Moved {
     /// No change.
     pub(crate) const NOT: Self = Self { center: DVec3::ZERO, scale: 1.0 };
 
-    /// The change for a model with these vertices: none if it and the default camera are within the limits of
-    /// a scene. Otherwise its center becomes the origin, and it becomes smaller if it is still too large.
-    pub(crate) fn of(vertices: impl Iterator<Item = DVec3>) -> Self {
+    /// The change for a model with these vertices: none if it is within the limits of a scene, and so is the
+    /// default camera, unless the model has one. Otherwise its center becomes the origin, and it becomes
+    /// smaller if it is still too large.
+    pub(crate) fn of(vertices: impl Iterator<Item = DVec3>, has_camera: bool) -> Self {
         let bounds = vertices.fold(None, |bounds, vertex| match bounds {
             None => Some((vertex, vertex)),
             Some((min, max)) => Some((vertex.min(min), vertex.max(max))),
         });
         let Some((min, max)) = bounds else { return Self::NOT };
         let (center, half) = (min * 0.5 + max * 0.5, max * 0.5 - min * 0.5);
-        let (reach, most) = (half.length() * CAMERA, f64::from(MAX_COORDINATE));
-        if center.abs().max_element() + reach <= most {
+        let (half, most) =
+            (if has_camera { half } else { DVec3::splat(half.length() * CAMERA) }, MAX_COORDINATE);
+        let (reach, most) = (half.max_element(), f64::from(most));
+        if (center.abs() + half).max_element() <= most {
             return Self::NOT;
         }
         // Round the center: the note tells it, and coordinates with few digits keep them.
@@ -50,15 +53,26 @@ impl Moved {
         Vec3::new(x, y, z)
     }
 
+    /// The change as a transform.
+    pub(crate) fn transform(&self) -> DAffine3 {
+        DAffine3::from_scale(DVec3::splat(self.scale)) * DAffine3::from_translation(-self.center)
+    }
+
+    /// The new length of a unit.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// The note about the change, if there is one.
     pub(crate) fn note(&self) -> Option<String> {
         if *self == Self::NOT {
             return None;
         }
-        let [x, y, z] = self.center.to_array();
+        // Not `-center`: zero has no sign.
+        let [x, y, z] = (DVec3::ZERO - self.center).to_array();
         let scaled =
             if self.scale == 1.0 { String::new() } else { format!(", and scaled by {}", self.scale) };
-        Some(format!("moved by {}, {}, {}{scaled}, as a scene reaches from -1e6 to 1e6", -x, -y, -z))
+        Some(format!("moved by {x}, {y}, {z}{scaled}, as a scene reaches from -1e6 to 1e6"))
     }
 }
 
@@ -67,13 +81,21 @@ mod tests {
     use super::*;
 
     fn moved(corners: [[f64; 3]; 2]) -> Moved {
-        Moved::of(corners.into_iter().map(DVec3::from_array))
+        Moved::of(corners.into_iter().map(DVec3::from_array), false)
+    }
+
+    #[test]
+    fn models_with_cameras_may_reach_farther() {
+        let moved = |most: f64| Moved::of([-most, most].into_iter().map(DVec3::splat), true);
+        assert_eq!(moved(1e6), Moved::NOT);
+        let place = moved(2e6).transform().transform_point3(DVec3::new(2e6, 0.0, -1.0));
+        assert!((place - DVec3::new(2e5, 0.0, -0.1)).length() < 1e-9, "{place}");
     }
 
     #[test]
     fn models_within_the_limits_stay() {
         assert_eq!(moved([[456_789.0, 912_345.0, 210.0], [456_799.0, 912_355.0, 215.0]]), Moved::NOT);
-        assert_eq!(Moved::of(core::iter::empty()).note(), None);
+        assert_eq!(Moved::of(core::iter::empty(), false).note(), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Parts that all importers of models share: triangles of polygons, the place of models that are far away,
-//! splitting of large meshes, pictures, and default surroundings.
+//! splitting of large meshes, meshes in one plane, pictures, and default surroundings.
 
+mod coplanar;
 mod far;
 mod files;
 mod pictures;
@@ -8,6 +9,7 @@ mod pieces;
 pub(crate) mod polygon;
 pub(crate) mod view;
 
+pub(crate) use coplanar::{Parted, part};
 pub(crate) use far::Moved;
 pub(crate) use files::{Beside, beside};
 pub(crate) use pictures::{Pictures, Wrapping, mean_of_codes};

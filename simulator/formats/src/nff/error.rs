@@ -48,6 +48,11 @@ pub enum NffFault {
     },
     /// The file has neither a `v` nor an object to look at. Add one of them.
     NoView,
+    /// The file has more objects than a scene can hold. Use fewer.
+    TooManyObjects {
+        /// The most objects of a scene.
+        most: usize,
+    },
     /// The file has more materials than a scene can hold. Use the same `f` for several objects.
     TooManyMaterials {
         /// The most materials of a scene.
@@ -79,6 +84,7 @@ impl fmt::Display for NffFault {
             Self::NoView => {
                 f.write_str("the file has no view (`v`) and no object to look at; add one of them")
             }
+            Self::TooManyObjects { most } => write!(f, "the file has more than {most} objects; use fewer"),
             Self::TooManyMaterials { most } => {
                 write!(f, "the file has more than {most} materials; use the same `f` for several objects")
             }

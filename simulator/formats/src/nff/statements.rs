@@ -107,6 +107,10 @@ impl<'a> Reader<'a> {
         };
         self.note(line, note);
         for shape in shapes {
+            // Stop here: the rest of the file may be huge.
+            if self.objects.len() >= MAX_COUNT {
+                return Err(NffError { line, fault: NffFault::TooManyObjects { most: MAX_COUNT } });
+            }
             self.objects.push(Object::new(shape, material));
             self.lines.objects.push(line);
         }

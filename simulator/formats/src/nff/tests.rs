@@ -202,6 +202,16 @@ fn more_materials_than_can_be_numbered() {
     );
 }
 
+/// A file is not read beyond the last object that a scene can have.
+#[test]
+fn more_objects_than_can_be_numbered() {
+    let balls = "s 0 0 0 1\n".repeat(65_535);
+    assert_eq!(parse_ok(&Bump::new(), &format!("{VIEW}{GRAY}{balls}")).scene.objects.len(), 65_535);
+    let error = error_of(&format!("{VIEW}{GRAY}{balls}s 0 0 0 1\nnever read"));
+    assert_eq!(error, NffError { line: 65_538, fault: NffFault::TooManyObjects { most: 65_535 } });
+    assert_eq!(error.to_string(), "line 65538: the file has more than 65535 objects; use fewer");
+}
+
 /// The shapes of these statements and the notes about them.
 fn made<'a>(arena: &'a Bump, statements: &str) -> (Vec<Shape<'a>>, Vec<String>) {
     let import = parse_ok(arena, &format!("{VIEW}{GRAY}l 0 0 9\n{statements}"));

@@ -100,7 +100,7 @@ impl<'c> Faces<'c> {
             }
         }
         let used = faces.all.iter().flat_map(|placed| faces.corners(placed));
-        faces.moved = Moved::of(used.map(|corner| faces.file_vertex(corner.vertex)));
+        faces.moved = Moved::of(used.map(|corner| faces.file_vertex(corner.vertex)), false);
         let normals: Vec<_> = faces.all.iter().map(|placed| faces.face_normal(placed)).collect();
         for (placed, normal) in faces.all.iter_mut().zip(normals) {
             placed.normal = normal;

@@ -1,6 +1,6 @@
 //! Tests of meshes and their transforms.
 
-use rayline::Vec3;
+use rayline::{Light, Vec3};
 
 use super::*;
 
@@ -386,5 +386,46 @@ fn notes_list_what_is_left_out() {
         assert_eq!(import.notes.len(), 2, "{:?}", import.notes);
         assert!(import.notes[0].starts_with("model.gltf: no camera: the whole model is seen from the front"));
         assert_eq!(import.notes[1], "model.gltf: no light: it is lit from beside the camera and by a sky");
+    });
+}
+
+/// A cube, a lamp and a camera far away look as near the origin: all move alike.
+#[test]
+fn scenes_that_lie_far_away_come_to_the_origin() {
+    let lamp = json!({ "type": "point", "intensity": 9 });
+    let file = |at: f64, size: f64| {
+        let mut file = cube();
+        file["extensionsUsed"] = json!(["KHR_lights_punctual"]);
+        file["extensions"] = json!({ "KHR_lights_punctual": { "lights": [lamp] } });
+        file["cameras"] = json!([{ "type": "perspective", "perspective": { "yfov": 0.5, "znear": 1 } }]);
+        file["nodes"] = json!([
+            { "mesh": 0, "translation": [at, 0, 0], "scale": [size, size, size] },
+            { "camera": 0, "translation": [at, 0, 8.0 * size] },
+            { "translation": [at, 4.0 * size, 0], "extensions": { "KHR_lights_punctual": { "light": 0 } } },
+        ]);
+        file["scenes"] = json!([{ "nodes": [0, 1, 2] }]);
+        file
+    };
+    with_file(&file(8_388_608.0, 1.0), |import| {
+        let note = "model.gltf: the scene: moved by -8388608, -2, -4, as a scene reaches from -1e6 to 1e6";
+        assert_eq!(import.notes, [note]);
+        // The middle of cube, camera and lamp, rounded, is the origin.
+        assert_eq!(mesh(&import, 0).vertices[0], Vec3::new(-0.5, -2.5, -4.5));
+        assert_eq!(import.scene.camera.eye, Vec3::new(0.0, -2.0, 4.0));
+        assert_eq!(import.scene.camera.target, Vec3::new(0.0, -2.0, -4.0));
+        let [Light::Lamp(lamp)] = import.scene.lights else { unreachable!() };
+        assert_eq!(lamp.position, Vec3::new(0.0, 2.0, -4.0));
+    });
+    // Four million times as large, it becomes a hundredth of that. The lamp's light is the same everywhere.
+    with_file(&file(0.0, 4e6), |import| {
+        let note = "moved by 0, -7000000, -15000000, and scaled by 0.01, as a scene reaches from -1e6 to 1e6";
+        assert_eq!(import.notes, [format!("model.gltf: the scene: {note}")]);
+        assert_eq!(mesh(&import, 0).vertices[7], Vec3::new(2e4, -5e4, -1.3e5));
+        assert_eq!(import.scene.camera.eye, Vec3::new(0.0, -7e4, 1.7e5));
+        let [Light::Lamp(lamp)] = import.scene.lights else { unreachable!() };
+        assert_eq!(lamp.position, Vec3::new(0.0, 9e4, -1.5e5));
+        // White at the center of the cube, 160,000 away.
+        let arriving = lamp.color.r / (lamp.falloff.quadratic * 1.6e5 * 1.6e5);
+        assert!((arriving - 1.0).abs() < 1e-4, "{arriving}");
     });
 }
