@@ -33,6 +33,8 @@ pub(super) struct Hidden {
     pub(super) triangle: u32,
     pub(super) plane: Plane,
     pub(super) depth: f64,
+    /// Whether that is the largest depth.
+    pub(super) is_last: bool,
     /// The largest distance of a triangle in the plane from it.
     pub(super) tolerance: f64,
 }

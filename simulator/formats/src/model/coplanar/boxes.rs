@@ -51,7 +51,10 @@ impl Boxes {
             if part.len() > LEAF {
                 let half = part.len() / 2;
                 let axis = widest(place);
-                part.select_nth_unstable_by(half, |a, b| middle(a, axis).total_cmp(&middle(b, axis)));
+                // Equal boxes are split by their objects, so that those of later objects are passed over.
+                part.select_nth_unstable_by(half, |a, b| {
+                    middle(a, axis).total_cmp(&middle(b, axis)).then(a.object.cmp(&b.object))
+                });
                 open.push((2 * node + 2, start + half, end));
                 open.push((2 * node + 1, start, start + half));
             }
@@ -59,9 +62,9 @@ impl Boxes {
         Self { items, nodes }
     }
 
-    /// Visits the items of earlier objects whose boxes overlap that of an item. Each box and each item takes
-    /// one of `steps`; without any left, the search ends.
-    pub(super) fn visit(&self, item: &Item, steps: &mut u64, mut found: impl FnMut(&Item)) {
+    /// Visits the items of earlier objects whose boxes overlap that of an item, as long as `found` is true.
+    /// Each box and each item takes one of `steps`; without any left, the search ends.
+    pub(super) fn visit(&self, item: &Item, steps: &mut u64, mut found: impl FnMut(&Item) -> bool) {
         let overlaps = |low: &[f32; 3], high: &[f32; 3], first| {
             let (below, above) = (low.iter().zip(&item.high), high.iter().zip(&item.low));
             first < item.object
@@ -77,14 +80,17 @@ impl Boxes {
             }
             if end - start > LEAF {
                 let half = start + (end - start) / 2;
-                open.push((2 * node + 2, half, end));
+                // The second half first: where boxes are equal, its objects lie deeper.
                 open.push((2 * node + 1, start, half));
+                open.push((2 * node + 2, half, end));
                 continue;
             }
             let near = self.items.get(start..end).into_iter().flatten();
             for other in near.filter(|other| overlaps(&other.low, &other.high, other.object)) {
                 *steps = steps.saturating_sub(1);
-                found(other);
+                if !found(other) {
+                    return;
+                }
             }
         }
     }

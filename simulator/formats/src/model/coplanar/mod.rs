@@ -43,9 +43,11 @@ const LEAST_STEP: f64 = STEP / 4.0;
 const TOLERANCE: f64 = STEP / 8.0;
 /// The most steps: what lies behind more meshes of one plane stays at that depth.
 const LAYERS: f64 = 64.0;
-/// The most boxes and triangles that are looked at for each triangle, on average, and in any scene.
+/// The most boxes and triangles that are looked at for each triangle, on average. Small scenes may take more,
+/// and large ones less: they take a few seconds.
 const STEPS: u64 = 256;
 const FEWEST_STEPS: u64 = 1 << 20;
+const MOST_STEPS: u64 = 1 << 26;
 /// The most triangles of all instances of a mesh that are compared.
 const MOST_OF_INSTANCES: usize = 1 << 20;
 
@@ -121,7 +123,7 @@ fn hide(bodies: &mut [Body<'_>], eye: DVec3) -> bool {
     }
     let magnitudes = items.iter().flat_map(|item| [item.low, item.high]).flatten().map(f32::abs);
     let least_step = f64::from(magnitudes.fold(0.0, f32::max)).max(magnitude(eye)) * LEAST_STEP;
-    let mut steps = FEWEST_STEPS.max(STEPS.saturating_mul(items.len() as u64));
+    let mut steps = STEPS.saturating_mul(items.len() as u64).clamp(FEWEST_STEPS, MOST_STEPS);
     let boxes = Boxes::new(items);
     for number in 0..bodies.len() {
         let Some(body) = bodies.get(number) else { continue };
@@ -137,6 +139,7 @@ fn hide(bodies: &mut [Body<'_>], eye: DVec3) -> bool {
                 {
                     deepest = Some(hidden);
                 }
+                deepest.is_none_or(|deepest| !deepest.is_last)
             });
             hidden.extend(deepest);
         }
@@ -156,8 +159,11 @@ fn item(body: &Body<'_>, number: usize, triangle: u32) -> Option<Item> {
     if !(ab.cross(ac).length() > 8.0 * room * longest) {
         return None;
     }
-    let low = (a.min(b).min(c) - room).as_vec3().to_array();
-    let high = (a.max(b).max(c) + room).as_vec3().to_array();
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    // Across the plane, add the tolerance. Along it, take it away: triangles that touch do not overlap.
+    let wide = (high - low).max_element() / 8.0;
+    let room = DVec3::from_array((high - low).to_array().map(|side| if side > wide { -room } else { room }));
+    let [low, high] = [low - room, high + room].map(|corner| corner.as_vec3().to_array());
     Some(Item { low, high, object: body.object as u32, body: number as u32, triangle })
 }
 
@@ -175,7 +181,9 @@ fn behind(
     let step = (largest.max(magnitude(eye)) * STEP).max(least_step);
     let heights = earlier.moved_corners(other)?.map(|corner| plane.height(corner));
     let deepest = heights.into_iter().fold(0.0, f64::min);
-    Some(Hidden { triangle, plane, depth: (step - deepest).min(step * LAYERS), tolerance })
+    let is_last = step - deepest >= step * LAYERS;
+    let depth = if is_last { step * LAYERS } else { step - deepest };
+    Some(Hidden { triangle, plane, depth, is_last, tolerance })
 }
 
 /// The largest absolute coordinate.

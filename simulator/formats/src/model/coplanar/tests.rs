@@ -260,7 +260,7 @@ fn many_meshes_in_a_plane_take_few_steps() {
     });
 }
 
-/// Of a very high stack, not all pairs are compared, and at most 64 steps are taken.
+/// In a very high stack at most 64 steps are taken, and not all of its pairs are looked at.
 #[test]
 fn stacks_are_limited() {
     let arena = Bump::new();
@@ -275,7 +275,25 @@ fn stacks_are_limited() {
             assert!((depth(&parted, index) - index.min(64) as f64).abs() < 1e-3, "{index}");
         }
     });
-    parted(&stack(3000), &arena, |_, parted| assert!(!parted.is_whole));
+    parted(&stack(30_000), &arena, |_, parted| {
+        assert!(parted.is_whole);
+        assert!((depth(&parted, 29_999) - 64.0).abs() < 1e-3);
+    });
+}
+
+/// The boxes of 3,000 slanted strips all overlap, though the strips do not.
+#[test]
+fn searches_end() {
+    let arena = Bump::new();
+    let strip = |index: u16| {
+        let at = |x: f32, up: f32| Vec3::new(x, x + f32::from(index) * 2e-3 + up, 0.0);
+        let vertices =
+            arena.alloc_slice_copy(&[at(0.0, 0.0), at(9.0, 0.0), at(9.0, 1.5e-3), at(0.0, 1.5e-3)]);
+        Mesh { vertices, triangles: &[[0, 1, 2], [0, 2, 3]], normals: None, uvs: None, colors: None }
+    };
+    let strips: Vec<_> = (0..3000).map(strip).collect();
+    parted(&strips[..30], &arena, |_, parted| assert!(parted.is_whole && parted.moved.is_empty()));
+    parted(&strips, &arena, |_, parted| assert!(!parted.is_whole && parted.moved.is_empty()));
 }
 
 /// Instances move as a whole, one by one.
