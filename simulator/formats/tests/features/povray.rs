@@ -22,6 +22,7 @@ const MESH: Mesh<'static> = Mesh {
     uvs: None,
     colors: None,
     smooth_terminator: false,
+    smooth_terminator: false,
 };
 const MOVING: &[Motion] = &[Motion { of: Mover::Camera, by: AT, spin: None }];
 const IMAGE: Image<'static> = Image {

@@ -289,7 +289,7 @@ fn searches_end() {
         let at = |x: f32, up: f32| Vec3::new(x, x + f32::from(index) * 2e-3 + up, 0.0);
         let vertices =
             arena.alloc_slice_copy(&[at(0.0, 0.0), at(9.0, 0.0), at(9.0, 1.5e-3), at(0.0, 1.5e-3)]);
-        Mesh { vertices, triangles: &[[0, 1, 2], [0, 2, 3]], normals: None, uvs: None, colors: None }
+        Mesh::new(vertices, &[[0, 1, 2], [0, 2, 3]])
     };
     let strips: Vec<_> = (0..3000).map(strip).collect();
     parted(&strips[..30], &arena, |_, parted| assert!(parted.is_whole && parted.moved.is_empty()));
