@@ -10,10 +10,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Scene, Settings, builtin};
 use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
-    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Orbit, OutputSettings, Pass,
-    Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, check, check_apart,
-    check_writable, half_blocks, is_standard_output, on_panel, render_in_passes, render_watched,
-    report_pixel, write_file,
+    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Number, Orbit,
+    OutputSettings, Pass, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats,
+    check, check_apart, check_writable, half_blocks, is_standard_output, on_panel, render_in_passes,
+    render_watched, report_pixel, rounding_notes, write_file,
 };
 
 use crate::cli::{
@@ -91,6 +91,11 @@ fn render(arguments: &Render) -> Outcome {
     };
     let shown = panel.map(|panel| on_panel(&picture, &panel)).transpose()?;
     file.write(shown.as_ref().unwrap_or(&picture))?;
+    if !arguments.quiet {
+        for note in rounding_notes(&scene.scene, options.number) {
+            writeln!(io::stderr(), "note: {note}")?;
+        }
+    }
     if !arguments.quiet && picture.rays.cut_rays > 0 {
         writeln!(
             io::stderr(),
@@ -247,6 +252,11 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     }
     let fits = demands.0.iter().any(Demand::fits);
     write!(out, "{demands}")?;
+    for note in
+        [Number::F32, Number::Fixed].into_iter().flat_map(|number| rounding_notes(&scene.scene, number))
+    {
+        writeln!(out, "\nnote: {note}")?;
+    }
     if let Some(panel) = arguments.panel.filter(|panel| *panel != arguments.size) {
         writeln!(out, "\n{}", shown_part(arguments.size, panel))?;
     }

@@ -17,6 +17,7 @@
 //!
 //! The program `rayline` is a thin shell around this library.
 
+mod accuracy;
 mod bench;
 mod check;
 mod convert;
@@ -38,6 +39,7 @@ mod terminal;
 #[cfg(feature = "window")]
 mod window;
 
+pub use accuracy::rounding_notes;
 pub use bench::{Bench, BenchError, Convergence};
 pub use check::{BOARDS, Board, Demand, Demands, check};
 pub use convert::{ConvertError, SceneContents, SceneFile};

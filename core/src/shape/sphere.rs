@@ -70,11 +70,11 @@ const HUGE: u16 = 1024;
 ///
 /// Rays that leave the ground, a ball of radius 1e5, must not begin above the things on it. In floating point,
 /// hits of balls are more accurate than the offset of spawned rays allows for all shapes: of 400,000 rays from
-/// balls of radius 1e3 to 1e6, a few meet the ball again with a 64th of the offset, and none with a 32nd. In
+/// balls of radius 1e3 to 1e6, a few meet the ball again with a 43rd of the offset, and none with a 21st. In
 /// fixed point there are no such balls, as scenes are scaled into its range.
 fn rounding<R: Real>(magnitude: R) -> R {
     let is_huge = !R::IS_FIXED_POINT && magnitude > R::from_u16(HUGE);
-    if is_huge { magnitude * R::from_fraction(1 << 11) } else { magnitude }
+    if is_huge { magnitude * R::from_fraction(1 << 12) } else { magnitude }
 }
 
 impl<R: Real> PreparedSphere<R> {
