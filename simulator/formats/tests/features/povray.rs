@@ -15,15 +15,8 @@ use crate::table::{Seen, compare};
 
 const TOWARD: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 const AT: Vec3 = Vec3::new(0.0, 3.0, 4.0);
-const MESH: Mesh<'static> = Mesh {
-    vertices: &[Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)],
-    triangles: &[[0, 1, 2]],
-    normals: None,
-    uvs: None,
-    colors: None,
-    smooth_terminator: false,
-    smooth_terminator: false,
-};
+const MESH: Mesh<'static> =
+    Mesh::new(&[Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)], &[[0, 1, 2]]);
 const MOVING: &[Motion] = &[Motion { of: Mover::Camera, by: AT, spin: None }];
 const IMAGE: Image<'static> = Image {
     width: 1,
