@@ -9,8 +9,8 @@
 //!
 //! # The formulas
 //!
-//! Vectors have length 1. d is the direction of the ray, N the normal on the side that the ray comes from,
-//! c = -d·N the cosine of the angle of incidence θ1. n1 and n2 are the indices of refraction (no unit) on the
+//! Vectors have length 1. d is the direction of the ray, N the normal on the side that the ray comes from, c
+//! = -d·N the cosine of the angle of incidence θ1. n1 and n2 are the indices of refraction (no unit) on the
 //! side of the ray and beyond the surface; √k is cos θ2, where θ2 is the angle of the refracted ray.
 //!
 //! ```text
@@ -65,9 +65,9 @@
 //!   `transmittance`. Under total reflection their sum is mirrored.
 //! - **Fixed point.** A coefficient of absorption beyond the range of [`Fixed`](crate::math::Fixed) is halved
 //!   until it fits, and its product with the distance is doubled as often.
-//! - **Shadow rays are not bent.** Each surface in the way multiplies the light by its transmittance and by
-//!   T; beyond 8 surfaces ([`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS)) the light counts as blocked. So
-//!   glass focuses no light: there are no caustics.
+//! - **Shadow rays are not bent.** Each surface in the way multiplies the light by its transmittance and T.
+//!   Beyond 8 surfaces ([`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS)) the light counts as blocked.
+//!   So glass focuses no light: there are no caustics.
 //!
 //! # Try it
 //!
