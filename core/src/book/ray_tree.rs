@@ -53,7 +53,7 @@
 //! ```
 //!
 //! - **No recursion, bounded memory.** While a refracted ray waits, only descendants of its mirrored twin are
-//!   traced. They have more bounces, so at most one ray waits for each bounce: 16 places
+//!   traced, which have more bounces. So at most one ray waits for each bounce: 16 places
 //!   ([`MAX_BOUNCES`](crate::limits::MAX_BOUNCES)) are enough, of about 50 bytes each in `f32` on 32 bits.
 //! - **Three ends.** `bounces` (4 by default) bounds the depth. A ray whose throughput is below `cutoff`
 //!   (1/256) in all channels is left out. `rays_per_pixel` (4096, shadow rays included) bounds the time of a
@@ -102,7 +102,7 @@
 //! # let (background, lights, motions) = (Background::gray(1.0), &[], &[]);
 //! let scene = Scene { camera, background, objects: &objects, materials: &materials, lights, motions };
 //! # let mut memory = vec![core::mem::MaybeUninit::uninit(); scene.bytes::<f64>()];
-//! # #[cfg(feature = "optics")] {
+//! # if cfg!(feature = "optics") {
 //! let prepared = PreparedScene::<f64, _>::new(&scene, &mut memory).unwrap();
 //! let (f, t) = (0.04, (-0.3f64 * 2.0).exp());
 //! let (mut expected, mut next) = (0.0, f);
@@ -137,7 +137,7 @@
 //!     let prepared = PreparedScene::<f64, _>::new(&scene, &mut memory).unwrap();
 //!     Renderer::new(&prepared, Settings::new(1, 1)).unwrap().pixel(0, 0, &mut ()).0.g as f32
 //! };
-//! # #[cfg(feature = "optics")]
+//! # if cfg!(feature = "optics") {
 //! for (degrees, eta) in [(20f32, 1.0 / 1.5), (65.0, 1.0 / 1.5), (41.0, 1.5), (42.0, 1.5)] {
 //!     let (sine, c) = degrees.to_radians().sin_cos();
 //!     let (d, n) = (Vec3::new(0.0, 0.0, -1.0), Vec3::new(sine, 0.0, c));
@@ -152,6 +152,7 @@
 //!     }
 //!     assert!((shown(front, (d + n * (2.0 * c)) * 3.0) - f).abs() < 1e-4, "{degrees}");
 //! }
+//! # }
 //! ```
 //!
 //! # Exercises

@@ -38,10 +38,10 @@
 //! | `R2` | a sequence that fills gaps, shifted in each pixel | 5.4 %, 1.00 %, 0.11 % | -0.77 |
 //! | `Sobol` | a net: one in each box of many shapes, scrambled | 5.4 %, 0.70 %, 0.08 % | -0.79 |
 //!
-//! The error of the scene `classic` falls as n to the power of the slope; the command
-//! `cargo run --release -- bench --convergence error.svg` measures the table and draws it. Random samples
-//! keep to -1/2. Edges limit all others to about -3/4 (Mitchell, "Consequences of Stratified Sampling in
-//! Graphics", 1996).
+//! The root mean square error of the scene `classic`, in linear light, falls as n to the power of the slope;
+//! the command `cargo run --release -- bench --convergence error.svg` measures the table and draws it. Random
+//! samples keep to -1/2. Edges limit all others to about -3/4 (Mitchell, "Consequences of Stratified Sampling
+//! in Graphics", 1996).
 //!
 //! # In the code
 //!
@@ -140,7 +140,7 @@
 //! #     let renderer = Renderer::new(&prepared, Settings { sampling, ..Settings::new(1, 512) }).unwrap();
 //! #     (0..512).map(|y| renderer.pixel(0, y, &mut ()).0.g as f32).collect()
 //! # }
-//! # #[cfg(feature = "distributed")] {
+//! # if cfg!(feature = "distributed") {
 //! let of = |sampler| column(0.3, Sampling { sampler, ..Sampling::new(16) });
 //! let variance = |sampler| of(sampler).iter().map(|light| (light - 0.3).powi(2)).sum::<f32>() / 512.0;
 //! let random = 0.3 * (1.0 - 0.3) / 16.0;
