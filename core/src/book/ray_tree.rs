@@ -9,9 +9,9 @@
 //!
 //! # The formulas
 //!
-//! Vectors have length 1. d is the direction of the ray, N the normal on the side that the ray comes from, c
-//! = -d·N the cosine of the angle of incidence θ1. n1 and n2 are the indices of refraction (no unit) on the
-//! side of the ray and beyond the surface; √k is cos θ2, where θ2 is the angle of the refracted ray.
+//! Vectors have length 1. d is the direction of the ray, N the normal on the side that the ray comes from,
+//! `c = -d·N` the cosine of the angle of incidence θ1. n1 and n2 are the indices of refraction (no unit) on
+//! the side of the ray and beyond the surface; √k is cos θ2, where θ2 is the angle of the refracted ray.
 //!
 //! ```text
 //! mirrored direction   r = d + 2 c N
@@ -61,13 +61,14 @@
 //! - **A surface names the media on both sides**: [`Material::ior`](crate::Material::ior) behind it,
 //!   [`Optics::outside`](crate::Optics::outside) in front. The geometric normal says which side is which. A
 //!   textbook ray keeps a list of the bodies that it is in; here it keeps none.
-//! - **F is constant by default**, as in Whitted's paper: [`Material::reflectance`](crate::Material) and
-//!   `transmittance`. Under total reflection their sum is mirrored.
+//! - **The shares are constant by default**, as in Whitted's paper:
+//!   [`Material::reflectance`](crate::Material) and `transmittance`. Under total reflection their sum is
+//!   mirrored.
 //! - **Fixed point.** A coefficient of absorption beyond the range of [`Fixed`](crate::math::Fixed) is halved
 //!   until it fits, and its product with the distance is doubled as often.
-//! - **Shadow rays are not bent.** Each surface in the way multiplies the light by its transmittance and T.
-//!   Beyond 8 surfaces ([`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS)) the light counts as blocked.
-//!   So glass focuses no light: there are no caustics.
+//! - **Shadow rays are not bent.** Each surface in the way multiplies the light by its transmittance, its
+//!   color and T. Beyond 8 surfaces ([`MAX_SHADOW_LAYERS`](crate::limits::MAX_SHADOW_LAYERS)) the light
+//!   counts as blocked. So glass focuses no light: there are no caustics.
 //!
 //! # Try it
 //!
@@ -78,9 +79,10 @@
 //! - `cargo run --release -- pixel docs/gallery/material-glass.ron 280,260` prints the tree of one pixel of
 //!   the ball, indented by bounces: six rays, and one that is below the cutoff.
 //! - Add `settings: (bounces: 1)` to the scene: ball and pane turn dark, because a ray needs a second bounce
-//!   to leave them. With 2 they are clear, but the pane keeps black edges, where light is totally reflected.
+//!   to leave them. With 2 they are clear, but the pane keeps dark edges, whose rays are mirrored inside
+//!   first.
 //! - Let the material be `"glass": (diffuse: 0, transmittance: 1, ior: 1.5)`: the ball no longer mirrors what
-//!   is before it, as its shares are constant. With `ior: 1` it vanishes.
+//!   is before it, as its reflectance is 0 at all angles. With `ior: 1` it vanishes.
 //!
 //! `cargo boards mps2-an386 --gallery` draws all scenes of the gallery on an emulated board, at 24x18 pixels,
 //! and compares them with this computer's pictures.
