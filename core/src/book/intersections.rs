@@ -29,8 +29,8 @@
 //! quadric   a t² + 2 b t + c = 0                     a polynomial of 2nd degree, along the ray
 //!           q = -(b ± √(b² - a c))                   the sign of b, so that nothing cancels
 //!           t₁ = c / q, t₂ = q / a                   (Press et al., Numerical Recipes, §5.6)
-//! torus     (p·p + R² - r²)² = 4 R² (p·p - (p·A)²)   radii R and r, unit axis A, p from the center
-//!           s² - r² + R² (2 k² - 1) = α              s: distance of the line, k = d · A
+//! torus     (p·p + R² - r²)² = 4 R² (p·p - (p·w)²)   radii R and r, unit axis w, p from the center
+//!           s² - r² + R² (2 k² - 1) = α              s: distance of the line, k = d · w
 //!           2 R² h k = β                             h: height of the line's point nearest to the center
 //!           t³ + α t + β = 0                         where a quarter of the quartic's derivative is 0
 //!                                                    (Glassner, ch. 3)
@@ -80,10 +80,10 @@
 //! - Change the last of the tower's coefficients, -1, to 0: the waist shrinks to a point, and the hyperboloid
 //!   becomes a double cone. With 0.2 it falls into two bowls with a gap between.
 //! - Set the tower's `capped` to true: the ends are closed, and the tower is a solid.
-//! - Give the saddle's box a `max` of (0.8, 0.2, 0.8): its four ears are cut off level.
+//! - Give the saddle's box a `max` of (0.8, 0.2, 0.8): both raised ends are cut off level.
 //!
-//! Add `--number fixed`: a few pixels change, at edges. On an emulated board without an FPU, and with all
-//! scenes of the gallery at once on one with an FPU:
+//! Add `--number fixed`: about one color value in 800 changes, nearly always by one level of 255. On an
+//! emulated board without an FPU, and with all scenes of the gallery at once on one with an FPU:
 //!
 //! ```text
 //! cargo run --release -- convert docs/gallery/shape-quadric.ron quadric.rayline

@@ -2,7 +2,7 @@
 //! level of a display.
 //!
 //! A pinhole camera lets one ray of light into each pixel. Ray tracing follows that ray backward, from the
-//! eye through the pixel's center into the scene, and asks what it meets (Appel, "Some Techniques for Shading
+//! eye through the pixel's center into the scene, to what it meets first (Appel, "Some Techniques for Shading
 //! Machine Renderings of Solids", SJCC 1968; Whitted, "An Improved Illumination Model for Shaded Display",
 //! CACM 1980). This chapter is about both ends of the ray: the camera that makes it, and the display that
 //! shows the light it brought. The chapters that follow are about all that lies between.
@@ -18,7 +18,7 @@
 //! f = (target - eye) / |target - eye|         line of sight, a unit vector
 //! r = f × up / |f × up|                       to the right in the picture
 //! u = r × f                                   up in the picture
-//! p = 2 tan(fov / 2) / H                      side of a pixel at distance 1, in units of length
+//! p = 2 tan(fov / 2) / H                      side of a pixel at distance 1 from the eye
 //! d = f + r p (x + 1/2 - W/2) - u p (y + 1/2 - H/2)
 //! ray: o = eye, direction d / |d|
 //! ```
@@ -61,8 +61,8 @@
 //!   pixels of `Rgb565`, where the picture would take 153,600. A line depends on no other one, so that a
 //!   picture can be drawn in any order of lines, and by several cores.
 //! - **d is a sum, not a matrix.** The corner of the picture, the step to the right and the step down are
-//!   vectors that are computed once. A line adds its part once, a pixel one product and one addition for
-//!   each coordinate, and the direction is then made a unit vector.
+//!   vectors that are computed once. A line adds its part once, a pixel takes one product and two additions
+//!   for each coordinate, and the direction is then made a unit vector.
 //! - **Fixed point keeps digits.** The length of d does not matter before that, so `Viewport::new` scales it
 //!   by a power of two, up to 16, and counts pixels in a unit of 2^shift pixels.
 //! - **The curve is a table.** The power in code(L) is computed when the crate is compiled, at 513 places (1
@@ -78,8 +78,8 @@
 //! cargo run --release -- render docs/gallery/shape-sphere.ron --size 320x240
 //! ```
 //!
-//! - Set `vertical_fov` to 1: all things have less than half their size, as tan(0.5) is 2.1 tan(0.25). Which
-//!   of them hides which does not change, because the eye alone decides that.
+//! - Set `vertical_fov` to 1: the balls have less than half their size, as tan(0.5) is 2.1 tan(0.25). Each
+//!   still hides the same parts of the others, because only the place of the eye decides that.
 //! - Then move the eye to (0.75, 1.95, 3.25), halfway to the target. The large ball is about as large as
 //!   before, but the small one in front has grown: this is perspective.
 //! - Add `--color mono --dither ordered`, then leave out `--dither ordered`: with 2 levels, Bayer's pattern

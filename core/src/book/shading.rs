@@ -3,9 +3,9 @@
 //!
 //! A ray has met a surface. How bright is that place? The model of Phong adds three parts: ambient light,
 //! which lights every place alike; light that a rough surface scatters evenly to all sides (Lambert,
-//! "Photometria", 1760); and a highlight, the blurred image of a lamp in a shiny surface. Only the second part
-//! is physics, but each has one number to turn, and the sum costs one ray for each lamp: the shadow ray, which
-//! tells whether the lamp is seen from there.
+//! "Photometria", 1760); and a highlight, the blurred image of a lamp in a shiny surface. Only the second
+//! part is physics, but each has one number to turn, and the sum costs one ray for each lamp: the shadow ray,
+//! which tells whether the lamp is seen from there.
 //!
 #![doc = concat!("![Highlights](data:image/png;base64,", include_str!("pictures/material-glossy.b64"), ")")]
 //!
