@@ -47,7 +47,11 @@
 //!
 //! Modules use only what stands before them: `math`, `limits`, `fault`, `arena`, `read`, `hierarchy`,
 //! `color`, `falloff`, `sampling`, `throughput`, `surface`, `texture`, `material`, `shape`, `light`, `lens`,
-//! `motion`, `camera`, `background`, `scene`, `prepared`, `probe`, `integrator`, `render`, `builtin`, `bake`.
+//! `motion`, `camera`, `background`, `scene`, `prepared`, `probe`, `integrator`, `render`, `builtin`, `bake`,
+//! `book`.
+//!
+//! [The book](book) teaches ray tracing along this crate: formulas, their sources, their places in the code,
+//! and exercises.
 //!
 //! # Number systems
 //!
@@ -111,6 +115,8 @@ mod arena;
 mod background;
 #[cfg(feature = "bake")]
 pub mod bake;
+#[cfg(any(doc, doctest))]
+pub mod book;
 pub mod builtin;
 mod camera;
 mod color;

@@ -40,8 +40,8 @@ impl<R: Real> Through<Throughput<R>> {
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// The share of light that gets through from a light at `distance` along `ray`.
     ///
-    /// Each surface in between multiplies the light by its transmittance and its transmission color. What
-    /// lies behind the light has no effect.
+    /// Each surface in between multiplies the light by its transmittance and its transmission color, and each
+    /// body by what it absorbs on the way. What lies behind the light has no effect.
     pub fn light_through(&self, ray: &Ray<R>, distance: R) -> Through<LinearRgb<R>> {
         match self.light_through_among(ray, distance, Among::All) {
             Through::All => Through::All,

@@ -1,4 +1,4 @@
-//! A cone or frustum: a ray meets its side at the roots of a quadratic equation (Heckbert in Glassner (ed.),
+//! A cone or frustum: a ray meets its side at the roots of a quadratic equation (Haines in Glassner (ed.),
 //! "An Introduction to Ray Tracing", 1989, ch. 2), which is solved without cancellation (Press et al.,
 //! "Numerical Recipes", §5.6).
 //!

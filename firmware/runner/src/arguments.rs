@@ -84,8 +84,9 @@ pub(crate) struct Arguments {
 
     /// Draw all .ron scenes of a folder [default folder: docs/gallery] with one program, which reads them
     ///
-    /// Compares the digests of the pictures with this computer's. The default size is 24x18. With
-    /// --all-required it also fails if a board has too little memory for a scene.
+    /// Compares the digests of the pictures with this computer's. The default size is 24x18. All pixels take
+    /// one sample, whatever a scene's settings say. With --all-required it also fails if a board has too
+    /// little memory for a scene.
     #[arg(
         long,
         value_name = "DIR",

@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use bumpalo::Bump;
 use rayline::{Digest, Sampling, Settings};
+use rayline_simulator::raster::{Raster, shrunk, to_png};
 use rayline_simulator::{Gallery, LoadedScene, Number, Picture, RenderOptions, SceneFile, render};
 
 const SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(64, 48) };
@@ -72,4 +74,27 @@ fn written_scenes_are_read_back() {
             assert!(again.scene == scene.scene, "{} in {name}", scene.name);
         }
     }
+}
+
+/// The crate's book shows pictures of the gallery at half their size, as PNGs in base64. With `RAYLINE_BLESS`,
+/// they are written.
+#[test]
+fn the_book_shows_the_gallery() {
+    let mut seen = 0;
+    for entry in fs::read_dir(root().join("core/src/book/pictures")).unwrap() {
+        let shown = entry.unwrap().path();
+        let name = shown.file_stem().unwrap().to_str().unwrap();
+        let stored = fs::read(root().join("docs/gallery").join(name).with_extension("png")).unwrap();
+        let stored = Raster::decode(&stored).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let half = shrunk(&stored.rgb(), (320, 240), (160, 120)).concat();
+        if std::env::var_os("RAYLINE_BLESS").is_some() {
+            fs::write(&shown, BASE64_STANDARD.encode(to_png((160, 120), 3, &half).unwrap())).unwrap();
+        }
+        let text = fs::read_to_string(&shown).unwrap();
+        let png = BASE64_STANDARD.decode(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let picture = Raster::decode(&png).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(picture.rgb() == half, "after a look: RAYLINE_BLESS=1 cargo test -p rayline-tests the_book");
+        seen += 1;
+    }
+    assert!(seen >= 7, "{seen} pictures");
 }

@@ -1,4 +1,4 @@
-//! A quadric in a box: all points where a polynomial of second degree is 0 (Heckbert in Glassner (ed.), "An
+//! A quadric in a box: all points where a polynomial of second degree is 0 (Haines in Glassner (ed.), "An
 //! Introduction to Ray Tracing", 1989, ch. 2). Its roots are found without cancellation (Press et al.,
 //! "Numerical Recipes", §5.6).
 
@@ -16,9 +16,8 @@ use crate::surface::Surface;
 /// direction.
 ///
 /// It is all points with A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; inside, this
-/// polynomial is less than
-/// 0. Multiplying the coefficients by a positive factor changes nothing; a negative factor exchanges inside
-///    and outside.
+/// polynomial is negative. Multiplying the coefficients by a positive factor changes nothing; a negative
+/// factor exchanges inside and outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Quadric {
