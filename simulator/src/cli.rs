@@ -291,8 +291,8 @@ pub(crate) struct Look {
     /// The colors of the display that the picture is made for [default: rgb888; mono with --theme]
     #[arg(long, value_name = "DISPLAY", value_enum)]
     color: Option<Display>,
-    /// Rounding of light to the display's levels: to the nearest, or by an ordered pattern that keeps the
-    /// mean of areas
+    /// Rounding of light to the display's levels: to the nearest, or by a pattern that keeps the mean of
+    /// areas: ordered, or as drawn by hand with dots or lines
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
     dither: Dither,
     /// The curve from light to the display's codes: that of sRGB, or linear [default: the scene's own; linear
@@ -484,8 +484,10 @@ impl Look {
 }
 
 fn dither() -> impl TypedValueParser<Value = Dither> {
-    PossibleValuesParser::new(["none", "ordered"]).map(|name| match &*name {
+    PossibleValuesParser::new(["none", "ordered", "stippling", "hatching"]).map(|name| match &*name {
         "ordered" => Dither::Ordered,
+        "stippling" => Dither::Stippling,
+        "hatching" => Dither::Hatching,
         _ => Dither::None,
     })
 }

@@ -23,6 +23,8 @@ mod image;
 mod interleave;
 mod line;
 mod line_candidates;
+#[cfg(feature = "looks")]
+mod looks;
 mod outline;
 mod outlines;
 mod painter;

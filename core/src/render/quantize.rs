@@ -1,5 +1,7 @@
 //! From linear light to the levels of a display, in integers: the same bytes on every processor.
 
+#[cfg(feature = "looks")]
+use super::looks;
 use super::settings::{Dither, Settings, Transfer};
 use crate::color::LinearRgb;
 use crate::math::Real;
@@ -65,6 +67,10 @@ impl Quantizer {
         let threshold = match settings.dither {
             Dither::None => 0x8000,
             Dither::Ordered => bayer(x, y) * 1024 + 512,
+            #[cfg(feature = "looks")]
+            Dither::Stippling => looks::stippling(x, y),
+            #[cfg(feature = "looks")]
+            Dither::Hatching => looks::hatching(x, y),
         };
         Self { transfer: settings.transfer, threshold }
     }

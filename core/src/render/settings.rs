@@ -117,4 +117,11 @@ pub enum Dither {
     /// Up or down by an 8×8 threshold matrix, so that areas keep their mean (Bayer, "An Optimum Method for
     /// Two-Level Rendition of Continuous-Tone Pictures", 1973).
     Ordered,
+    /// As `Ordered`, with dots that are spread evenly, as in blue noise (Roberts, "The Unreasonable
+    /// Effectiveness of Quasirandom Sequences", 2018).
+    #[cfg(feature = "looks")]
+    Stippling,
+    /// As `Ordered`, with lines in two directions: the darker, the denser.
+    #[cfg(feature = "looks")]
+    Hatching,
 }
