@@ -82,8 +82,8 @@ mod tests {
     /// In a light gray there are lines in one direction, then in both, then between those.
     #[test]
     fn darker_areas_have_more_lines() {
-        let falls = |(x, y): &(u16, u16), of: u16| (x + y) % of == 0;
-        let rises = |(x, y): &(u16, u16), of: u16| (x + SIDE - y) % of == 0;
+        let falls = |(x, y): &(u16, u16), of: u16| (x + y).is_multiple_of(of);
+        let rises = |(x, y): &(u16, u16), of: u16| (x + SIDE - y).is_multiple_of(of);
         assert_eq!(black(hatching, 0.125).len(), 256 * 256 / 8);
         assert!(black(hatching, 0.125).iter().all(|place| falls(place, 8)));
         let crossed = black(hatching, 0.21875);
