@@ -5,7 +5,7 @@
 //! be moved for that as long as the distance is less than a pixel or two.
 
 use rayline::math::Fixed;
-use rayline::shape::{Geometry as _, Shape};
+use rayline::shape::Geometry as _;
 use rayline::{Real, Scene};
 
 use crate::Number;
@@ -35,12 +35,7 @@ fn notes_in<R: Real>(scene: &Scene<'_>, number: Number) -> Vec<String> {
              a surface are lost there; move the scene to the origin, or use --number f64"
         ));
     }
-    let offsets = scene.objects.iter().map(|object| {
-        let magnitude = object.shape.extent().solid;
-        // The core computes hits of huge balls with a sixteenth of the error of other shapes.
-        let is_ball = matches!(object.shape, Shape::Sphere(_)) && !R::IS_FIXED_POINT;
-        offset(if is_ball { magnitude / 16.0 } else { magnitude })
-    });
+    let offsets = scene.objects.iter().map(|object| offset(object.shape.extent().solid));
     let worst = offsets.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
     if let Some((index, worst)) = worst.filter(|(_, offset)| *offset > seen && *offset > 2.0 * eye) {
         notes.push(format!(
@@ -54,7 +49,7 @@ fn notes_in<R: Real>(scene: &Scene<'_>, number: Number) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use rayline::builtin::CLASSIC;
-    use rayline::shape::Sphere;
+    use rayline::shape::{Shape, Sphere};
     use rayline::{Camera, Object, Vec3};
 
     use super::*;
@@ -79,9 +74,9 @@ mod tests {
         };
         assert_eq!(told(&ground(1e3), CAMERA, Number::F32), [""; 0]);
         assert_eq!(told(&ground(1e5), CAMERA, Number::F64), [""; 0]);
-        // 1e-5 of twice the radius, by 16; in fixed point 2^-17 of it.
+        // 1e-5 of twice the radius; in fixed point 2^-17 of it.
         for (number, lost) in
-            [(Number::F32, "f32"), (Number::Fixed, "fixed")].into_iter().zip(["0.12", "1.53"])
+            [(Number::F32, "f32"), (Number::Fixed, "fixed")].into_iter().zip(["2.00", "1.53"])
         {
             let [note] = &told(&ground(1e5), CAMERA, number.0)[..] else { panic!("no note") };
             let expected = format!(
