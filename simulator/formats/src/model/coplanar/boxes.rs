@@ -96,7 +96,8 @@ impl Boxes {
     }
 }
 
-fn each(a: [f32; 3], b: [f32; 3], of: impl Fn(f32, f32) -> f32) -> [f32; 3] {
+/// The coordinates of two corners, put together one by one.
+pub(super) fn each(a: [f32; 3], b: [f32; 3], of: impl Fn(f32, f32) -> f32) -> [f32; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     [of(ax, bx), of(ay, by), of(az, bz)]
 }

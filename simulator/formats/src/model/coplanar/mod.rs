@@ -14,10 +14,10 @@
 //! all.
 //!
 //! # The search
-//! A tree of boxes gives the pairs of triangles of different objects near each other, in n log n steps unless
-//! very many boxes overlap: the search ends after [`STEPS`] of them a triangle. Corners count as in one plane
-//! within an eighth of the step, which is far above the rounding of coordinates, and well below the distance
-//! at which programs put a picture in front of a wall.
+//! Only meshes whose boxes overlap are searched. A tree of boxes gives the pairs of triangles of different
+//! objects near each other, in n log n steps unless very many boxes overlap: the search ends after [`STEPS`]
+//! of them a triangle. Corners count as in one plane within an eighth of the step, which is far above the
+//! rounding of coordinates, and well below the distance at which programs put a picture in front of a wall.
 
 mod body;
 mod boxes;
@@ -32,7 +32,7 @@ use rayline::{Mover, Object, Scene};
 
 use crate::space::vector;
 use body::{Body, Hidden};
-use boxes::{Boxes, Item};
+use boxes::{Boxes, Item, each};
 use overlap::shared_plane;
 
 /// The step, relative to the largest coordinate.
@@ -124,16 +124,18 @@ fn hide(bodies: &mut [Body<'_>], eye: DVec3) -> bool {
     let magnitudes = items.iter().flat_map(|item| [item.low, item.high]).flatten().map(f32::abs);
     let least_step = f64::from(magnitudes.fold(0.0, f32::max)).max(magnitude(eye)) * LEAST_STEP;
     let mut steps = STEPS.saturating_mul(items.len() as u64).clamp(FEWEST_STEPS, MOST_STEPS);
-    let boxes = Boxes::new(items);
-    for number in 0..bodies.len() {
+    let is_near = near(&items, bodies.len());
+    items.retain(|item| is_near.get(item.body as usize).copied().unwrap_or_default());
+    let boxes = Boxes::new(items.clone());
+    for of_body in items.chunk_by(|a, b| a.body == b.body) {
+        let Some(number) = of_body.first().map(|item| item.body as usize) else { continue };
         let Some(body) = bodies.get(number) else { continue };
         let mut hidden: Vec<Hidden> = Vec::new();
-        for triangle in body.triangles() {
-            let Some(item) = item(body, number, triangle) else { continue };
+        for item in of_body {
             let mut deepest: Option<Hidden> = None;
-            boxes.visit(&item, &mut steps, |other| {
+            boxes.visit(item, &mut steps, |other| {
                 let other = bodies.get(other.body as usize).map(|body| (body, other.triangle));
-                let hidden = other.and_then(|other| behind((body, triangle), other, eye, least_step));
+                let hidden = other.and_then(|other| behind((body, item.triangle), other, eye, least_step));
                 if let Some(hidden) = hidden
                     && deepest.is_none_or(|deepest| hidden.depth > deepest.depth)
                 {
@@ -148,6 +150,32 @@ fn hide(bodies: &mut [Body<'_>], eye: DVec3) -> bool {
         }
     }
     steps > 0
+}
+
+/// For each body, whether its box overlaps that of a body of another object: most bodies lie alone, and their
+/// triangles need no search. If very many boxes overlap, all count as near. The items come body by body.
+fn near(items: &[Item], bodies: usize) -> Vec<bool> {
+    let around = |of_body: &[Item]| {
+        of_body.iter().copied().reduce(|all, item| Item {
+            low: each(all.low, item.low, f32::min),
+            high: each(all.high, item.high, f32::max),
+            ..all
+        })
+    };
+    let around: Vec<_> = items.chunk_by(|a, b| a.body == b.body).filter_map(around).collect();
+    let boxes = Boxes::new(around.clone());
+    let (mut is_near, mut steps) = (vec![false; bodies], FEWEST_STEPS);
+    for item in &around {
+        boxes.visit(item, &mut steps, |other| {
+            for body in [item.body, other.body] {
+                if let Some(is_near) = is_near.get_mut(body as usize) {
+                    *is_near = true;
+                }
+            }
+            true
+        });
+    }
+    if steps > 0 { is_near } else { vec![true; bodies] }
 }
 
 /// A triangle of a body, if it is so thick that it has a plane.
