@@ -1,7 +1,7 @@
-//! What rounding takes away from scenes that are too large for a number system, or too far from the origin.
+//! Losses by rounding in scenes that are too large for a number system, or too far from the origin.
 //!
 //! Rays leave a surface by a distance in proportion to its coordinates ([`Real::offset`]): 1e-5 of them in
-//! `f32`. Things that are nearer to the surface throw no shadow on it, and are not mirrored. No scene needs to
+//! `f32`. Things that are nearer to the surface throw no shadow on it, and are not mirrored. A scene need not
 //! be moved for that as long as the distance is less than a pixel or two.
 
 use rayline::math::Fixed;
@@ -31,16 +31,16 @@ fn notes_in<R: Real>(scene: &Scene<'_>, number: Number) -> Vec<String> {
     let eye = offset(camera.eye.magnitude());
     if eye > seen {
         notes.push(format!(
-            "the camera is far from the origin: in {number}, shadows and mirrored things nearer than {eye:.2} to \
-             a surface are lost there; move the scene to the origin, or use --number f64"
+            "the camera is far from the origin: in {number}, shadows and mirrored things nearer than {eye:.2} \
+             to a surface are lost there; move the scene to the origin, or use --number f64"
         ));
     }
     let offsets = scene.objects.iter().map(|object| offset(object.shape.extent().solid));
     let worst = offsets.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
     if let Some((index, worst)) = worst.filter(|(_, offset)| *offset > seen && *offset > 2.0 * eye) {
         notes.push(format!(
-            "object {index} is huge: in {number}, shadows and mirrored things nearer than {worst:.2} to it are \
-             lost; make it smaller, or use --number f64"
+            "object {index} is huge: in {number}, shadows and mirrored things nearer than {worst:.2} to it \
+             are lost; make it smaller, or use --number f64"
         ));
     }
     notes

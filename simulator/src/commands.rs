@@ -95,14 +95,14 @@ fn render(arguments: &Render) -> Outcome {
         for note in rounding_notes(&scene.scene, options.number) {
             writeln!(io::stderr(), "note: {note}")?;
         }
-    }
-    if !arguments.quiet && picture.rays.cut_rays > 0 {
-        writeln!(
-            io::stderr(),
-            "note: light was left out {} times, because a pixel may spend {} rays; see --rays-per-pixel",
-            picture.rays.cut_rays,
-            options.settings.rays_per_pixel
-        )?;
+        if picture.rays.cut_rays > 0 {
+            writeln!(
+                io::stderr(),
+                "note: light was left out {} times, because a pixel may spend {} rays; see --rays-per-pixel",
+                picture.rays.cut_rays,
+                options.settings.rays_per_pixel
+            )?;
+        }
     }
     if let Some(stats) = &arguments.stats {
         let mut json = serde_json::to_vec_pretty(&Stats::new(&scene.scene, &picture, time))?;

@@ -93,17 +93,7 @@ pub static CSG: Scene<'static> = of(&[
 /// A ball of 80 smooth triangles on a plane.
 pub static MESH: Scene<'static> = of(&[
     FLOOR,
-    Object::new(
-        Shape::Mesh(Mesh {
-            vertices: &RAISED,
-            triangles: &TRIANGLES,
-            normals: Some(&VERTICES),
-            uvs: None,
-            colors: None,
-            smooth_terminator: false,
-        }),
-        1,
-    ),
+    Object::new(Shape::Mesh(Mesh { normals: Some(&VERTICES), ..Mesh::new(&RAISED, &TRIANGLES) }), 1),
 ]);
 
 /// The vertices, raised so that the ball stands on the floor.

@@ -21,8 +21,8 @@ pub(super) fn hatching(x: u16, y: u16) -> u32 {
     u32::from(HATCHING.get(place).copied().unwrap_or_default()) * 1024 + 512
 }
 
-/// The order in which the pixels of a square of eight by eight turn to ink: line by line, in two directions in
-/// turn, each line between those before it.
+/// The order in which the pixels of a square of eight by eight turn to ink: line by line, in two directions
+/// in turn, each line between those before it.
 static HATCHING: [u8; 64] = hatching_order();
 
 /// The numbers 0 to 7 with their three bits reversed: each lies in the middle of a gap.

@@ -87,14 +87,7 @@ impl Shapes {
         let vertices: Vec<Vec3> = (0..count).map(|_| self.place()).collect();
         let triangles: Vec<[u16; 3]> =
             (0..=self.below(24)).map(|_| [(); 3].map(|()| self.below(count) as u16)).collect();
-        Mesh {
-            vertices: vertices.leak(),
-            triangles: triangles.leak(),
-            normals: None,
-            uvs: None,
-            colors: None,
-            smooth_terminator: false,
-        }
+        Mesh::new(vertices.leak(), triangles.leak())
     }
 
     fn solid(&mut self) -> Solid<'static> {

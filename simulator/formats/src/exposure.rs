@@ -278,7 +278,7 @@ mod tests {
             assert_eq!(scene.notes, [told]);
             assert!(crate::check(&scene.scene).is_ok());
         });
-        // What is refused without an exposure is refused.
+        // A scene that is refused without an exposure is refused with one.
         for color in ["-1", "2e6", "NaN"] {
             opened(&text("exposure: -9", &format!("Solid(0, {color}, 0)"), ""), |scene| {
                 assert!(crate::check(&scene.unwrap().scene).is_err() == (color != "2e6"), "{color}");

@@ -35,8 +35,8 @@ fn check(name: &str) {
     });
 }
 
-/// The scene as POV-Ray can draw it. Where a normal is bent, POV-Ray mirrors rays into the body, which is dark
-/// there. So a scene with smooth mirrors is compared twice: once smooth without mirrors, and once flat with
+/// The scene as POV-Ray can draw it. Where a normal is bent, POV-Ray mirrors rays into the body, whose inside
+/// is dark. So a scene with smooth mirrors is compared twice: once smooth without mirrors, and once flat with
 /// mirrors.
 fn each_part(scene: &Scene, mut compare: impl FnMut(&str, &Scene)) {
     let is_smooth = |shape: &Shape| match shape {
@@ -124,14 +124,8 @@ fn pictures_lie_on_surfaces_as_in_povray() {
     let (base, top) = (v(-0.25, -0.75, -0.25), v(0.25, 0.75, 0.5));
     let round = |capped| Cylinder { base, top, radius: 0.5, capped };
     let pointed = |capped| Cone { base, base_radius: 0.75, top, top_radius: 0.25, capped };
-    let mesh = Mesh {
-        vertices: &corners,
-        triangles: &[[0, 1, 2]],
-        normals: None,
-        uvs: Some(&[[0.25, 0.5], [2.0, 0.0], [1.0, 1.5]]),
-        colors: None,
-        smooth_terminator: false,
-    };
+    let mesh =
+        Mesh { uvs: Some(&[[0.25, 0.5], [2.0, 0.0], [1.0, 1.5]]), ..Mesh::new(&corners, &[[0, 1, 2]]) };
     let tilted = [v(0.5, 0.25, 0.0), v(-0.375, 0.75, 0.0), v(0.0, 0.0, 0.5)];
     let shapes = [
         ("sphere", Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0))),

@@ -42,7 +42,7 @@ fn globe() -> Mesh<'static> {
     Mesh { normals: Some(points), ..Mesh::new(points, triangles.leak()) }
 }
 
-/// What `look` sees of one shape.
+/// Lends a scene of one shape to `look`.
 fn with_scene<T>(shape: Shape<'_>, material: Material, look: impl FnOnce(&Scene) -> T) -> T {
     let background = Background::gray(0.5);
     let (objects, materials) = ([Object::new(shape, 0)], [material]);

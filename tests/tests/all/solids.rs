@@ -176,14 +176,7 @@ fn instances() {
         Vec3::new(-0.5, 0.4, -0.4),
     ];
     let triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [1, 4, 3], [1, 3, 2]];
-    let arrow = Model::Mesh(Mesh {
-        vertices: &vertices,
-        triangles: &triangles,
-        normals: None,
-        uvs: None,
-        colors: None,
-        smooth_terminator: false,
-    });
+    let arrow = Model::Mesh(Mesh::new(&vertices, &triangles));
     let around: Vec<Pose> = (0..7u8)
         .map(|index| {
             let angle = f32::from(index) * core::f32::consts::TAU / 7.0;

@@ -53,19 +53,15 @@ use prepared::Places;
 /// use rayline::Vec3;
 /// use rayline::shape::{Instances, Mesh, Model, Pose, Shape};
 ///
-/// static TETRAHEDRON: Model = Model::Mesh(Mesh {
-///     vertices: &[
+/// static TETRAHEDRON: Model = Model::Mesh(Mesh::new(
+///     &[
 ///         Vec3::new(1.0, 1.0, 1.0),
 ///         Vec3::new(1.0, -1.0, -1.0),
 ///         Vec3::new(-1.0, 1.0, -1.0),
 ///         Vec3::new(-1.0, -1.0, 1.0),
 ///     ],
-///     triangles: &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
-///     normals: None,
-///     uvs: None,
-///     colors: None,
-///     smooth_terminator: false,
-/// });
+///     &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+/// ));
 /// static PLACES: [Pose; 2] = [
 ///     Pose::at(Vec3::new(-2.0, 0.0, 0.0)),
 ///     Pose::at(Vec3::new(2.0, 0.0, 0.0)).turned(Vec3::new(0.0, 0.8, 0.0)),

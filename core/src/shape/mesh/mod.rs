@@ -387,7 +387,7 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
 
     fn bounds(&self) -> Option<Aabb<R>> {
         // Surfaces lie inside.
-        Some(if self.0.lift > R::ZERO { self.0.bounds.padded(self.0.lift) } else { self.0.bounds })
+        Some(if self.is_lifted() { self.0.bounds.padded(self.0.lift) } else { self.0.bounds })
     }
 
     fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
@@ -413,8 +413,8 @@ impl<R: Real> Intersect<R> for PreparedMesh<'_, R> {
         let normal = normal(corners).unwrap_or(back);
         let [a, b, c] = corners;
         let mut point = point - normal * normal.dot(point - a);
-        if self.0.lift > R::ZERO {
-            let facing = if normal.dot(ray.direction) > R::ZERO { -normal } else { normal };
+        if self.is_lifted() {
+            let (facing, _, _) = normal.facing(ray.direction);
             point = point + facing * self.0.lift(triangle, meeting, point, facing);
         }
         Surface {

@@ -14,9 +14,8 @@ impl<R: Real> MeshData<'_, R> {
     /// The height of the smooth surface above a `point` of a triangle. `facing` is the triangle's unit normal
     /// on the side that counts.
     pub(super) fn lift(&self, triangle: u16, meeting: Meeting<R>, point: Vec3<R>, facing: Vec3<R>) -> R {
-        let planes = || Some((self.corners(triangle)?, self.half_normals(triangle)?));
-        let Some(([a, b, c], [at_a, at_b, at_c])) = planes() else { return R::ZERO };
-        let above = |corner: Vec3<R>, half: Vec3<R>| {
+        let Some([a, b, c]) = self.planes(triangle) else { return R::ZERO };
+        let above = |(corner, half): (Vec3<R>, Vec3<R>)| {
             let slope = half.dot(facing);
             let outward = if slope < R::ZERO { -half } else { half };
             // Half of the height above the point, times half of the slope.
@@ -24,7 +23,7 @@ impl<R: Real> MeshData<'_, R> {
         };
         let Meeting { b: weight_b, c: weight_c, .. } = meeting;
         let weight_a = R::ONE - weight_b - weight_c;
-        let quarter = above(a, at_a) * weight_a + above(b, at_b) * weight_b + above(c, at_c) * weight_c;
+        let quarter = above(a) * weight_a + above(b) * weight_b + above(c) * weight_c;
         quarter * R::from_u16(4)
     }
 
@@ -32,18 +31,22 @@ impl<R: Real> MeshData<'_, R> {
     pub(super) fn highest_lift(&self) -> R {
         let mut highest = R::ZERO;
         for triangle in 0..self.triangles.len() {
-            let planes = || Some((self.corners(triangle as u16)?, self.half_normals(triangle as u16)?));
-            let Some((corners, half_normals)) = planes() else { continue };
-            if normal(corners).is_none() {
+            let Some(planes) = self.planes(triangle as u16) else { continue };
+            if normal(planes.map(|(corner, _)| corner)).is_none() {
                 continue;
             }
-            for (corner, half) in corners.into_iter().zip(half_normals) {
-                for other in corners {
+            for (corner, half) in planes {
+                for (other, _) in planes {
                     highest = highest.larger((corner - other).dot(half).abs());
                 }
             }
         }
-        let magnitude = self.bounds.magnitude();
-        highest * R::from_u16(2) + R::offset(magnitude)
+        highest * R::from_u16(2) + R::offset(self.bounds.magnitude())
+    }
+
+    /// The planes at the corners of a triangle: each corner, and half of its unit normal.
+    fn planes(&self, triangle: u16) -> Option<[(Vec3<R>, Vec3<R>); 3]> {
+        let ([a, b, c], [at_a, at_b, at_c]) = (self.corners(triangle)?, self.half_normals(triangle)?);
+        Some([(a, at_a), (b, at_b), (c, at_c)])
     }
 }

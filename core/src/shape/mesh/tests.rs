@@ -15,19 +15,10 @@ use crate::limits::MAX_HIERARCHY_DEPTH;
 use crate::math::Fixed;
 
 /// A rectangle in the plane z = 1, counterclockwise as seen from above, cut from (0, 0) to (4, 3).
-const RECTANGLE: Mesh = Mesh {
-    vertices: &[
-        Vec3::new(0.0, 0.0, 1.0),
-        Vec3::new(4.0, 0.0, 1.0),
-        Vec3::new(4.0, 3.0, 1.0),
-        Vec3::new(0.0, 3.0, 1.0),
-    ],
-    triangles: &[[0, 1, 2], [0, 2, 3]],
-    normals: None,
-    uvs: None,
-    colors: None,
-    smooth_terminator: false,
-};
+const RECTANGLE: Mesh = Mesh::new(
+    &[Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(4.0, 3.0, 1.0), Vec3::new(0.0, 3.0, 1.0)],
+    &[[0, 1, 2], [0, 2, 3]],
+);
 
 const DOWN: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 
@@ -40,14 +31,7 @@ struct Owned {
 
 impl Owned {
     fn lend(&self) -> Mesh<'_> {
-        Mesh {
-            vertices: &self.vertices,
-            triangles: &self.triangles,
-            normals: self.normals.as_deref(),
-            uvs: None,
-            colors: None,
-            smooth_terminator: false,
-        }
+        Mesh { normals: self.normals.as_deref(), ..Mesh::new(&self.vertices, &self.triangles) }
     }
 }
 
@@ -271,14 +255,7 @@ fn triangles_without_area_are_never_met() {
         Vec3::new(5.0, 1.0, -1.0),
         Vec3::new(4.0, 1.0, -1.0),
     ];
-    let mesh = Mesh {
-        vertices: &vertices,
-        triangles: &[[0, 1, 2], [0, 0, 2], [1, 1, 1], [3, 4, 5]],
-        normals: None,
-        uvs: None,
-        colors: None,
-        smooth_terminator: false,
-    };
+    let mesh = Mesh::new(&vertices, &[[0, 1, 2], [0, 0, 2], [1, 1, 1], [3, 4, 5]]);
     for along in [0.0, 0.5, 1.0, 2.9] {
         assert_misses(mesh, Vec3::new(along, along, 2.0), DOWN);
     }

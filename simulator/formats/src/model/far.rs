@@ -30,9 +30,8 @@ impl Moved {
         });
         let Some((min, max)) = bounds else { return Self::NOT };
         let (center, half) = (min * 0.5 + max * 0.5, max * 0.5 - min * 0.5);
-        let (half, most) =
-            (if has_camera { half } else { DVec3::splat(half.length() * CAMERA) }, MAX_COORDINATE);
-        let (reach, most) = (half.max_element(), f64::from(most));
+        let half = if has_camera { half } else { DVec3::splat(half.length() * CAMERA) };
+        let (reach, most) = (half.max_element(), f64::from(MAX_COORDINATE));
         if (center.abs() + half).max_element() <= most {
             return Self::NOT;
         }

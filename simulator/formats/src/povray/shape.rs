@@ -262,14 +262,7 @@ mod tests {
     #[test]
     fn meshes_keep_their_shared_vertices() {
         let corners = [Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0), UP, Vec3::new(1.0, 1.0, 0.0)];
-        let mesh = Mesh {
-            vertices: &corners,
-            triangles: &[[0, 1, 2], [2, 1, 3]],
-            normals: None,
-            uvs: None,
-            colors: None,
-            smooth_terminator: false,
-        };
+        let mesh = Mesh::new(&corners, &[[0, 1, 2], [2, 1, 3]]);
         let flat = "vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <1, 1, 0> }";
         let faces = "face_indices { 2, <0, 1, 2>, <2, 1, 3> }";
         assert_eq!(shape(&Shape::Mesh(mesh)), Some(("mesh2", format!("{flat} {faces}"))));

@@ -23,7 +23,7 @@ pub(super) struct Body<'a> {
     shifts: HashMap<Place, DVec3>,
 }
 
-/// What moves together: all vertices in one place of a mesh, as the bits of their coordinates. An instance
+/// A place in a mesh, as the bits of its coordinates: all vertices in one place move together. An instance
 /// moves as a whole.
 type Place = [u32; 3];
 
