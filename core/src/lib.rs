@@ -148,7 +148,7 @@ pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;
 pub use fault::{Coefficient, Fault};
-pub use integrator::AreaLights;
+pub use integrator::{AreaLights, Integrator};
 pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone, ObjectId};
 pub use material::{Fresnel, Highlight, Material, Medium, Optics, Sides, presets as materials};

@@ -14,6 +14,9 @@ pub enum RayKind {
     Reflected,
     /// Through a transparent surface.
     Refracted,
+    /// Scattered by a surface, where light is found by [path tracing](crate::Integrator).
+    #[cfg(feature = "path-tracing")]
+    Scattered,
 }
 
 /// Why light was left out.
@@ -136,6 +139,9 @@ pub struct RayCounts {
     pub reflected: u64,
     /// Rays through transparent surfaces.
     pub refracted: u64,
+    /// Scattered rays.
+    #[cfg(feature = "path-tracing")]
+    pub scattered: u64,
     /// Rays from the eye that met an object.
     pub camera_hits: u64,
     /// How often [`Cut::Bounces`] happened.
@@ -152,6 +158,8 @@ impl RayCounts {
     /// The rays of all kinds.
     pub fn total(&self) -> u64 {
         let beside_camera = self.shadow.saturating_add(self.reflected).saturating_add(self.refracted);
+        #[cfg(feature = "path-tracing")]
+        let beside_camera = beside_camera.saturating_add(self.scattered);
         self.camera.saturating_add(beside_camera)
     }
 }
@@ -162,6 +170,8 @@ impl<R: Real> Probe<R> for RayCounts {
             Event::Ray { kind: RayKind::Camera, .. } => &mut self.camera,
             Event::Ray { kind: RayKind::Reflected, .. } => &mut self.reflected,
             Event::Ray { kind: RayKind::Refracted, .. } => &mut self.refracted,
+            #[cfg(feature = "path-tracing")]
+            Event::Ray { kind: RayKind::Scattered, .. } => &mut self.scattered,
             Event::Light { .. } => &mut self.shadow,
             Event::Hit { kind: RayKind::Camera, .. } => &mut self.camera_hits,
             Event::Cut(Cut::Bounces) => &mut self.cut_bounces,
@@ -184,6 +194,10 @@ impl core::ops::AddAssign for RayCounts {
         self.shadow = self.shadow.saturating_add(other.shadow);
         self.reflected = self.reflected.saturating_add(other.reflected);
         self.refracted = self.refracted.saturating_add(other.refracted);
+        #[cfg(feature = "path-tracing")]
+        {
+            self.scattered = self.scattered.saturating_add(other.scattered);
+        }
         self.camera_hits = self.camera_hits.saturating_add(other.camera_hits);
         self.cut_bounces = self.cut_bounces.saturating_add(other.cut_bounces);
         self.cut_throughput = self.cut_throughput.saturating_add(other.cut_throughput);

@@ -8,7 +8,9 @@ use std::str::FromStr;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
-use rayline::{Adaptive, AreaLights, Dither, Edges, Reconstruction, Sampler, Sampling, Settings, Transfer};
+use rayline::{
+    Adaptive, AreaLights, Dither, Edges, Integrator, Reconstruction, Sampler, Sampling, Settings, Transfer,
+};
 use rayline_simulator::files::limits;
 use rayline_simulator::{
     BOARDS, Bench, BinaryColorTheme, Display, Exposure, Format, LoadedScene, Mode, ModelView, Number,
@@ -301,6 +303,11 @@ pub(crate) struct Look {
     transfer: Option<Transfer>,
     #[command(flatten)]
     sampling: SamplingArgs,
+    /// Follow mirrored and refracted rays alone, or paths of scattered rays as well, by which surfaces light
+    /// each other: path-tracing takes 64 samples and as many rays as they need unless told otherwise
+    /// [default: the scene's own, else whitted]
+    #[arg(long, value_name = "HOW", value_parser = named(&INTEGRATORS))]
+    integrator: Option<Integrator>,
     /// Light lamps with a size by rays, or by formulas: without noise, and with soft shadows of opaque balls
     /// only [default: the scene's own, else sampled]
     #[arg(long, value_name = "HOW", value_parser = named(&AREA_LIGHTS))]
@@ -423,6 +430,12 @@ struct SamplingArgs {
 const AXES: [(&str, Up); 6] =
     [("x", Up::X), ("y", Up::Y), ("z", Up::Z), ("-x", Up::MinusX), ("-y", Up::MinusY), ("-z", Up::MinusZ)];
 
+const INTEGRATORS: [(&str, Integrator); 2] =
+    [("whitted", Integrator::Whitted), ("path-tracing", Integrator::PathTracing)];
+
+/// The samples of a path-traced picture.
+const PATHS: u16 = 64;
+
 const AREA_LIGHTS: [(&str, AreaLights); 2] =
     [("sampled", AreaLights::Sampled), ("closed-form", AreaLights::ClosedForm)];
 
@@ -468,13 +481,26 @@ impl Look {
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
         let (meant, own) = (RenderOptions::new(scene.settings), &scene.settings);
         let (width, height) = self.size.unwrap_or((own.width, own.height));
+        let bounces = self.bounces.unwrap_or(own.bounces);
+        let mut sampling = self.sampling.over(own.sampling);
+        let mut rays_per_pixel = own.rays_per_pixel;
+        let integrator = self.integrator.unwrap_or(own.integrator);
+        if integrator == Integrator::PathTracing {
+            if self.sampling.samples.is_none() && own.sampling.samples == 1 {
+                sampling.samples = PATHS;
+            }
+            let lights = u32::try_from(scene.scene.lights.len()).unwrap_or(u32::MAX);
+            let of_sample = (u32::from(bounces) + 1).saturating_mul(lights.saturating_add(1));
+            rays_per_pixel = rays_per_pixel.max(of_sample.saturating_mul(sampling.samples.into()));
+        }
         let settings = Settings {
             width,
             height,
-            bounces: self.bounces.unwrap_or(own.bounces),
-            rays_per_pixel: self.rays_per_pixel.unwrap_or(own.rays_per_pixel),
+            bounces,
+            rays_per_pixel: self.rays_per_pixel.unwrap_or(rays_per_pixel),
             cutoff: self.cutoff.unwrap_or(own.cutoff),
-            sampling: self.sampling.over(own.sampling),
+            sampling,
+            integrator,
             area_lights: self.area_lights.unwrap_or(own.area_lights),
             transfer: self.transfer.unwrap_or(own.transfer),
             dither: self.dither,

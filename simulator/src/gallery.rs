@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
-use rayline::{Sampling, Settings, Transfer};
+use rayline::{Integrator, Sampling, Settings, Transfer};
 use rayline_formats::files::read_regular;
 
 use crate::povray::{self, RunError};
@@ -229,6 +229,9 @@ fn beside_povray(
     settings: &Settings,
     picture: &Picture,
 ) -> Result<(Option<f64>, Option<String>), GalleryError> {
+    if settings.integrator != Integrator::Whitted {
+        return Ok((None, Some("POV-Ray does not trace paths".to_owned())));
+    }
     let failed = |error| GalleryError::Povray { scene: scene.name.clone(), error };
     let directory = tempfile::tempdir().map_err(|error| failed(RunError::Io(error)))?;
     match povray::render(&scene.scene, settings, directory.path(), "scene") {

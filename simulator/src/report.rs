@@ -125,6 +125,7 @@ impl Tree<'_> {
             RayKind::Camera => "camera",
             RayKind::Reflected => "reflected",
             RayKind::Refracted => "refracted",
+            RayKind::Scattered => "scattered",
         };
         if kind == RayKind::Camera {
             self.samples += 1;

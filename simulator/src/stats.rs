@@ -36,6 +36,8 @@ pub struct Rays {
     pub reflected: u64,
     /// Rays through transparent surfaces.
     pub refracted: u64,
+    /// Scattered rays, of path tracing.
+    pub scattered: u64,
 }
 
 /// The numbers of rays that hit an object.
@@ -66,6 +68,7 @@ impl Stats {
             shadow,
             reflected,
             refracted,
+            scattered,
             camera_hits,
             cut_bounces,
             cut_throughput,
@@ -73,7 +76,7 @@ impl Stats {
             cut_shadow_layers,
         } = picture.rays;
         Self {
-            rays: Rays { camera, shadow, reflected, refracted },
+            rays: Rays { camera, shadow, reflected, refracted, scattered },
             hits: Hits { camera: camera_hits },
             cuts: Cuts {
                 bounces: cut_bounces,

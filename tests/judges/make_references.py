@@ -6,8 +6,8 @@
     python3 tests/judges/make_references.py --check    renders again, and compares with them
 
 Each picture shows the scene of the same name in this folder (.ron), which Rayline draws. Mitsuba computes the
-same light by its own code: direct light, one mirrored ray, no light that is scattered twice. A pixel holds
-linear light in 16 bits; the largest code is WHITE.
+same light by its own code: direct light and one mirrored ray, or, for the last two scenes, paths of several
+bounces. A pixel holds linear light in 16 bits; the largest code is WHITE.
 """
 
 import math
@@ -25,8 +25,8 @@ WIDTH, HEIGHT = 64, 48
 SAMPLES = 4096
 # The light of the largest code.
 WHITE = 4.0
-# The most that the mean of two renderings may differ, as a share of the mean light: noise.
-NOISE = 0.01
+# The most that two renderings may differ, as a share of the mean light: noise, which paths have more of.
+NOISE, NOISE_OF_PATHS = 0.01, 0.02
 
 T = mi.ScalarTransform4f
 
@@ -74,6 +74,7 @@ def lamp(*color):
     return {"type": "area", "radiance": rgb(*color)}
 
 
+WALL = matte(0.73, 0.73, 0.73)
 BLACK = {"type": "diffuse", "reflectance": rgb(0, 0, 0)}
 
 
@@ -131,10 +132,60 @@ def scenes():
     }
 
 
+    yield "cornell", {
+        "integrator": paths(8),
+        "sensor": camera() | {
+            "to_world": T().look_at(origin=[2.78, 2.73, -8], target=[2.78, 2.73, 2.8], up=[0, 1, 0]),
+            "fov": math.degrees(0.686),
+        },
+        "floor": face([0, 0, 0], [0, 0, 5.592], [5.56, 0, 0], WALL),
+        "ceiling": face([0, 5.488, 0], [5.56, 0, 0], [0, 0, 5.592], WALL),
+        "back": face([0, 0, 5.592], [0, 5.488, 0], [5.56, 0, 0], WALL),
+        "right": face([0, 0, 0], [0, 5.488, 0], [0, 0, 5.592], matte(0.14, 0.45, 0.091)),
+        "left": face([5.56, 0, 0], [0, 0, 5.592], [0, 5.488, 0], matte(0.63, 0.065, 0.05)),
+        "tall": block([3.68, 1.65, 3.51], [0.79, 0, -0.245], [0, 1.65, 0], [0.245, 0, 0.79]),
+        "short": block([1.855, 0.825, 1.69], [0.79, 0, 0.235], [0, 0.825, 0], [-0.235, 0, 0.79]),
+        "lamp": face([2.13, 5.48, 2.27], [1.3, 0, 0], [0, 0, 1.05], BLACK) | {"emitter": lamp(17, 12, 4)},
+    }
+    yield "caustic", {
+        "integrator": paths(6),
+        "sensor": camera(),
+        "floor": floor(matte(0.8, 0.8, 0.8)),
+        "glass": ball([0, 0.8, 0.5], 0.75, bsdf={"type": "dielectric", "int_ior": 1.5, "ext_ior": 1.0}),
+        "red": ball([1.5, 0.4, -0.5], 0.4, bsdf=matte(0.7, 0.2, 0.1)),
+        "lamp": ball([-1.5, 3.5, 1], 0.8, bsdf=BLACK, emitter=lamp(8, 8, 7)),
+    }
+
+
+def paths(bounces):
+    """Paths whose light comes from lamps after so many bounces and the last reflection."""
+    return {"type": "path", "max_depth": bounces + 2}
+
+
+def face(corner, right, up, bsdf):
+    """A rectangle that faces the side from which `right` and `up` turn counterclockwise."""
+    a, b = ([half / 2 for half in side] for side in (right, up))
+    middle = [c + x + y for c, x, y in zip(corner, a, b)]
+    return {"type": "rectangle", "to_world": axes(middle, a, b, cross(a, b)), "bsdf": bsdf}
+
+
+def block(center, *halves):
+    return {"type": "cube", "to_world": axes(center, *halves), "bsdf": WALL}
+
+
+def axes(center, *columns):
+    rows = [[*(column[row] for column in columns), center[row]] for row in range(3)]
+    return T(rows + [[0, 0, 0, 1]])
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
 def render(scene, seed):
     """The light of each pixel, as rows of RGB triples of codes."""
-    integrator = {"type": "direct"}
-    picture = mi.render(mi.load_dict({"type": "scene", "integrator": integrator, **scene}), seed=seed)
+    scene = {"type": "scene", "integrator": {"type": "direct"}, **scene}
+    picture = mi.render(mi.load_dict(scene), seed=seed)
     values = mi.TensorXf(picture).array
     return [min(max(round(float(value) / WHITE * 65535), 0), 65535) for value in values]
 
@@ -179,7 +230,7 @@ def main():
             continue
         known = read(file)
         error = sum(abs(a - b) for a, b in zip(codes, known)) / sum(known)
-        failed |= error > NOISE
+        failed |= error > (NOISE_OF_PATHS if "integrator" in scene else NOISE)
         print(f"{file.name}: {100 * error:.2f} % from the picture that is kept")
     sys.exit(failed)
 

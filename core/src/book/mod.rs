@@ -13,12 +13,14 @@
 //! | [`ray_tree`] | reflection and refraction, and the tree of rays without recursion |
 //! | [`sampling`] | aliasing, distributions of samples, filters |
 //! | [`distributed`] | soft shadows, depth of field, motion blur, gloss |
+//! | [`global_light`] | light that surfaces scatter onto each other |
 //! | [`acceleration`] | boxes, lists and fewer pixels |
 //!
 //! The chapters are documentation only: no program contains them.
 
 pub mod acceleration;
 pub mod distributed;
+pub mod global_light;
 pub mod intersections;
 pub mod ray_tree;
 pub mod rays;

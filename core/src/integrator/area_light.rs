@@ -6,6 +6,7 @@ use crate::color::LinearRgb;
 use crate::light::{AreaLight, LampPoint, SeenLamp};
 use crate::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use crate::math::{Real, Vec3};
+use crate::motion::Moved;
 use crate::prepared::{Among, Through};
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::Dimension;
@@ -50,10 +51,8 @@ impl<R: Real> ShadedHit<'_, R> {
         bounces: u8,
     ) -> LinearRgb<R> {
         let most = if trace.numbers.is_of_one_sample() { MAX_AREA_RAYS } else { AREA_RAYS };
-        // A lamp that moves is seen where it was described, from where the surface then is.
         let moved = trace.scene.moved(area.object);
         let point = self.hit.surface.point;
-        let seen_from = moved.as_ref().map_or(point, |moved| moved.point_back(point));
         let mut sum = LampLight::NONE;
         let (mut reached, mut missed) = (0, 0);
         let mut share = R::from_f32(1.0 / f32::from(AREA_RAYS));
@@ -67,11 +66,7 @@ impl<R: Real> ShadedHit<'_, R> {
                 share = share * known;
             }
             let pair = trace.numbers.part(number, most).pair(Dimension::lamp(bounces, area.light));
-            let point = area.point_seen_from(seen_from, pair);
-            let point = point.map(|point| match &moved {
-                Some(moved) => LampPoint { toward: moved.direction(point.toward), ..point },
-                None => point,
-            });
+            let point = lamp_point(area, moved.as_ref(), point, pair);
             let Some((facing, weight)) = point.and_then(|point| self.facing_point(point)) else {
                 missed += 1;
                 continue;
@@ -136,7 +131,7 @@ impl<R: Real> ShadedHit<'_, R> {
 
     /// Light from a direction, with the cosine that its diffuse light has; `None` if the surface would not
     /// show it.
-    fn facing_from(&self, toward: Vec3<R>, distance: R, cosine: R) -> Option<FacingLight<R>> {
+    pub(super) fn facing_from(&self, toward: Vec3<R>, distance: R, cosine: R) -> Option<FacingLight<R>> {
         if !(cosine > R::ZERO) {
             return None;
         }
@@ -147,4 +142,17 @@ impl<R: Real> ShadedHit<'_, R> {
         }
         Some(FacingLight { toward, distance, cosine, highlight_cosine, share: None })
     }
+}
+
+/// A point of a lamp that a pair of numbers draws, as seen from a point; `None` if the lamp is not seen from
+/// there. A lamp that moves is seen where it was described, from where the point then is.
+pub(super) fn lamp_point<R: Real>(
+    area: &AreaLight<R>,
+    moved: Option<&Moved<R>>,
+    point: Vec3<R>,
+    pair: [u16; 2],
+) -> Option<LampPoint<R>> {
+    let Some(moved) = moved else { return area.point_seen_from(point, pair) };
+    let seen = area.point_seen_from(moved.point_back(point), pair)?;
+    Some(LampPoint { toward: moved.direction(seen.toward), ..seen })
 }

@@ -19,6 +19,8 @@
 mod area_light;
 mod group;
 mod path;
+#[cfg(feature = "path-tracing")]
+mod path_tracing;
 mod pending_ray;
 mod seen;
 mod shaded_hit;
@@ -48,6 +50,32 @@ pub(crate) struct RayLimits<R> {
     pub(crate) cutoff: R,
     #[cfg(feature = "distributed")]
     pub(crate) area_lights: AreaLights,
+    #[cfg(feature = "path-tracing")]
+    pub(crate) integrator: Integrator,
+}
+
+/// The rays by which light finds its way to the eye.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Integrator {
+    /// Mirrored and refracted rays (Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980).
+    /// Light that comes from other surfaces is the ambient light.
+    #[default]
+    Whitted,
+    /// One path for each sample, whose rays may also be scattered (Kajiya, "The Rendering Equation", SIGGRAPH
+    /// 1986): surfaces light and color each other, and glass throws caustics of lamps with a size.
+    ///
+    /// All that a path meets shines: backgrounds, and surfaces that emit light even if they are not lights of
+    /// the scene. Ambient light, [`Light::Sky`](crate::Light::Sky) and
+    /// [`Settings::area_lights`](crate::Settings::area_lights) are of no use and left out, and so is
+    /// [`Settings::cutoff`](crate::Settings::cutoff): paths that bring little light end by chance. Noise falls
+    /// with the number of samples; 64 to 1024 are usual. In fixed point, a path brings at most 1.99 times the
+    /// light that it finds, which is less than it should be only where a surface scatters one color and
+    /// mirrors another.
+    #[cfg(feature = "path-tracing")]
+    PathTracing,
 }
 
 /// The way to find the light of lamps with a size and of the sky, see [`Light::Object`](crate::Light::Object)
@@ -110,7 +138,34 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     seen: Seen,
     /// The numbers that the rays draw.
     numbers: RayNumbers,
+    /// π times the density with which the direction of the ray at hand was drawn, if shadow rays look for the
+    /// same lamps.
+    #[cfg(feature = "path-tracing")]
+    drawn: Option<R>,
     probe: &'t mut P,
+}
+
+impl<'t, 'm, R: Real, S: Geometry + 'm, P> Trace<'t, 'm, R, S, P> {
+    /// For the rays of a sample that may spend some rays and draws these numbers.
+    #[inline]
+    fn new(
+        scene: &'t PreparedScene<'m, R, S>,
+        limits: &RayLimits<R>,
+        rays: RayBudget,
+        numbers: RayNumbers,
+        probe: &'t mut P,
+    ) -> Self {
+        Self {
+            scene,
+            limits: *limits,
+            rays,
+            seen: Seen::NOTHING,
+            numbers,
+            #[cfg(feature = "path-tracing")]
+            drawn: None,
+            probe,
+        }
+    }
 }
 
 /// The state of a pixel that its samples share.
@@ -132,7 +187,7 @@ pub(crate) fn radiance<R: Real, S: Geometry>(
     rays: &mut SampleRays,
     probe: &mut impl Probe<R>,
 ) -> LinearRgb<R> {
-    let mut trace = Trace { scene, limits: *limits, rays: rays.left, seen: Seen::NOTHING, numbers, probe };
+    let mut trace = Trace::new(scene, limits, rays.left, numbers, probe);
     let mut path = Path::new(ray, sight.among);
     path.finish(&mut trace, sight.blockers, &mut Waiting::new());
     (rays.left, rays.seen) = (trace.rays, trace.seen);

@@ -2,6 +2,8 @@
 
 use heapless::Vec;
 
+#[cfg(feature = "path-tracing")]
+use super::Integrator;
 use super::Trace;
 use super::pending_ray::PendingRay;
 use super::shaded_hit::{ShadedHit, ShadowRays};
@@ -119,6 +121,10 @@ impl<R: Real> Path<R> {
         let shaded = ShadedHit::new(&ray, (hit, color), normal, material, trace.probe.is_enabled());
         trace.probe.record(shaded.event(&ray, (kind, throughput), normal));
         shadow_rays.begin_at(hit.object);
+        #[cfg(feature = "path-tracing")]
+        if trace.limits.integrator == Integrator::PathTracing {
+            return self.scatter(trace, &shaded, throughput, shadow_rays);
+        }
         let light = shaded.local_light(trace, shadow_rays);
         #[cfg(feature = "distributed")]
         let light = if trace.scene.has_wide_lights() {
@@ -136,7 +142,7 @@ impl<R: Real> Path<R> {
 
     /// Adds a share of the light from where the ray at hand ends.
     #[inline(always)]
-    fn receive(&mut self, throughput: Throughput<R>, light: LinearRgb<R>) {
+    pub(super) fn receive(&mut self, throughput: Throughput<R>, light: LinearRgb<R>) {
         // All of a camera ray's light reaches the pixel. In floating point a product takes no longer than
         // this test.
         let is_first = R::IS_FIXED_POINT && self.next.kind == RayKind::Camera;

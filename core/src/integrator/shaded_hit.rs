@@ -139,6 +139,17 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     ) -> LinearRgb<R> {
         let ambient = self.ambient_light(trace.scene);
         trace.probe.record(Event::Surface { shown: ambient });
+        self.lamp_light(ambient, trace, shadow_rays)
+    }
+
+    /// Diffuse and specular light of all lamps without a size, beside `ambient` light.
+    #[inline]
+    pub(super) fn lamp_light<S: Geometry, P: Probe<R>>(
+        &self,
+        ambient: LinearRgb<R>,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        shadow_rays: &mut impl ShadowRays<R>,
+    ) -> LinearRgb<R> {
         let (diffuses, shines) = (self.material.diffuse > R::ZERO, self.material.specular > R::ZERO);
         if !(diffuses || shines) {
             return ambient;
@@ -205,6 +216,49 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             Some(optics) => ambient + optics.emission_toward(self.hit.surface.normal, self.incoming),
             None => ambient,
         }
+    }
+
+    /// The light that the surface emits along the incoming ray.
+    #[cfg(feature = "path-tracing")]
+    pub(super) fn emission(&self) -> LinearRgb<R> {
+        let (optics, normal) = (self.material.optics(), self.hit.surface.normal);
+        optics.map_or(LinearRgb::BLACK, |optics| optics.emission_toward(normal, self.incoming))
+    }
+
+    /// The share of light from all around that the surface scatters.
+    #[cfg(feature = "path-tracing")]
+    pub(super) fn scattering(&self) -> Throughput<R> {
+        Throughput::colored(self.color) * self.material.diffuse
+    }
+
+    /// Whether a direction points to the other side of the surface than that of the incoming ray.
+    #[cfg(feature = "path-tracing")]
+    pub(super) fn is_behind(&self, direction: Vec3<R>) -> bool {
+        let (geometric, _, _) = self.hit.surface.normal.facing(self.incoming);
+        !(geometric.dot(direction) > R::ZERO)
+    }
+
+    /// π times the density with which a glossy surface mirrors the incoming ray into a direction; `None` for
+    /// perfect mirrors, and in fixed point, where the density of narrow lobes is out of range.
+    #[cfg(feature = "path-tracing")]
+    pub(super) fn gloss_density<S: Geometry>(
+        &self,
+        scene: &PreparedScene<'_, R, S>,
+        direction: Vec3<R>,
+    ) -> Option<R> {
+        let gloss = self.material.optics()?.gloss?;
+        if R::IS_FIXED_POINT {
+            return None;
+        }
+        if self.is_behind(direction) {
+            return Some(R::ZERO);
+        }
+        // The part of the lobe that lies behind the surface is turned around to its front.
+        let normal = self.hit.surface.normal;
+        let height = normal.dot(direction);
+        let turned = direction - normal * (height + height);
+        let axis = self.mirrored_axis(scene);
+        Some(gloss.density(axis.dot(direction)) + gloss.density(axis.dot(turned)))
     }
 
     /// A light that the surface faces and that it would show; `None` if no shadow ray is needed.
@@ -303,13 +357,19 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         numbers: &RayNumbers,
         bounces: u8,
     ) -> Vec3<R> {
-        let mirrored = if scene.bends_normals() { self.mirrored_outside() } else { self.mirrored };
+        let mirrored = self.mirrored_axis(scene);
         match self.material.optics().and_then(|optics| optics.gloss) {
-            Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(mirrored, exponent, numbers.pair(Dimension::mirrored(bounces)))
+            Some(lobe) if cfg!(feature = "distributed") => {
+                self.spread(mirrored, lobe.spread, numbers.pair(Dimension::mirrored(bounces)))
             }
             _ => mirrored,
         }
+    }
+
+    /// The mirrored direction of a mirror, or the axis of the lobe of a glossy material.
+    #[inline]
+    fn mirrored_axis<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> Vec3<R> {
+        if scene.bends_normals() { self.mirrored_outside() } else { self.mirrored }
     }
 
     /// The mirrored direction. Where the normal to shade with is bent so far that it would lead into the
@@ -330,8 +390,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     #[inline]
     pub(super) fn spread_refracted(&self, direction: Vec3<R>, numbers: &RayNumbers, bounces: u8) -> Vec3<R> {
         match self.material.optics().and_then(|optics| optics.translucency) {
-            Some(exponent) if cfg!(feature = "distributed") => {
-                self.spread(direction, exponent, numbers.pair(Dimension::refracted(bounces)))
+            Some(lobe) if cfg!(feature = "distributed") => {
+                self.spread(direction, lobe.spread, numbers.pair(Dimension::refracted(bounces)))
             }
             _ => direction,
         }
@@ -389,7 +449,7 @@ impl<R: Real> LampLight<R> {
 
     /// Adds the share of a light that gets through; returns the strength of its highlight, 0 to 1.
     #[inline(always)]
-    fn add(
+    pub(super) fn add(
         &mut self,
         light: &FacingLight<R>,
         material: &PreparedMaterial<'_, R>,

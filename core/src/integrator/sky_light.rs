@@ -7,7 +7,7 @@ use crate::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use crate::math::Real;
 use crate::prepared::Among;
 use crate::probe::{Cut, Event, Probe};
-use crate::sampling::{Dimension, around, disc};
+use crate::sampling::{Dimension, hemisphere};
 use crate::shape::Geometry;
 
 impl<R: Real> ShadedHit<'_, R> {
@@ -43,11 +43,7 @@ impl<R: Real> ShadedHit<'_, R> {
                 break;
             }
             let pair = trace.numbers.part(number, count).pair(Dimension::sky(bounces));
-            // Spread evenly over the disc below the hemisphere, so that directions have the density of the
-            // cosine (Malley's method).
-            let [x, y] = disc::<R>(pair);
-            let sine_squared = (x * x + y * y).smaller(R::ONE);
-            let toward = around(self.normal, (R::ONE - sine_squared).sqrt(), sine_squared, [x, y]);
+            let toward = hemisphere(self.normal, pair);
             let ray = self.hit.spawn(toward, self.departure(toward, false));
             let through = trace.scene.light_through_among(&ray, R::FARTHEST, Among::All);
             let throughput = through.throughput();

@@ -113,6 +113,18 @@ impl<R: Real> AreaLight<R> {
         }
     }
 
+    /// The weight of the point of the lamp at which a ray from another point meets it, as
+    /// [`point_seen_from`](Self::point_seen_from) would give it; `None` where that draws no point.
+    #[cfg(feature = "path-tracing")]
+    pub(crate) fn weight_between(&self, from: Vec3<R>, to: Vec3<R>) -> Option<R> {
+        match self.surface {
+            LampSurface::Ball { center, radius } => Some(in_cone(center - from, radius, [0; 2])?.weight),
+            LampSurface::Flat { normal, sides, radius, .. } => {
+                Some(on_flat(to - from, (normal, sides), radius)?.weight)
+            }
+        }
+    }
+
     /// The solid angle of a flat lamp over π, computed from its middle alone; `None` from behind.
     pub(super) fn weight_of(&self, point: Vec3<R>) -> Option<R> {
         let LampSurface::Flat { center, normal, sides, radius, .. } = self.surface else { return None };

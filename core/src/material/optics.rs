@@ -144,9 +144,8 @@ pub(crate) struct PreparedOptics<R: Real> {
     emission: LinearRgb<R>,
     pub(crate) emission_sides: Sides,
     falloff: Option<PreparedFalloff<R>>,
-    /// `1 / (n + 1)` for the exponents n of the lobes around mirrored and refracted rays.
-    pub(crate) gloss: Option<R::Factor>,
-    pub(crate) translucency: Option<R::Factor>,
+    pub(crate) gloss: Option<Lobe<R>>,
+    pub(crate) translucency: Option<Lobe<R>>,
     pub(crate) sides: Sides,
     pub(crate) thin: bool,
 }
@@ -196,8 +195,29 @@ impl Optics {
     }
 }
 
-/// Checks the exponent n of a lobe, and converts it to `1 / (n + 1)`.
-fn prepare_lobe<R: Real>(exponent: Option<f32>) -> Result<Option<R::Factor>, Fault> {
+/// The directions around a mirrored or refracted ray, whose density falls with the cosine to the power n.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lobe<R: Real> {
+    /// `1 / (n + 1)`.
+    pub(crate) spread: R::Factor,
+    /// n.
+    #[cfg(feature = "path-tracing")]
+    exponent: R::Factor,
+    /// π times the density in the middle.
+    #[cfg(feature = "path-tracing")]
+    most: R,
+}
+
+#[cfg(feature = "path-tracing")]
+impl<R: Real> Lobe<R> {
+    /// π times the density of directions at this cosine.
+    pub(crate) fn density(&self, cosine: R) -> R {
+        if cosine > R::ZERO { cosine.smaller(R::ONE).powf(self.exponent) * self.most } else { R::ZERO }
+    }
+}
+
+/// Checks the exponent of a lobe, and converts it.
+fn prepare_lobe<R: Real>(exponent: Option<f32>) -> Result<Option<Lobe<R>>, Fault> {
     let Some(exponent) = exponent else { return Ok(None) };
     if !cfg!(feature = "distributed") {
         return Err(Fault::WithoutFeature { feature: "distributed" });
@@ -206,7 +226,13 @@ fn prepare_lobe<R: Real>(exponent: Option<f32>) -> Result<Option<R::Factor>, Fau
     if exponent < 0.0 {
         return Err(Fault::NegativeExponent);
     }
-    Ok(Some(R::factor(1.0 / (exponent + 1.0))))
+    Ok(Some(Lobe {
+        spread: R::factor(1.0 / (exponent + 1.0)),
+        #[cfg(feature = "path-tracing")]
+        exponent: R::factor(exponent),
+        #[cfg(feature = "path-tracing")]
+        most: R::from_f32(0.5 * (exponent + 1.0)),
+    }))
 }
 
 impl Optics {

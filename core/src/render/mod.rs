@@ -66,7 +66,7 @@ use embedded_graphics::draw_target::DrawTarget;
 
 use crate::camera::Viewport;
 use crate::color::LinearRgb;
-use crate::integrator::{AreaLights, RayLimits, Sight};
+use crate::integrator::{AreaLights, Integrator, RayLimits, Sight};
 use crate::math::Real;
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
@@ -115,10 +115,13 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
                 cutoff: R::from_f32(settings.cutoff),
                 #[cfg(feature = "distributed")]
                 area_lights: settings.area_lights,
+                #[cfg(feature = "path-tracing")]
+                integrator: settings.integrator,
             },
             sample_weight: R::from_setup(R::Setup::from_u16(samples).recip()),
             settings,
             is_distributed: viewport.has_lens()
+                || settings.integrator != Integrator::Whitted
                 || scene.is_distributed(settings.area_lights == AreaLights::Sampled),
             outlines: Outlines::UNKNOWN,
         };

@@ -1,7 +1,7 @@
 //! How a picture is rendered.
 
 use super::SettingsError;
-use crate::integrator::AreaLights;
+use crate::integrator::{AreaLights, Integrator};
 use crate::limits::{MAX_BOUNCES, MAX_SIDE};
 use crate::sampling::{Adaptive, Sampling};
 
@@ -28,6 +28,8 @@ pub struct Settings {
     pub cutoff: f32,
     /// The rays from the eye through each pixel: how many, and where.
     pub sampling: Sampling,
+    /// The rays by which light finds its way to the eye.
+    pub integrator: Integrator,
     /// How the light of lamps with a size is found.
     pub area_lights: AreaLights,
     /// The curve from light to the codes of a display.
@@ -37,7 +39,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Four bounces, one sample for each pixel, lamps with a size by rays, sRGB, no dithering.
+    /// Four bounces, one sample for each pixel, Whitted's rays, lamps with a size by rays, sRGB, no dithering.
     pub const fn new(width: u32, height: u32) -> Self {
         Self {
             width,
@@ -46,6 +48,7 @@ impl Settings {
             rays_per_pixel: 4096,
             cutoff: 1.0 / 256.0,
             sampling: Sampling::CENTER,
+            integrator: Integrator::Whitted,
             area_lights: AreaLights::Sampled,
             transfer: Transfer::Srgb,
             dither: Dither::None,

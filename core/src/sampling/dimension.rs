@@ -8,6 +8,8 @@
 //! | 4 + 4 · b | the direction of a mirrored ray after b bounces |
 //! | 5 + 4 · b | the direction of a refracted ray after b bounces |
 //! | 7 + 4 · b | the directions into the sky from a hit after b bounces |
+//! | 128 + 2 · b | the direction of a scattered ray after b bounces |
+//! | 129 + 2 · b | the way on which a path goes on after b bounces |
 //! | 6 + 4 · b + 256 · l | the points of the light l for a hit after b bounces |
 
 /// A use of two numbers that a sample draws. Two uses never share numbers.
@@ -46,6 +48,18 @@ impl Dimension {
         Self(7 + 4 * bounces as u32)
     }
 
+    /// The direction of a scattered ray, which leaves a surface after so many bounces.
+    #[cfg(feature = "path-tracing")]
+    pub(crate) const fn scattered(bounces: u8) -> Self {
+        Self(128 + 2 * bounces as u32)
+    }
+
+    /// The way on which a path goes on after so many bounces.
+    #[cfg(feature = "path-tracing")]
+    pub(crate) const fn way(bounces: u8) -> Self {
+        Self(129 + 2 * bounces as u32)
+    }
+
     /// Its number, which hashes take.
     pub(super) const fn number(self) -> u32 {
         self.0
@@ -77,6 +91,12 @@ mod tests {
             add("| 4 + 4 · b | the direction of a mirrored ray", 4 + first, Dimension::mirrored(b));
             add("| 5 + 4 · b | the direction of a refracted ray", 5 + first, Dimension::refracted(b));
             add("| 7 + 4 · b | the directions into the sky", 7 + first, Dimension::sky(b));
+            #[cfg(feature = "path-tracing")]
+            {
+                let (scattered, way) = (Dimension::scattered(b), Dimension::way(b));
+                add("| 128 + 2 · b | the direction of a scattered ray", 128 + 2 * u32::from(b), scattered);
+                add("| 129 + 2 · b | the way on which a path goes on", 129 + 2 * u32::from(b), way);
+            }
             for light in [0, 1, 7, 65_534] {
                 let number = 6 + first + 256 * light as u32;
                 add("| 6 + 4 · b + 256 · l | the points of the light l", number, Dimension::lamp(b, light));

@@ -25,7 +25,7 @@ pub(crate) use dimension::Dimension;
 pub use reconstruction::Reconstruction;
 pub(crate) use warp::lobe;
 #[cfg(feature = "distributed")]
-pub(crate) use warp::{around, centered, disc};
+pub(crate) use warp::{around, centered, disc, hemisphere};
 
 use hash::hash;
 

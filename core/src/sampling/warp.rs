@@ -50,6 +50,15 @@ pub(crate) fn lobe<R: Real>(axis: Vec3<R>, exponent: R::Factor, pair: [u16; 2]) 
     around(axis, cosine, R::ONE - cosine * cosine, [x, y])
 }
 
+/// A direction in the hemisphere around the unit vector `normal`, with the density of the cosine: the places
+/// below it are spread evenly over the disc (Malley's method).
+#[cfg(feature = "distributed")]
+pub(crate) fn hemisphere<R: Real>(normal: Vec3<R>, pair: [u16; 2]) -> Vec3<R> {
+    let [x, y] = disc::<R>(pair);
+    let sine_squared = (x * x + y * y).smaller(R::ONE);
+    around(normal, (R::ONE - sine_squared).sqrt(), sine_squared, [x, y])
+}
+
 /// The unit vector at an angle from the unit vector `axis`. A place on the disc says to which side; `axis` if
 /// it is the center or the angle is 0.
 pub(crate) fn around<R: Real>(axis: Vec3<R>, cosine: R, sine_squared: R, [x, y]: [R; 2]) -> Vec3<R> {

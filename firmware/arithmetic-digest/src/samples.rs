@@ -1,12 +1,12 @@
 //! A digest of pictures with several samples: all samplers and filters, lamps with a size, a lens, motion,
-//! gloss and translucency.
+//! gloss and translucency, and paths.
 
 use core::mem::MaybeUninit;
 
 use rayline::shape::{Disc, Shape, Sphere};
 use rayline::{
-    Adaptive, AreaLights, Background, Camera, Digest, Lens, Light, LinearRgb, Material, Motion, Object,
-    ObjectId, Optics, PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings,
+    Adaptive, AreaLights, Background, Camera, Digest, Integrator, Lens, Light, LinearRgb, Material, Motion,
+    Object, ObjectId, Optics, PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings,
     Vec3,
 };
 
@@ -79,9 +79,12 @@ pub(super) fn update<R: Real>(digest: &mut Digest) {
         for filter in FILTERS {
             let adaptive = Some(Adaptive { at_first: 3, ..Adaptive::NEW });
             let sampling = Sampling { sampler, filter, adaptive, ..Sampling::new(5) };
-            let is_box = filter == Reconstruction::Box;
-            let area_lights = if is_box { AreaLights::ClosedForm } else { AreaLights::Sampled };
-            let settings = Settings { sampling, area_lights, ..Settings::new(6, 4) };
+            let (area_lights, integrator) = match filter {
+                Reconstruction::Box => (AreaLights::ClosedForm, Integrator::Whitted),
+                Reconstruction::Tent => (AreaLights::Sampled, Integrator::Whitted),
+                _ => (AreaLights::Sampled, Integrator::PathTracing),
+            };
+            let settings = Settings { sampling, area_lights, integrator, ..Settings::new(6, 4) };
             let Ok(renderer) = Renderer::new(&scene, settings) else { return };
             for (x, y) in (0..4).flat_map(|y| (0..6).map(move |x| (x, y))) {
                 let (light, rays) = renderer.pixel(x, y, &mut ());

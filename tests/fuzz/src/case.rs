@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rayline::{AreaLights, Edges, Grid, Realtime, Sampling, Settings};
+use rayline::{AreaLights, Edges, Grid, Integrator, Realtime, Sampling, Settings};
 
 use crate::choices::Choices;
 
@@ -90,6 +90,7 @@ impl Case {
             rays_per_pixel,
             cutoff: choices.one_of([0.0, 1.0 / 256.0, 0.1]),
             sampling: Sampling::new(samples.min(rays_per_pixel) as u16),
+            integrator: if choices.chance(12) { Integrator::PathTracing } else { Integrator::Whitted },
             area_lights: choices.one_of([AreaLights::Sampled, AreaLights::ClosedForm]),
             ..Settings::new(width as u32, height as u32)
         };
@@ -113,9 +114,9 @@ impl Case {
 }
 
 /// As in `f32-16x10-b2-r4096-c256-lines`: number system, size, bounces, rays per pixel, the cutoff's
-/// reciprocal, `s` and samples per pixel where they are several, `closed` where wide lights are found in
-/// closed form, portions, `g` with grid, threshold
-/// and budget of realtime quality, and `smooth` if its edges are.
+/// reciprocal, `s` and samples per pixel where they are several, `paths` where paths are traced, `closed` where
+/// wide lights are found in closed form, portions, `g` with grid, threshold and budget of realtime quality, and
+/// `smooth` if its edges are.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = self.settings;
@@ -124,6 +125,9 @@ impl fmt::Display for Case {
         write!(f, "{name}-{width}x{height}-b{bounces}-r{rays_per_pixel}-c{per_cutoff}")?;
         if sampling.samples > 1 {
             write!(f, "-s{}", sampling.samples)?;
+        }
+        if self.settings.integrator == Integrator::PathTracing {
+            write!(f, "-paths")?;
         }
         if self.settings.area_lights == AreaLights::ClosedForm {
             write!(f, "-closed")?;
@@ -168,6 +172,8 @@ impl FromStr for Case {
             let Some((kind, digits)) = part.split_at_checked(1) else { continue };
             if part == "closed" {
                 case.settings.area_lights = AreaLights::ClosedForm;
+            } else if part == "paths" {
+                case.settings.integrator = Integrator::PathTracing;
             } else if part == "smooth" {
                 case.realtime = case.realtime.map(Realtime::smooth);
             } else if part == "lines" {

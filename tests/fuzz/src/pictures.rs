@@ -10,8 +10,8 @@ use embedded_graphics::pixelcolor::{PixelColor, raw::RawU24};
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Shape;
 use rayline::{
-    AreaLights, DisplayColor, Frame, Light16, PixelSum, PreparedScene, Quantizer, RayCounts, Real, Realtime,
-    RealtimeBuffer, Renderer, Sample, Scene, Settings,
+    AreaLights, DisplayColor, Frame, Integrator, Light16, PixelSum, PreparedScene, Quantizer, RayCounts,
+    Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings,
 };
 
 use crate::case::Portions;
@@ -298,15 +298,19 @@ pub(crate) fn plain<R: rayline_plain::Real>(
     let memory = lend(&mut room.memory, scene.bytes::<R>());
     let prepared = rayline_plain::PreparedScene::<R>::new(&scene, memory);
     let prepared = prepared.map_err(|error| Stop::Refused(error.to_string()))?;
-    let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, area_lights, .. } = settings;
+    let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = settings;
     let settings = rayline_plain::Settings::new(width, height);
     let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, ..settings };
     let sampling = rayline_plain::Sampling::new(sampling.samples);
-    let area_lights = match area_lights {
+    let integrator = match settings.integrator {
+        Integrator::PathTracing => rayline_plain::Integrator::PathTracing,
+        _ => rayline_plain::Integrator::Whitted,
+    };
+    let area_lights = match settings.area_lights {
         AreaLights::ClosedForm => rayline_plain::AreaLights::ClosedForm,
         _ => rayline_plain::AreaLights::Sampled,
     };
-    let settings = rayline_plain::Settings { sampling, area_lights, ..settings };
+    let settings = rayline_plain::Settings { sampling, integrator, area_lights, ..settings };
     let renderer = rayline_plain::Renderer::new(&prepared, settings).map_err(broken)?;
     picture.clear();
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {

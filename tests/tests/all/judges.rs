@@ -75,6 +75,21 @@ fn lenses_lamps_and_gloss_are_as_in_mitsuba() {
     }
 }
 
+/// The Cornell box, and the light that a glass ball gathers, against Mitsuba's integrator `path`.
+#[test]
+fn paths_are_as_in_mitsuba() {
+    for name in ["cornell", "caustic"] {
+        let arena = Bump::new();
+        let loaded = LoadedScene::open(&folder().join(name).with_extension("ron"), &arena);
+        let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+        let settings = Settings { width: WIDTH, height: HEIGHT, ..settings };
+        let picture = lights::<f32>(&scene, settings, true);
+        let error = mean_error(&picture, &reference(name));
+        println!("{name}: {:.2} % from Mitsuba", 100.0 * error);
+        assert!(error < 0.02, "{name}: {error}");
+    }
+}
+
 /// POV-Ray's `area_light`, with `adaptive` and `jitter`.
 #[test]
 fn ball_lamps_are_as_in_povray() {

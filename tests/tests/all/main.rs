@@ -24,6 +24,7 @@ mod operations;
 mod optics;
 mod own_shape;
 mod panels;
+mod path_tracing;
 mod povray;
 mod progressive;
 mod realtime;

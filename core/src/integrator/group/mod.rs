@@ -23,7 +23,7 @@ use heapless::Vec;
 
 use super::path::Waiting;
 use super::shadow_rays::Blockers;
-use super::{RayBudget, RayLimits, Seen, Trace};
+use super::{RayBudget, RayLimits, Trace};
 use crate::hierarchy::{Beam, Hierarchy, WIDE};
 use crate::limits::LINES_AT_ONCE;
 use crate::math::{FOUR_AT_ONCE, FourRays, Interval, Real};
@@ -71,8 +71,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
         limits: &RayLimits<R>,
         probe: &mut impl Probe<R>,
     ) {
-        let (rays, seen, numbers) = (RayBudget(0), Seen::NOTHING, RayNumbers::NONE);
-        let mut trace = Trace { scene: self.scene, limits: *limits, rays, seen, numbers, probe };
+        let mut trace = Trace::new(self.scene, limits, RayBudget(0), RayNumbers::NONE, probe);
         let mut waiting = Waiting::new();
         loop {
             let mut all_end = true;

@@ -3,7 +3,8 @@
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
 use rayline::{
-    AreaLights, Background, Camera, Light, Material, Motion, Object, Sampling, Scene, Settings, Transfer,
+    AreaLights, Background, Camera, Integrator, Light, Material, Motion, Object, Sampling, Scene, Settings,
+    Transfer,
 };
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +29,9 @@ pub struct FileSettings {
     /// [`Settings::sampling`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sampling: Option<Sampling>,
+    /// [`Settings::integrator`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub integrator: Option<Integrator>,
     /// [`Settings::area_lights`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub area_lights: Option<AreaLights>,
@@ -53,6 +57,7 @@ impl FileSettings {
             rays_per_pixel: changed(usual.rays_per_pixel, settings.rays_per_pixel),
             cutoff: changed(usual.cutoff, settings.cutoff),
             sampling: changed(usual.sampling, settings.sampling),
+            integrator: changed(usual.integrator, settings.integrator),
             area_lights: changed(usual.area_lights, settings.area_lights),
             transfer: changed(usual.transfer, settings.transfer),
             // A scene that was opened is exposed already.
@@ -74,6 +79,7 @@ impl FileSettings {
             rays_per_pixel: self.rays_per_pixel.unwrap_or(usual.rays_per_pixel),
             cutoff: self.cutoff.unwrap_or(usual.cutoff),
             sampling: self.sampling.unwrap_or(usual.sampling),
+            integrator: self.integrator.unwrap_or(usual.integrator),
             area_lights: self.area_lights.unwrap_or(usual.area_lights),
             transfer: self.transfer.unwrap_or(usual.transfer),
             ..usual
