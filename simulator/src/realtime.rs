@@ -115,28 +115,3 @@ impl<C: DisplayColor + Into<Rgb888>> DrawTarget for Canvas<'_, C> {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use rayline::Settings;
-    use rayline::builtin::CLASSIC;
-
-    use crate::{Mode, RenderOptions, render};
-
-    #[test]
-    fn any_number_of_threads_and_any_lines_give_the_same_bytes() {
-        let exact = RenderOptions { threads: 1, ..RenderOptions::new(Settings::new(61, 43)) };
-        let options = RenderOptions { mode: Mode::Realtime, ..exact.clone() };
-        let expected = render(&CLASSIC, &options).unwrap();
-        assert!(expected.rays.camera < render(&CLASSIC, &exact).unwrap().rays.camera);
-        for threads in [2, 3, 50] {
-            let picture = render(&CLASSIC, &RenderOptions { threads, ..options.clone() }).unwrap();
-            assert!(picture.rgb == expected.rgb, "{threads} threads");
-        }
-        for lines in [0..1, 7..43, 13..14] {
-            let bytes = lines.start as usize * 61 * 3..lines.end as usize * 61 * 3;
-            let picture = render(&CLASSIC, &RenderOptions { lines: Some(lines), ..options.clone() }).unwrap();
-            assert!(picture.rgb == expected.rgb[bytes]);
-        }
-    }
-}
