@@ -281,41 +281,43 @@ fn a_furnace_stays_a_furnace() {
 /// in units of the deviation that its samples have (a z-test).
 #[test]
 fn few_samples_have_the_mean_of_many() {
-    fn assert_unbiased<R: Real>(name: &str, scene: &Scene) {
-        let (width, height, seeds) = (16, 12, 24);
-        let reference = lights::<f64>(scene, samples(width, height, 4096), true);
-        let mut sums = vec![(0.0, 0.0); reference.len()];
-        for seed in 0..seeds {
-            let settings = samples(width, height, 16);
-            let sampling = Sampling { sampler: Sampler::Random, seed, ..settings.sampling };
-            let picture = lights::<R>(scene, Settings { sampling, ..settings }, true);
-            for (sum, light) in sums.iter_mut().zip(&picture) {
-                *sum = (sum.0 + f64::from(light.g), sum.1 + f64::from(light.g).powi(2));
+    let (width, height) = (16, 12);
+    let assert_unbiased =
+        |name: &str, render: &dyn Fn(Settings) -> Vec<LinearRgb>, reference: &[LinearRgb]| {
+            let seeds = 24;
+            let mut sums = vec![(0.0, 0.0); reference.len()];
+            for seed in 0..seeds {
+                let settings = samples(width, height, 16);
+                let sampling = Sampling { sampler: Sampler::Random, seed, ..settings.sampling };
+                let picture = render(Settings { sampling, ..settings });
+                for (sum, light) in sums.iter_mut().zip(&picture) {
+                    *sum = (sum.0 + f64::from(light.g), sum.1 + f64::from(light.g).powi(2));
+                }
             }
-        }
-        let (mut squares, mut count) = (0.0, 0.0);
-        for ((sum, square), reference) in sums.iter().zip(&reference) {
-            let seeds = f64::from(seeds);
-            let mean = sum / seeds;
-            let variance = (square / seeds - mean * mean) / (seeds - 1.0);
-            if variance > 1e-8 {
-                squares += (mean - f64::from(reference.g)).powi(2) / variance;
-                count += 1.0;
+            let (mut squares, mut count) = (0.0, 0.0);
+            for ((sum, square), reference) in sums.iter().zip(reference) {
+                let seeds = f64::from(seeds);
+                let mean = sum / seeds;
+                let variance = (square / seeds - mean * mean) / (seeds - 1.0);
+                if variance > 1e-8 {
+                    squares += (mean - f64::from(reference.g)).powi(2) / variance;
+                    count += 1.0;
+                }
             }
-        }
-        // Student's t with 23 degrees of freedom has a variance of 23/21.
-        let ratio: f64 = squares / count / (23.0 / 21.0);
-        println!("{name}: mean square of z {ratio:.3} in {count} pixels");
-        assert!(
-            count > 50.0 && (ratio - 1.0).abs() < 5.0 * (2.0f64 / count).sqrt() + 0.05,
-            "{name}: {ratio}"
-        );
-    }
+            // Student's t with 23 degrees of freedom has a variance of 23/21.
+            let ratio: f64 = squares / count / (23.0 / 21.0);
+            println!("{name}: mean square of z {ratio:.3} in {count} pixels");
+            assert!(
+                count > 50.0 && (ratio - 1.0).abs() < 5.0 * (2.0f64 / count).sqrt() + 0.05,
+                "{name}: {ratio}"
+            );
+        };
     for name in SCENES {
         let arena = Bump::new();
         let scene = gallery(name, &arena).scene;
-        assert_unbiased::<f32>(name, &scene);
-        assert_unbiased::<Fixed>(name, &scene);
+        let reference = lights::<f64>(&scene, samples(width, height, 4096), true);
+        assert_unbiased(name, &|settings| lights::<f32>(&scene, settings, true), &reference);
+        assert_unbiased(name, &|settings| lights::<Fixed>(&scene, settings, true), &reference);
     }
 }
 
