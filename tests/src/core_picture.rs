@@ -5,7 +5,7 @@ use std::mem::MaybeUninit;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use rayline::{PreparedScene, RayCounts, Real, Renderer, Scene, Settings};
 
-use crate::Picture;
+use crate::{Picture, Watch};
 
 /// Draws a scene with the core in the number system `R`.
 pub fn core_picture<R: Real>(scene: &Scene<'_>, settings: Settings) -> Picture {
@@ -26,7 +26,7 @@ fn render<R: Real>(scene: &Scene<'_>, settings: Settings) -> (Vec<[u8; 3]>, RayC
     let mut line = vec![Rgb888::BLACK; settings.width as usize];
     let mut pixels = Vec::new();
     for y in 0..settings.height {
-        renderer.lines(y, &mut line, &mut counts).unwrap();
+        renderer.lines(y, &mut line, &mut Watch(&mut counts)).unwrap();
         pixels.extend(line.iter().map(|color| [color.r(), color.g(), color.b()]));
     }
     (pixels, counts)

@@ -13,6 +13,7 @@ mod random;
 mod scenes;
 mod screen;
 pub mod textbook;
+mod watch;
 
 pub use comparison::{Comparison, assert_alike};
 pub use core_picture::{core_picture, ray_counts};
@@ -25,6 +26,7 @@ pub use random::{
 };
 pub use scenes::{scene_names, settings, with_scene};
 pub use screen::{Screen, Unplugged};
+pub use watch::Watch;
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -15,7 +15,7 @@ use rayline::{
     Real, Renderer, Scene, Settings, Sides, Vec3,
 };
 use rayline_tests::{
-    cut_box, each_scene, instances, lamps, maps, meshes, metaballs, optics, turned_box, with_scene,
+    Watch, cut_box, each_scene, instances, lamps, maps, meshes, metaballs, optics, turned_box, with_scene,
 };
 
 fn lines<R: Real, S: Geometry>(scene: &PreparedScene<'_, R, S>, settings: Settings) -> Vec<Rgb888> {
@@ -87,11 +87,11 @@ fn pixels_side_by_side_take_the_same_rays() {
             for y in 0..40 {
                 let (mut together, mut alone) = (RayCounts::default(), RayCounts::default());
                 let (mut in_order, mut pixel_by_pixel) = (Record::default(), Record::default());
-                renderer.lines(y, &mut line, &mut together).unwrap();
-                renderer.lines(y, &mut line, &mut in_order).unwrap();
+                renderer.lines(y, &mut line, &mut Watch(&mut together)).unwrap();
+                renderer.lines(y, &mut line, &mut Watch(&mut in_order)).unwrap();
                 for x in 0..53 {
-                    renderer.pixel(x, y as u16, &mut alone);
-                    renderer.pixel(x, y as u16, &mut pixel_by_pixel);
+                    renderer.pixel(x, y as u16, &mut Watch(&mut alone));
+                    renderer.pixel(x, y as u16, &mut Watch(&mut pixel_by_pixel));
                 }
                 assert_eq!(together, alone, "{name}, line {y}");
                 assert!(in_order.0 == pixel_by_pixel.0, "{name}, line {y}");

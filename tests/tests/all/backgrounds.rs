@@ -13,7 +13,7 @@ use rayline::{
 };
 use rayline_tests::textbook::background_in;
 use rayline_tests::{
-    Picture, PovrayPicture, Screen, assert_alike, core_picture, settings, textbook::Textbook,
+    Picture, PovrayPicture, Screen, Watch, assert_alike, core_picture, settings, textbook::Textbook,
 };
 
 static EVENING: Sky = Sky {
@@ -111,7 +111,7 @@ fn assert_seen<R: Real>() {
         let scene = Scene { background, ..PRISM };
         with_renderer::<R, _>(&scene, Settings { bounces: 5, ..Settings::new(80, 60) }, |renderer| {
             for (x, y) in (0..60).flat_map(|y| (0..80).map(move |x| (x, y))) {
-                renderer.pixel(x, y, &mut seen);
+                renderer.pixel(x, y, &mut Watch(&mut seen));
             }
         });
         let Seen { counts, off, .. } = seen;

@@ -7,6 +7,7 @@ use rayline::{
     Background, Camera, Event, Light, LinearRgb, Material, Object, Optics, PreparedScene, Probe, RayCounts,
     RayKind, Real, Renderer, Scene, Settings, Vec3,
 };
+use rayline_tests::Watch;
 
 /// A camera at (0, 0, 5) that looks along the negative z axis.
 pub(super) const CAMERA: Camera = Camera {
@@ -35,7 +36,7 @@ fn look<R: Real, P: Probe<R> + Default>(scene: &Scene, settings: Settings) -> (L
     let prepared = PreparedScene::<R, _>::new(scene, &mut memory).expect("a legal scene");
     let renderer = Renderer::new(&prepared, settings).expect("legal settings");
     let mut probe = P::default();
-    let (light, _) = renderer.pixel(0, 0, &mut probe);
+    let (light, _) = renderer.pixel(0, 0, &mut Watch(&mut probe));
     (light.to_f32(), probe)
 }
 

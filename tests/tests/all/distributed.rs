@@ -13,7 +13,7 @@ use rayline::{
     Sides, Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
-use rayline_tests::{PovrayPicture, core_picture};
+use rayline_tests::{PovrayPicture, Watch, core_picture};
 
 /// The scenes of the gallery that draw numbers.
 const SCENES: [&str; 7] = [
@@ -458,7 +458,7 @@ fn assert_penumbra_has_its_width<R: Real>() {
     let renderer = Renderer::new(&prepared, Settings::new(columns, columns)).unwrap();
     let shadow_rays = |x| {
         let mut rays = RayCounts::default();
-        renderer.pixel(x, columns as u16 / 2, &mut rays);
+        renderer.pixel(x, columns as u16 / 2, &mut Watch(&mut rays));
         rays.shadow
     };
     assert_eq!([0, 4, 59, 63].map(shadow_rays), [4; 4]);

@@ -17,7 +17,7 @@ use rayline::{
     Material, Object, PreparedScene, Probe, Progress, Quantizer, Realtime, Renderer, Sample, Sampling, Scene,
     SceneBuf, Settings, SettingsError, Texture, Transfer, Vec3, Workspace, prepared_bytes,
 };
-use rayline_tests::{Screen, Unplugged};
+use rayline_tests::{Screen, Unplugged, Watch};
 
 /// Calls `use_it` with a renderer of the scene.
 fn with_renderer<T>(scene: &Scene, settings: Settings, use_it: impl FnOnce(&Renderer<f32>) -> T) -> T {
@@ -52,7 +52,7 @@ fn one_sample_is_the_center() {
     assert!(width % 2 == 1 && height % 2 == 1);
     with_renderer(&CLASSIC, SMALL, |renderer| {
         let mut first = FirstRay(None);
-        renderer.pixel((width / 2) as u16, (height / 2) as u16, &mut first);
+        renderer.pixel((width / 2) as u16, (height / 2) as u16, &mut Watch(&mut first));
         let direction = first.0.expect("a ray");
         assert!((direction - Vec3::new(0.0, 0.0, -1.0)).length() < 1e-6, "{direction:?}");
     });

@@ -11,7 +11,7 @@ use rayline::{
     RayKind, Real, Renderer, Scene, Settings, Sky, Texture, Transfer, Vec3,
 };
 use rayline_tests::textbook::Textbook;
-use rayline_tests::{PovrayPicture, assert_alike, core_picture};
+use rayline_tests::{PovrayPicture, Watch, assert_alike, core_picture};
 
 const WATER: f32 = 1.333;
 const GLASS: f32 = 1.5;
@@ -59,7 +59,7 @@ fn look<R: Real>(
     let prepared = PreparedScene::<R, _>::new(&scene, &mut memory).expect("a legal scene");
     let settings = Settings { cutoff: 0.0, bounces: 8, ..Settings::new(1, 1) };
     let mut path = Way::default();
-    let (light, _) = Renderer::new(&prepared, settings).unwrap().pixel(0, 0, &mut path);
+    let (light, _) = Renderer::new(&prepared, settings).unwrap().pixel(0, 0, &mut Watch(&mut path));
     let light = light.to_f32();
     ([light.r, light.g, light.b], path)
 }

@@ -21,7 +21,7 @@ use rayline::{
     Texture, Vec3,
 };
 use rayline_simulator::{LoadedScene, Orbit};
-use rayline_tests::{Picture, Screen, Unplugged, with_scene};
+use rayline_tests::{Picture, Screen, Unplugged, Watch, with_scene};
 
 /// Calls `use_it` with a renderer of the scene.
 pub(super) fn with_renderer<R: Real, T>(
@@ -64,20 +64,20 @@ impl Memory {
 pub(super) fn realtime<R: Real>(
     renderer: &Renderer<R>,
     quality: Realtime,
-    probe: &mut impl Probe<R>,
+    probe: &mut dyn Probe<R>,
 ) -> Picture {
     let mut screen = Screen::new(renderer);
     let mut memory = Memory::new(renderer, quality);
     let mut frame = renderer.frame(0..renderer.height(), memory.lend(quality)).expect("a frame");
-    while !frame.step_watched(&mut screen, u32::MAX, probe).expect("a step").is_done() {}
+    while !frame.step_watched(&mut screen, u32::MAX, &mut Watch(probe)).expect("a step").is_done() {}
     picture_on(&screen)
 }
 
-pub(super) fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut impl Probe<R>) -> Picture {
+pub(super) fn exact<R: Real>(renderer: &Renderer<R>, probe: &mut dyn Probe<R>) -> Picture {
     let mut line = vec![Rgb888::BLACK; renderer.width() as usize];
     let mut pixels = Vec::new();
     for y in 0..renderer.height() {
-        renderer.lines(y, &mut line, probe).expect("a line");
+        renderer.lines(y, &mut line, &mut Watch(probe)).expect("a line");
         pixels.extend(line.iter().map(|color| [color.r(), color.g(), color.b()]));
     }
     Picture { width: renderer.width(), pixels }

@@ -14,7 +14,7 @@ use rayline::{
     Material, Medium, Object, ObjectId, Optics, Panorama, Part, Pixels, Placed, Placement, PreparedScene,
     RayCounts, Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Stripes, Texture, Vec3,
 };
-use rayline_tests::{backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
+use rayline_tests::{Watch, backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -558,7 +558,7 @@ proptest! {
         let renderer = Renderer::new(&prepared, settings).expect("legal settings");
         let mut counts = RayCounts::default();
         for (x, y) in (0..5).flat_map(|y| (0..5).map(move |x| (x, y))) {
-            let (light, rays) = renderer.pixel(x, y, &mut counts);
+            let (light, rays) = renderer.pixel(x, y, &mut Watch(&mut counts));
             prop_assert!(rays <= 300);
             for value in [light.r, light.g, light.b] {
                 prop_assert!(value.is_finite() && value >= 0.0, "{light:?} at {x}, {y}");

@@ -10,6 +10,7 @@ use rayline::{
     Sampling, Scene, Settings, SettingsError, Transfer,
 };
 use rayline_simulator::{Convergence, Number, Picture, RenderOptions, render};
+use rayline_tests::Watch;
 
 const SAMPLERS: [Sampler; 6] =
     [Sampler::R2, Sampler::Grid, Sampler::Random, Sampler::Jittered, Sampler::Poisson, Sampler::Sobol];
@@ -21,7 +22,8 @@ fn lights<R: Real>(scene: &Scene, settings: Settings) -> (Vec<LinearRgb>, RayCou
     let renderer = Renderer::new(&prepared, settings).expect("legal settings");
     let mut rays = RayCounts::default();
     let pixels = (0..renderer.height()).flat_map(|y| (0..renderer.width()).map(move |x| (x, y)));
-    let lights = pixels.map(|(x, y)| renderer.pixel(x as u16, y as u16, &mut rays).0.to_f32()).collect();
+    let lights =
+        pixels.map(|(x, y)| renderer.pixel(x as u16, y as u16, &mut Watch(&mut rays)).0.to_f32()).collect();
     (lights, rays)
 }
 
