@@ -9,6 +9,7 @@ use rayline::limits::MAX_BOUNCES;
 
 use crate::board::BOARDS;
 use crate::picture::{Mode, Number, Size};
+use crate::toolchain::LEVELS;
 
 /// Renders a scene on emulated boards, and compares the pictures with this computer's, byte for byte
 ///
@@ -70,6 +71,16 @@ pub(crate) struct Arguments {
     /// Show that the check for panics can fail: a program with a panic does not link, or its panic is found
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     pub(crate) prove_no_panic: bool,
+
+    /// With --prove-no-panic: only link the program with all features at these levels of optimization
+    #[arg(
+        long,
+        value_name = "LEVEL",
+        value_delimiter = ',',
+        requires = "prove_no_panic",
+        value_parser = PossibleValuesParser::new(LEVELS)
+    )]
+    pub(crate) levels: Vec<String>,
 
     /// Show the folders, functions and lines that a board's instructions go to
     ///

@@ -80,7 +80,7 @@ fn run(arguments: &Arguments) -> Result<bool> {
         return gallery::run(&boards, folder, &request, arguments.timeout(), arguments.all_required);
     }
     if arguments.prove_no_panic {
-        return proof::prove(&boards, &request, arguments.all_required);
+        return proof::prove(&boards, &request, &arguments.levels, arguments.all_required);
     }
     render(&boards, &request, arguments)
 }

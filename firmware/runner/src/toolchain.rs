@@ -63,13 +63,16 @@ pub(crate) const LEVELS: [&str; 3] = ["3", "s", "z"];
 pub(crate) struct Compilation {
     /// The level of optimization.
     pub(crate) level: &'static str,
+    /// Whether the core library, where it is built from source, is at level 3, as rustup's is in programs of
+    /// any level.
+    pub(crate) has_fast_core: bool,
     /// Features of the program that its scene does not need.
     pub(crate) features: &'static [&'static str],
 }
 
 impl Compilation {
     /// For speed, with no more features than the scene needs.
-    pub(crate) const FAST: Self = Self { level: "3", features: &[] };
+    pub(crate) const FAST: Self = Self { level: "3", has_fast_core: true, features: &[] };
 }
 
 impl Toolchain {
@@ -141,6 +144,12 @@ impl Toolchain {
             .env_remove("CARGO_ENCODED_RUSTFLAGS");
         if let Self::Debian { .. } = self {
             command.arg("-Zbuild-std=core");
+            // Level 3 needs no setting: with one, programs of other commands would not share their libraries.
+            if how.has_fast_core && how.level != "3" {
+                for library in ["core", "compiler_builtins"] {
+                    command.args(["--config", &format!("profile.release.package.{library}.opt-level=3")]);
+                }
+            }
         }
         let mut features = [board.program.features, how.features].concat();
         for feature in picture.scene.scene.features() {

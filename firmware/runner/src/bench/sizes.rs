@@ -77,7 +77,7 @@ pub(crate) fn run(file: &Path, timeout: Duration) -> Result<()> {
                 for (_, board, number) in ON {
                     let board = Board::named(board)?;
                     let request = Request { size: Some(SIZE), number, small, ..Request::new(scene)? };
-                    let compilation = Compilation { level, features };
+                    let compilation = Compilation { level, has_fast_core: false, features };
                     let session = Session::new(board, request.on(board), timeout);
                     sessions.push(Session { compilation, ..session });
                 }
