@@ -3,7 +3,8 @@
 use rayline::builtin::{CLASSIC, FLAKE, FLAKE_10, FLAKE_820, MESH, SPHERES, TABLE, TORUS, WHITTED};
 use rayline::shape::{Instances, Mesh, Model, Pose, Shape, Sphere};
 use rayline::{
-    AreaLights, Light, LinearRgb, Material, Object, ObjectId, Optics, Sampling, Scene, Settings, Vec3,
+    AreaLights, Integrator, Light, LinearRgb, Material, Object, ObjectId, Optics, Sampling, Scene, Settings,
+    Vec3,
 };
 use rayline_simulator::{BOARDS, Demand, Demands};
 
@@ -56,6 +57,9 @@ fn no_pixel_takes_more_rays_than_the_bound() {
     };
     assert_eq!(counts(&scene, SETTINGS).1, 33);
     assert_eq!(counts(&scene, Settings { area_lights: AreaLights::ClosedForm, ..SETTINGS }), (2, 2));
+    // A path takes one ray to the lamp from each of its four hits.
+    let (_, most) = counts(&scene, Settings { integrator: Integrator::PathTracing, ..SETTINGS });
+    assert_eq!(most, 4 * 2);
 }
 
 /// Earlier estimates were as low as a quarter of the times in the README's tables.

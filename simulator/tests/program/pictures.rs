@@ -191,6 +191,23 @@ fn double_precision_is_another_computation_of_the_same_picture() {
     assert!(single != double && far < single.len() / 200, "{far}");
 }
 
+/// Path tracing takes 64 samples and the rays that they need, unless it is told otherwise.
+#[test]
+fn path_tracing_takes_enough_samples_and_rays() {
+    let bench = Bench::new();
+    let figures = |more: &[&str]| {
+        let size = ["--size", "8x6", "--bounces", "16", "--stats", "stats.json"];
+        bench.output(&[&["render", "classic", "--integrator", "path-tracing"], &size[..], more].concat());
+        let stats = std::fs::read(bench.path("stats.json")).unwrap();
+        let stats: serde_json::Value = serde_json::from_slice(&stats).unwrap();
+        let figure = |pointer: &str| stats.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap();
+        (figure("/rays/camera"), figure("/rays/scattered") > 0, figure("/cuts/rays") > 0)
+    };
+    assert_eq!(figures(&[]), (8 * 6 * 64, true, false));
+    assert_eq!(figures(&["--samples", "128"]), (8 * 6 * 128, true, false));
+    assert!(figures(&["--rays-per-pixel", "64"]).2);
+}
+
 #[test]
 fn statistics_have_every_figure() {
     let bench = Bench::new();
