@@ -299,14 +299,15 @@ pub(crate) fn plain<R: rayline_plain::Real>(
     let prepared = rayline_plain::PreparedScene::<R>::new(&scene, memory);
     let prepared = prepared.map_err(|error| Stop::Refused(error.to_string()))?;
     let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = settings;
+    let Settings { integrator, area_lights, .. } = settings;
     let settings = rayline_plain::Settings::new(width, height);
     let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, ..settings };
     let sampling = rayline_plain::Sampling::new(sampling.samples);
-    let integrator = match settings.integrator {
+    let integrator = match integrator {
         Integrator::PathTracing => rayline_plain::Integrator::PathTracing,
         _ => rayline_plain::Integrator::Whitted,
     };
-    let area_lights = match settings.area_lights {
+    let area_lights = match area_lights {
         AreaLights::ClosedForm => rayline_plain::AreaLights::ClosedForm,
         _ => rayline_plain::AreaLights::Sampled,
     };
