@@ -6,8 +6,8 @@ use core::mem::MaybeUninit;
 use rayline::shape::{Disc, Shape, Sphere};
 use rayline::{
     Adaptive, AreaLights, Background, Camera, Digest, Integrator, Lens, Light, LinearRgb, Material, Motion,
-    Object, ObjectId, Optics, PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene, Settings,
-    Vec3,
+    Object, ObjectId, Optics, PreparedScene, Real, Reconstruction, Renderer, Sampler, Sampling, Scene,
+    Settings, Vec3,
 };
 
 /// The memory that is lent for the prepared scene.
