@@ -123,6 +123,7 @@ fn wrapped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::committed::Committed;
+    use super::super::tables::{bytes, per_pixel};
     use super::*;
 
     #[test]
@@ -155,5 +156,31 @@ mod tests {
             "docs/benchmarks.md does not show firmware/boards.json: run `cargo boards --report \
              docs/benchmarks.md`"
         );
+    }
+
+    #[test]
+    fn the_readme_shows_the_committed_figures() {
+        let readme =
+            fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../README.md")).unwrap();
+        let Committed { measured, .. } = Committed::read().unwrap();
+        for board in ["mps2-an386", "mps2-an385", "microbit"] {
+            let number = if board == "mps2-an386" { "f32" } else { "fixed" };
+            let of = |mode| {
+                let name = format!("{board} classic 320x240 {number} {mode}");
+                measured.iter().find(|measured| measured.name() == name).unwrap()
+            };
+            let (exact, realtime) = (of("exact"), of("realtime"));
+            let cells = [
+                number.to_owned(),
+                per_pixel(exact),
+                per_pixel(realtime),
+                bytes(exact.text_bytes),
+                bytes(exact.ram_bytes()),
+            ];
+            let row = readme.lines().find(|line| line.starts_with(&format!("| {board} "))).unwrap();
+            let shown: Vec<&str> =
+                row.split('|').skip(3).map(str::trim).filter(|cell| !cell.is_empty()).collect();
+            assert_eq!(shown, cells, "README.md, {board}: write these figures of firmware/boards.json");
+        }
     }
 }

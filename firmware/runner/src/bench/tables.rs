@@ -41,11 +41,11 @@ fn cell(measured: Option<&Measured>, text: impl Fn(&Measured) -> String) -> Stri
     measured.map_or("-".into(), text)
 }
 
-fn bytes(bytes: u64) -> String {
+pub(super) fn bytes(bytes: u64) -> String {
     with_commas(bytes) + " B"
 }
 
-fn per_pixel(measured: &Measured) -> String {
+pub(super) fn per_pixel(measured: &Measured) -> String {
     with_commas(measured.instructions_per_pixel().round() as u64)
 }
 
