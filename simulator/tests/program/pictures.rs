@@ -197,7 +197,9 @@ fn path_tracing_takes_enough_samples_and_rays() {
     let bench = Bench::new();
     let figures = |more: &[&str]| {
         let size = ["--size", "8x6", "--bounces", "16", "--stats", "stats.json"];
-        bench.output(&[&["render", "classic", "--integrator", "path-tracing"], &size[..], more].concat());
+        let picture = ["render", "classic", "--integrator", "path-tracing"];
+        let output = bench.run(&[&picture[..], &size, more].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let stats = std::fs::read(bench.path("stats.json")).unwrap();
         let stats: serde_json::Value = serde_json::from_slice(&stats).unwrap();
         let figure = |pointer: &str| stats.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap();

@@ -44,10 +44,10 @@ const TOLERANCE: f64 = STEP / 8.0;
 /// The most steps: what lies behind more meshes of one plane stays at that depth.
 const LAYERS: f64 = 64.0;
 /// The most boxes and triangles that are looked at for each triangle, on average. Small scenes may take more,
-/// and large ones less: they take a few seconds.
+/// and large ones less: they take a second or two.
 const STEPS: u64 = 256;
 const FEWEST_STEPS: u64 = 1 << 20;
-const MOST_STEPS: u64 = 1 << 26;
+const MOST_STEPS: u64 = 1 << 24;
 /// The most triangles of all instances of a mesh that are compared.
 const MOST_OF_INSTANCES: usize = 1 << 20;
 
