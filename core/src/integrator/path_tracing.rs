@@ -13,9 +13,9 @@
 //! A scattered ray may find a lamp that a shadow ray found as well. Each then counts by the power heuristic
 //! (Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995): by the
 //! square of the density with which it is drawn, over the sum of both squares. Shadow rays are good for small
-//! lamps, scattered rays for large and close ones. Glossy rays are weighed in the same way, in floating point;
-//! the densities of narrow lobes are beyond the range of fixed point, so that there the rays of a lobe alone
-//! find lamps for it.
+//! lamps, scattered rays for large and close ones. Glossy rays are weighed in the same way, in floating
+//! point; the densities of narrow lobes are beyond the range of fixed point, so that there the rays of a lobe
+//! alone find lamps for it.
 //!
 //! Rays to lamps with a size do not pass glass: the light behind it comes by paths that refract, as a
 //! caustic. A lamp without a size cannot be met by a path, so its light still goes straight through glass.
@@ -40,14 +40,23 @@ const SURE_BOUNCES: u8 = 3;
 /// where a surface sends light of different colors into several ways.
 const MOST_IN_FIXED_POINT: f32 = 1.99;
 
-/// The ways on which a path can go on from a hit: scattered, mirrored or refracted.
+/// The ways on which a path can go on from a hit. The path ends with the rest of their chances.
 struct Ways<R> {
-    /// The throughput of a ray that all ways would follow.
-    throughputs: [Throughput<R>; 3],
-    /// The probability of each way; the path ends with the rest of 1.
-    chances: [R; 3],
+    scattered: Way<R>,
+    mirrored: Way<R>,
+    refracted: Way<R>,
     /// The direction of the refracted way.
-    refracted: Option<Vec3<R>>,
+    behind: Option<Vec3<R>>,
+    /// The share of light that the surface mirrors.
+    mirrored_share: Throughput<R>,
+}
+
+/// One way of a path.
+struct Way<R> {
+    /// The throughput of a ray that goes this way as one of several.
+    throughput: Throughput<R>,
+    /// The probability that the path goes this way.
+    chance: R,
 }
 
 impl<R: Real> Path<R> {
@@ -66,20 +75,21 @@ impl<R: Real> Path<R> {
         let ways = Ways::new(trace, shaded, throughput, bounces);
         let light = shaded.lamp_light(emitted, trace, shadow_rays);
         self.receive(throughput, light + shaded.light_of_sized_lamps(trace, &ways, bounces));
-        let [scattered, mirrored, refracted] = ways.chances;
+        let [scattered, mirrored, refracted] = [&ways.scattered, &ways.mirrored, &ways.refracted];
         let [high, low] = trace.numbers.pair(Dimension::way(bounces));
         let number = R::from_fraction(high) + R::from_fraction(low) * R::from_fraction(1);
-        let (kind, direction, density) = if number < scattered {
+        let (kind, way, direction, density) = if number < scattered.chance {
             let direction = hemisphere(shaded.normal, trace.numbers.pair(Dimension::scattered(bounces)));
-            (RayKind::Scattered, direction, Some(scattered * shaded.normal.dot(direction)))
-        } else if number < scattered + mirrored {
+            (RayKind::Scattered, scattered, direction, Some(scattered.chance * shaded.normal.dot(direction)))
+        } else if number < scattered.chance + mirrored.chance {
             let direction = shaded.spread_mirrored(trace.scene, &trace.numbers, bounces);
-            let density = shaded.gloss_density(trace.scene, direction).map(|density| density * mirrored);
-            (RayKind::Reflected, direction, density)
-        } else if let Some(direction) = ways.refracted
-            && number < scattered + mirrored + refracted
+            let density = shaded.gloss_density(trace.scene, direction);
+            (RayKind::Reflected, mirrored, direction, density.map(|density| density * mirrored.chance))
+        } else if let Some(behind) = ways.behind
+            && number < scattered.chance + mirrored.chance + refracted.chance
         {
-            (RayKind::Refracted, shaded.spread_refracted(direction, &trace.numbers, bounces), None)
+            let direction = shaded.spread_refracted(behind, &trace.numbers, bounces);
+            (RayKind::Refracted, refracted, direction, None)
         } else {
             return false;
         };
@@ -88,7 +98,7 @@ impl<R: Real> Path<R> {
             return false;
         }
         trace.drawn = density;
-        self.next = shaded.leave(trace.scene, direction, ways.throughput_of(kind), bounces, kind);
+        self.next = shaded.leave(trace.scene, direction, way.alone(), bounces, kind);
         true
     }
 }
@@ -101,12 +111,12 @@ impl<R: Real> Ways<R> {
         throughput: Throughput<R>,
         bounces: u8,
     ) -> Self {
-        let (Shares { mirrored, refracted: through }, refracted) = shaded.shares();
-        let through = if refracted.is_some() { through } else { Throughput::even(R::ZERO) };
-        let throughputs = [shaded.scattering(), mirrored, through].map(|share| throughput * share);
+        let (Shares { mirrored: mirrored_share, refracted }, behind) = shaded.shares();
+        let refracted = if behind.is_some() { refracted } else { Throughput::even(R::ZERO) };
+        let throughputs = [shaded.scattering(), mirrored_share, refracted].map(|share| throughput * share);
         let largest = throughputs.map(Throughput::largest);
-        let [scattered, mirrored, through] = largest;
-        let sum = scattered + mirrored + through;
+        let [scattered, mirrored, refracted] = largest;
+        let sum = scattered + mirrored + refracted;
         let mut chances = [R::ZERO; 3];
         if bounces >= trace.limits.bounces {
             if sum > R::ZERO {
@@ -116,21 +126,24 @@ impl<R: Real> Ways<R> {
             let whole = if bounces < SURE_BOUNCES { sum } else { sum.larger(R::ONE) };
             chances = largest.map(|way| way / whole);
         }
-        Self { throughputs, chances, refracted }
+        let ([scattered, mirrored, refracted], [of_scattered, of_mirrored, of_refracted]) =
+            (throughputs, chances);
+        Self {
+            scattered: Way { throughput: scattered, chance: of_scattered },
+            mirrored: Way { throughput: mirrored, chance: of_mirrored },
+            refracted: Way { throughput: refracted, chance: of_refracted },
+            behind,
+            mirrored_share,
+        }
     }
+}
 
-    /// The throughput of a ray that alone stands for all rays that were not chosen in its place.
-    fn throughput_of(&self, kind: RayKind) -> Throughput<R> {
-        let [scattered, mirrored, refracted] = self.throughputs;
-        let [of_scattered, of_mirrored, of_refracted] = self.chances;
-        let (throughput, chance) = match kind {
-            RayKind::Scattered => (scattered, of_scattered),
-            RayKind::Refracted => (refracted, of_refracted),
-            _ => (mirrored, of_mirrored),
-        };
-        let LinearRgb { r, g, b } = throughput.color();
+impl<R: Real> Way<R> {
+    /// The throughput of a ray that goes this way alone, and stands for those that would go the other ways.
+    fn alone(&self) -> Throughput<R> {
+        let LinearRgb { r, g, b } = self.throughput.color();
         let whole = |share: R| {
-            let share = share / chance;
+            let share = share / self.chance;
             if R::IS_FIXED_POINT { share.smaller(R::from_f32(MOST_IN_FIXED_POINT)) } else { share }
         };
         Throughput::colored(LinearRgb::new(whole(r), whole(g), whole(b)))
@@ -188,18 +201,16 @@ impl<R: Real> ShadedHit<'_, R> {
         ways: &Ways<R>,
     ) -> Option<LinearRgb<R>> {
         let color = area.radiance.scaled(point.weight);
-        let [scattered, mirrored, _] = ways.chances;
         let mut light = None;
         if let Some(facing) = self.facing_from(point.toward, point.distance, cosine) {
             let mut sum = LampLight::NONE;
             sum.add(&facing, self.material, color, Throughput::even(R::ONE));
-            sum.diffuse = sum.diffuse.scaled(share_of_lamp(scattered * cosine, point.weight));
+            sum.diffuse = sum.diffuse.scaled(share_of_lamp(ways.scattered.chance * cosine, point.weight));
             light = Some(self.reflected_light(LinearRgb::BLACK, sum));
         }
         if let Some(density) = self.gloss_density(trace.scene, point.toward) {
-            let (Shares { mirrored: share, .. }, _) = self.shares();
-            let found = color.scaled(density * share_of_lamp(density * mirrored, point.weight));
-            light = Some(light.unwrap_or(LinearRgb::BLACK) + share.of(found));
+            let share = density * share_of_lamp(density * ways.mirrored.chance, point.weight);
+            light = Some(light.unwrap_or(LinearRgb::BLACK) + ways.mirrored_share.of(color.scaled(share)));
         }
         light
     }
