@@ -14,7 +14,7 @@ use rayline::{
 use rayline_simulator::files::limits;
 use rayline_simulator::{
     BOARDS, Bench, BinaryColorTheme, Display, Exposure, Format, LoadedScene, Mode, ModelView, Number,
-    OpenOptions, OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up,
+    OpenOptions, OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up, most_rays,
 };
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -481,23 +481,17 @@ impl Look {
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
         let (meant, own) = (RenderOptions::new(scene.settings), &scene.settings);
         let (width, height) = self.size.unwrap_or((own.width, own.height));
-        let bounces = self.bounces.unwrap_or(own.bounces);
         let mut sampling = self.sampling.over(own.sampling);
-        let mut rays_per_pixel = own.rays_per_pixel;
         let integrator = self.integrator.unwrap_or(own.integrator);
-        if integrator == Integrator::PathTracing {
-            if self.sampling.samples.is_none() && own.sampling.samples == 1 {
-                sampling.samples = PATHS;
-            }
-            let lights = u32::try_from(scene.scene.lights.len()).unwrap_or(u32::MAX);
-            let of_sample = (u32::from(bounces) + 1).saturating_mul(lights.saturating_add(1));
-            rays_per_pixel = rays_per_pixel.max(of_sample.saturating_mul(sampling.samples.into()));
+        let traces_paths = integrator == Integrator::PathTracing;
+        if traces_paths && self.sampling.samples.is_none() && own.sampling.samples == 1 {
+            sampling.samples = PATHS;
         }
-        let settings = Settings {
+        let mut settings = Settings {
             width,
             height,
-            bounces,
-            rays_per_pixel: self.rays_per_pixel.unwrap_or(rays_per_pixel),
+            bounces: self.bounces.unwrap_or(own.bounces),
+            rays_per_pixel: self.rays_per_pixel.unwrap_or(own.rays_per_pixel),
             cutoff: self.cutoff.unwrap_or(own.cutoff),
             sampling,
             integrator,
@@ -505,6 +499,10 @@ impl Look {
             transfer: self.transfer.unwrap_or(own.transfer),
             dither: self.dither,
         };
+        if traces_paths && self.rays_per_pixel.is_none() {
+            let needed = most_rays(&scene.scene, Settings { rays_per_pixel: u32::MAX, ..settings });
+            settings.rays_per_pixel = own.rays_per_pixel.max(u32::try_from(needed).unwrap_or(u32::MAX));
+        }
         RenderOptions { settings, number: self.number, display: self.color.unwrap_or_default(), ..meant }
     }
 }

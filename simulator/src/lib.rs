@@ -41,7 +41,7 @@ mod window;
 
 pub use accuracy::rounding_notes;
 pub use bench::{Bench, BenchError, Convergence};
-pub use check::{BOARDS, Board, Demand, Demands, check};
+pub use check::{BOARDS, Board, Demand, Demands, check, most_rays};
 pub use convert::{ConvertError, SceneContents, SceneFile};
 pub use display::Display;
 pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};

@@ -26,6 +26,7 @@ use rayon::prelude::*;
 
 pub use boards::{BOARDS, Board};
 use counted::Counted;
+pub use rays::most_rays;
 
 use crate::distinct::distinct;
 use crate::picture::{memory_for, prepared, seen};
@@ -88,7 +89,7 @@ impl Demand {
             step: traced.step,
             mean_rays: traced.mean_rays,
             worst_rays: traced.worst_rays,
-            most_rays: rays::most_rays(scene, settings),
+            most_rays: most_rays(scene, settings),
             seconds: counted.cycles_per_ray(scene) * traced.mean_rays * pixels / (board.megahertz * 1e6),
         }
     }

@@ -5,7 +5,7 @@ use rayline::{AreaLights, Background, Fresnel, Integrator, Light, Material, Scen
 
 /// The most rays that a pixel can take with these settings: samples · hits · (1 + shadow rays of a hit). It
 /// holds wherever the camera goes.
-pub(super) fn most_rays(scene: &Scene<'_>, settings: Settings) -> u64 {
+pub fn most_rays(scene: &Scene<'_>, settings: Settings) -> u64 {
     let samples = u64::from(settings.sampling.samples);
     let shadow_rays: u64 = scene.lights.iter().map(|light| rays_toward(light, scene, settings)).sum();
     let hits = match settings.integrator {
