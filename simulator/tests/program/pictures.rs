@@ -191,6 +191,15 @@ fn double_precision_is_another_computation_of_the_same_picture() {
     assert!(single != double && far < single.len() / 200, "{far}");
 }
 
+/// The content of `stats.json`.
+fn statistics(bench: &Bench) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(bench.path("stats.json")).unwrap()).unwrap()
+}
+
+fn figure(statistics: &serde_json::Value, pointer: &str) -> u64 {
+    statistics.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap()
+}
+
 /// Path tracing takes 64 samples and the rays that they need, unless it is told otherwise.
 #[test]
 fn path_tracing_takes_enough_samples_and_rays() {
@@ -200,9 +209,8 @@ fn path_tracing_takes_enough_samples_and_rays() {
         let picture = ["render", "classic", "--integrator", "path-tracing"];
         let output = bench.run(&[&picture[..], &size, more].concat());
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let stats = std::fs::read(bench.path("stats.json")).unwrap();
-        let stats: serde_json::Value = serde_json::from_slice(&stats).unwrap();
-        let figure = |pointer: &str| stats.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap();
+        let stats = statistics(&bench);
+        let figure = |pointer| figure(&stats, pointer);
         (figure("/rays/camera"), figure("/rays/scattered") > 0, figure("/cuts/rays") > 0)
     };
     assert_eq!(figures(&[]), (8 * 6 * 64, true, false));
@@ -214,9 +222,8 @@ fn path_tracing_takes_enough_samples_and_rays() {
 fn statistics_have_every_figure() {
     let bench = Bench::new();
     bench.output(&[&["render", "--stats", "stats.json", "--cutoff", "0.05"][..], &SMALL].concat());
-    let stats: serde_json::Value =
-        serde_json::from_slice(&std::fs::read(bench.path("stats.json")).unwrap()).unwrap();
-    let figure = |pointer: &str| stats.pointer(pointer).and_then(serde_json::Value::as_u64).unwrap();
+    let stats = statistics(&bench);
+    let figure = |pointer| figure(&stats, pointer);
     assert_eq!(figure("/rays/camera"), 80 * 60);
     for pointer in [
         "/rays/shadow",

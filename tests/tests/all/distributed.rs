@@ -39,7 +39,7 @@ fn gallery<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
 }
 
 /// The settings of a picture with so many samples, all of which are traced.
-fn samples(width: u32, height: u32, samples: u16) -> Settings {
+pub(super) fn samples(width: u32, height: u32, samples: u16) -> Settings {
     let sampling = Sampling { sampler: Sampler::Sobol, ..Sampling::new(samples) };
     Settings { sampling, rays_per_pixel: 1 << 20, ..Settings::new(width, height) }
 }

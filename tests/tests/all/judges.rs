@@ -23,6 +23,11 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("judges")
 }
 
+fn opened<'a>(name: &str, arena: &'a Bump) -> LoadedScene<'a> {
+    let loaded = LoadedScene::open(&folder().join(name).with_extension("ron"), arena);
+    loaded.unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// Mitsuba's picture of a scene, in linear light.
 fn reference(name: &str) -> Vec<LinearRgb> {
     let file = File::open(folder().join(name).with_extension("png")).expect("a picture");
@@ -56,8 +61,7 @@ fn lenses_lamps_and_gloss_are_as_in_mitsuba() {
         ("rough", None),
     ] {
         let arena = Bump::new();
-        let loaded = LoadedScene::open(&folder().join(name).with_extension("ron"), &arena);
-        let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+        let LoadedScene { scene, settings, .. } = opened(name, &arena);
         let reference = reference(name);
         let settings = Settings { width: WIDTH, height: HEIGHT, cutoff: 0.0, ..settings };
         let error = |area_lights| {
@@ -80,8 +84,7 @@ fn lenses_lamps_and_gloss_are_as_in_mitsuba() {
 fn paths_are_as_in_mitsuba() {
     for name in ["cornell", "caustic"] {
         let arena = Bump::new();
-        let loaded = LoadedScene::open(&folder().join(name).with_extension("ron"), &arena);
-        let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+        let LoadedScene { scene, settings, .. } = opened(name, &arena);
         let settings = Settings { width: WIDTH, height: HEIGHT, ..settings };
         let picture = lights::<f32>(&scene, settings, true);
         let error = mean_error(&picture, &reference(name));
@@ -94,8 +97,7 @@ fn paths_are_as_in_mitsuba() {
 #[test]
 fn ball_lamps_are_as_in_povray() {
     let arena = Bump::new();
-    let loaded = LoadedScene::open(&folder().join("ball.ron"), &arena);
-    let LoadedScene { scene, settings, .. } = loaded.unwrap_or_else(|error| panic!("{error}"));
+    let LoadedScene { scene, settings, .. } = opened("ball", &arena);
     let size = Settings { width: WIDTH, height: HEIGHT, ..settings };
     // POV-Ray takes one sample of each pixel.
     let sampling = Sampling { samples: 1, ..settings.sampling };

@@ -4,22 +4,17 @@ use rayline::math::Fixed;
 use rayline::shape::{Disc, Plane, Rectangle, Shape, Sphere};
 use rayline::{
     Background, Camera, Fresnel, Integrator, Light, LinearRgb, Material, Object, ObjectId, Optics, RayCounts,
-    Real, Sampler, Sampling, Scene, Settings, Sides, Vec3,
+    Real, Sampling, Scene, Settings, Sides, Vec3,
 };
 
-use super::distributed::lights;
+use super::distributed::{lights, samples};
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
 
 /// The settings of a path-traced picture with so many samples.
-fn paths(width: u32, height: u32, samples: u16) -> Settings {
-    Settings {
-        integrator: Integrator::PathTracing,
-        sampling: Sampling { sampler: Sampler::Sobol, ..Sampling::new(samples) },
-        rays_per_pixel: 1 << 24,
-        ..Settings::new(width, height)
-    }
+fn paths(width: u32, height: u32, count: u16) -> Settings {
+    Settings { integrator: Integrator::PathTracing, ..samples(width, height, count) }
 }
 
 /// A camera at `eye` that looks at a point.
@@ -116,8 +111,8 @@ fn a_furnace_stays_even() {
     }
 }
 
-/// A disc lamp of radius r at a height h above a white floor: r² / (r² + h²) of its light, from far to so close
-/// that scattered rays find it more often than shadow rays; also at the other end, a ball.
+/// A disc lamp of radius r at a height h above a white floor brings r² / (r² + h²) of its light, from far to
+/// so close that scattered rays find it more often than shadow rays do; and a ball lamp (r / h)².
 #[test]
 fn lamps_far_and_close_are_as_bright_as_closed_forms_say() {
     let optics = Optics { emission: LinearRgb::gray(2.0), emission_sides: Sides::Front, ..Optics::PLAIN };
