@@ -10,8 +10,8 @@ use crate::sampling::disc;
 /// needs the feature `distributed`, and several samples for each pixel.
 ///
 /// The light of a point at the distance d covers a circle with a diameter of `2 · radius · |d - focus| / d`
-/// at the distance of focus. If the circles of all that the eye may see directly are smaller than half a pixel,
-/// the lens is drawn as a pinhole: with one sample, and in realtime quality.
+/// at the distance of focus. If the circles of all that the eye may see directly are smaller than half a
+/// pixel, the lens is drawn as a pinhole: with one sample, and in realtime quality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Lens {

@@ -5,8 +5,8 @@
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};
 //! use rayline::shape::Sphere;
 //! use rayline::{
-//!     Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings, Vec3,
-//!     Workspace, prepared_bytes,
+//!     Background, Camera, Light, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings,
+//!     Vec3, Workspace, prepared_bytes,
 //! };
 //!
 //! static SCENE: Scene<Sphere> = Scene {

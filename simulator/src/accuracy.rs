@@ -31,8 +31,8 @@ fn notes_in<R: Real>(scene: &Scene<'_>, number: Number) -> Vec<String> {
     let eye = offset(camera.eye.magnitude());
     if eye > seen {
         notes.push(format!(
-            "the camera is far from the origin: in {number}, shadows and mirrored things nearer than {eye:.2} \
-             to a surface are lost there; move the scene to the origin, or use --number f64"
+            "the camera is far from the origin: in {number}, shadows and mirrored things nearer than \
+             {eye:.2} to a surface are lost there; move the scene to the origin, or use --number f64"
         ));
     }
     let offsets = scene.objects.iter().map(|object| offset(object.shape.extent().solid));

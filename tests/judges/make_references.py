@@ -130,8 +130,6 @@ def scenes():
         "blue": ball([1, 3.5, 0], 0.4, bsdf=BLACK, emitter=lamp(0.5, 0.5, 2)),
         "green": ball([0, 3, -1.25], 0.3, bsdf=BLACK, emitter=lamp(0.5, 2, 0.5)),
     }
-
-
     yield "cornell", {
         "integrator": paths(8),
         "sensor": camera() | {

@@ -37,9 +37,9 @@ impl<R: Real> ShadedHit<'_, R> {
         light
     }
 
-    /// The light of a lamp, by rays to its points. If all of the first rays or none of them reach the lamp, it is
-    /// in full light or in the umbra. If they disagree, in the penumbra, and the pixel has one sample, more
-    /// rays follow.
+    /// The light of a lamp, by rays to its points. If all of the first rays or none of them reach the lamp,
+    /// the place is in full light or in the umbra. If they disagree, in the penumbra, and the pixel has one
+    /// sample, more rays follow.
     ///
     /// Rays that are added where the first ones disagree make the penumbra a little narrower (Kirk and Arvo,
     /// "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991). Where a pixel has several samples,

@@ -70,10 +70,10 @@ pub enum Integrator {
     /// All that a path meets shines: backgrounds, and surfaces that emit light even if they are not lights of
     /// the scene. Ambient light, [`Light::Sky`](crate::Light::Sky) and
     /// [`Settings::area_lights`](crate::Settings::area_lights) are of no use and left out, and so is
-    /// [`Settings::cutoff`](crate::Settings::cutoff): paths that bring little light end by chance. Noise falls
-    /// with the number of samples; 64 to 1024 are usual. In fixed point, a path brings at most 1.99 times the
-    /// light that it finds, which is less than it should be only where a surface scatters one color and
-    /// mirrors another.
+    /// [`Settings::cutoff`](crate::Settings::cutoff): paths that bring little light end by chance. Noise
+    /// falls with the number of samples; 64 to 1024 are usual. In fixed point, a path brings at most 1.99
+    /// times the light that it finds, which is less than it should be only where a surface scatters one color
+    /// and mirrors another.
     #[cfg(feature = "path-tracing")]
     PathTracing,
 }

@@ -39,7 +39,8 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Four bounces, one sample for each pixel, Whitted's rays, lamps with a size by rays, sRGB, no dithering.
+    /// Four bounces, one sample for each pixel, Whitted's rays, lamps with a size by rays, sRGB, no
+    /// dithering.
     pub const fn new(width: u32, height: u32) -> Self {
         Self {
             width,

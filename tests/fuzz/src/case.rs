@@ -114,9 +114,9 @@ impl Case {
 }
 
 /// As in `f32-16x10-b2-r4096-c256-lines`: number system, size, bounces, rays per pixel, the cutoff's
-/// reciprocal, `s` and samples per pixel where they are several, `paths` where paths are traced, `closed` where
-/// wide lights are found in closed form, portions, `g` with grid, threshold and budget of realtime quality, and
-/// `smooth` if its edges are.
+/// reciprocal, `s` and samples per pixel where they are several, `paths` where paths are traced, `closed`
+/// where wide lights are found in closed form, portions, `g` with grid, threshold and budget of realtime
+/// quality, and `smooth` if its edges are.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = self.settings;

@@ -16,10 +16,19 @@ fn core() -> PathBuf {
 
 /// All Rust files below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
+    files_of_kind(folder, "rs")
+}
+
+/// All files below a folder whose names end so, but those that a build made and those of hidden folders.
+fn files_of_kind(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
-    let below = folders.iter().flat_map(|folder| self::files(folder));
-    files.into_iter().filter(|path| path.extension().is_some_and(|e| e == "rs")).chain(below).collect()
+    let is_ours = |path: &PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str()).expect("UTF-8");
+        !(name.starts_with('.') || ["target", "node_modules"].contains(&name))
+    };
+    let (folders, files): (Vec<_>, Vec<_>) = entries.filter(is_ours).partition(|path| path.is_dir());
+    let below = folders.iter().flat_map(|folder| files_of_kind(folder, ending));
+    files.into_iter().filter(|path| path.extension().is_some_and(|e| e == ending)).chain(below).collect()
 }
 
 /// The module of the core that a file belongs to.
@@ -126,4 +135,30 @@ fn inlining_is_seldom_forced() {
     let forced = |line: &&str| line.contains("inline(always)") || line.contains("inline(never)");
     let forced: usize = lines.map(|text| text.lines().filter(forced).count()).sum();
     assert!((1..=MOST_FORCED).contains(&forced), "{forced} functions");
+}
+
+/// The numbers of the lines that are longer than 110 columns: comments of Rust, and Markdown but its tables.
+/// The formatter breaks other lines of Rust.
+fn long_lines(text: &str, is_rust: bool) -> Vec<usize> {
+    let is_meant =
+        |line: &str| if is_rust { line.trim_start().starts_with("//") } else { !line.starts_with('|') };
+    let is_long = |line: &str| is_meant(line) && line.chars().count() > 110;
+    (1..).zip(text.lines()).filter(|(_, line)| is_long(line)).map(|(number, _)| number).collect()
+}
+
+#[test]
+fn lines_end_at_110_columns() {
+    let root = core().join("../..");
+    for ending in ["rs", "md"] {
+        let files = files_of_kind(&root, ending);
+        assert!(files.len() > 8, "{} files: has the layout changed?", files.len());
+        for file in files {
+            let text = std::fs::read_to_string(&file).expect("a file");
+            assert_eq!(long_lines(&text, ending == "rs"), <[usize; 0]>::default(), "{}", file.display());
+        }
+    }
+    // The search itself finds such lines.
+    let long = "x".repeat(111);
+    assert_eq!(long_lines(&format!("// {}\n    // {long}\n{long}", &long[4..]), true), [2]);
+    assert_eq!(long_lines(&format!("| {long} |\n{long}"), false), [2]);
 }

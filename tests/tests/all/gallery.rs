@@ -76,8 +76,8 @@ fn written_scenes_are_read_back() {
     }
 }
 
-/// The crate's book shows pictures of the gallery at half their size, as PNGs in base64. `RAYLINE_BLESS` writes
-/// the pictures.
+/// The crate's book shows pictures of the gallery at half their size, as PNGs in base64. `RAYLINE_BLESS`
+/// writes the pictures.
 #[test]
 fn the_book_shows_the_gallery() {
     let mut seen = 0;

@@ -66,7 +66,8 @@ impl<'a> Materials<'a> {
     }
 
     /// The number in the scene of a material of the library. For `None` it is gray, and white on vertices
-    /// with colors. `length_of_uv` is the length of a unit of texture coordinates on the mesh, if it has them.
+    /// with colors. `length_of_uv` is the length of a unit of texture coordinates on the mesh, if it has
+    /// them.
     pub(super) fn id(
         &mut self,
         index: Option<usize>,

@@ -1,9 +1,9 @@
 //! The place where an outline crosses the way between two rays.
 //!
-//! A ray passes a ball at the distance |c × d| - r, where c leads to the center, d is the ray's unit direction
-//! and r is the radius. The distance is negative for rays that meet the ball, and nearly linear over a pixel:
-//! its zero is where the outline lies. The edge of a ball's shadow is the same for the rays from the surface
-//! toward the light.
+//! A ray passes a ball at the distance |c × d| - r, where c leads to the center, d is the ray's unit
+//! direction and r is the radius. The distance is negative for rays that meet the ball, and nearly linear
+//! over a pixel: its zero is where the outline lies. The edge of a ball's shadow is the same for the rays
+//! from the surface toward the light.
 //!
 //! Between two cells of a texture on a flat object, the edge is found by bisection along the surface, which
 //! takes no ray.
