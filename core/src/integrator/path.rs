@@ -91,6 +91,24 @@ impl<R: Real> Path<R> {
         shadow_rays: &mut impl ShadowRays<R>,
         waiting: &mut Waiting<R>,
     ) -> bool {
+        if !self.shade(trace, met, shadow_rays, waiting) {
+            return false;
+        }
+        // Keep directions unit vectors: acceleration relies on it. A mirror adds as much as four times the
+        // error of its normal's length, and glass multiplies the error, see `ShadedHit::refracted`.
+        self.next.ray.direction = self.next.ray.direction.unit_again();
+        true
+    }
+
+    /// [`arrive`](Self::arrive), without a look at the length of the next ray's direction.
+    #[inline(always)]
+    fn shade<S: Geometry, P: Probe<R>>(
+        &mut self,
+        trace: &mut Trace<'_, '_, R, S, P>,
+        met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
+        shadow_rays: &mut impl ShadowRays<R>,
+        waiting: &mut Waiting<R>,
+    ) -> bool {
         let PendingRay { ray, throughput, kind, from, .. } = self.next;
         let (scene, is_reflected) = (trace.scene, kind == RayKind::Reflected);
         let Some((hit, mut material)) = met else {

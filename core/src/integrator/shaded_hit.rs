@@ -427,7 +427,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     fn refracted(&self) -> Option<Vec3<R>> {
         let eta = self.eta();
         if eta == R::ONE {
-            // Straight on, with the same bits.
+            // Straight on.
             return Some(self.incoming);
         }
         let cosine_squared = R::ONE - eta * eta * (R::ONE - self.cosine * self.cosine);
@@ -435,10 +435,11 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             return None;
         }
         let refracted = self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt());
-        // Keep directions unit vectors: acceleration relies on it. A ray that leaves the denser side
-        // multiplies the error of the incoming length by the square of the ratio; a ray that enters makes the
-        // error smaller.
-        let is_unit = eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
+        // Keep directions unit vectors: see `Path::arrive`, which does it in floating point. A ray that
+        // leaves the denser side multiplies the error of the incoming length by the square of the ratio; a
+        // ray that enters makes the error smaller.
+        let is_unit =
+            !R::IS_FIXED_POINT || eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
         if is_unit { Some(refracted) } else { refracted.normalized() }
     }
 }

@@ -102,6 +102,13 @@ impl<R: Real> Vec3<R> {
         (length > R::ZERO).then_some(unit)
     }
 
+    /// This unit vector without the error that its length has after computations with it. In fixed point the
+    /// vector itself.
+    #[inline]
+    pub(crate) fn unit_again(self) -> Self {
+        if R::IS_FIXED_POINT { self } else { self.unit() }
+    }
+
     /// The vector, turned about the x axis, then about y, then about z; counterclockwise as seen from the
     /// axis' end. Slow: for the preparation of a scene.
     pub(crate) fn rotated(self, angles: Vec3) -> Self {

@@ -109,12 +109,12 @@ impl<R: Real> Moved<R> {
 
     /// A direction as it was before.
     pub(crate) fn direction_back(&self, direction: Vec3<R>) -> Vec3<R> {
-        self.turn.as_ref().map_or(direction, |turn| turn.vector(direction, -turn.sine))
+        self.turn.as_ref().map_or(direction, |turn| turn.vector(direction, -turn.sine).unit_again())
     }
 
     /// A direction as it is now.
     pub(crate) fn direction(&self, direction: Vec3<R>) -> Vec3<R> {
-        self.turn.as_ref().map_or(direction, |turn| turn.vector(direction, turn.sine))
+        self.turn.as_ref().map_or(direction, |turn| turn.vector(direction, turn.sine).unit_again())
     }
 
     /// A ray as it would have been before. Distances along it stay the same.

@@ -5,6 +5,7 @@ use std::mem::MaybeUninit;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use proptest::prelude::*;
+use rayline::builtin::PRISM;
 use rayline::math::Fixed;
 use rayline::shape::{
     Cone, Csg, CsgStep, Cuboid, Disc, Ellipsoid, Geometry, Mesh, Plane, Polygon, Quadric, Rectangle, Shape,
@@ -98,6 +99,53 @@ fn pixels_side_by_side_take_the_same_rays() {
             }
         });
     }
+}
+
+/// A probe that keeps the largest error of the squared length of a direction.
+struct LengthError(f64);
+
+impl Probe<f32> for LengthError {
+    fn record(&mut self, event: Event<f32>) {
+        let direction = match event {
+            Event::Ray { ray, .. } => ray.direction,
+            Event::Light { toward, .. } => toward,
+            _ => return,
+        };
+        self.0 = self.0.max((direction.to::<f64>().length_squared() - 1.0).abs());
+    }
+}
+
+/// Rays between mirrors that face each other aslant, and through glass between them: each bounce adds to the
+/// error of the direction's length. The longest leave a huge ball, and must not meet it again.
+#[test]
+fn directions_stay_unit_vectors() {
+    let across = Vec3::new(0.48, 0.6, 0.64);
+    let mirror = |z: f32| Object::new(Shape::Plane(Plane::new(across * z, across)), 0);
+    let ball = Object::new(Shape::Sphere(Sphere::new(across * 0.5, 0.7)), 1);
+    let dark = Material { diffuse: 0.0, ..Material::matte(LinearRgb::WHITE) };
+    let diamond = Material { reflectance: 0.2, transmittance: 0.8, ior: 2.4, ..dark };
+    let scene = Scene {
+        camera: Camera {
+            eye: across * -2.0,
+            target: Vec3::ZERO,
+            up: Vec3::new(0.0, 1.0, 0.0),
+            ..PRISM.camera
+        },
+        objects: &[mirror(-3.0), mirror(3.0), ball],
+        materials: &[Material { reflectance: 1.0, ..dark }, diamond],
+        ..PRISM
+    };
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap();
+    let settings = Settings { bounces: 16, cutoff: 0.0, ..Settings::new(32, 24) };
+    let renderer = Renderer::new(&prepared, settings).unwrap();
+    let mut error = LengthError(0.0);
+    for (x, y) in (0..24).flat_map(|y| (0..32).map(move |x| (x, y))) {
+        renderer.pixel(x, y, &mut error);
+    }
+    println!("the squared length is off by {:.1e}", error.0);
+    // A unit vector is rounded by up to 1.8e-7 of its length.
+    assert!(error.0 < 3.6e-7, "{}", error.0);
 }
 
 fn coordinate() -> BoxedStrategy<f32> {
