@@ -62,7 +62,9 @@
 //! - **No smallest t.** Textbooks drop hits nearer than some 0.001, which is too much for a scene in
 //!   millimeters and too little for a landscape. Here all t > 0 count, and the origin moves by ε M along the
 //!   normal. ε is 1e-5 in `f32`, 1e-10 in `f64`, and 2⁻¹⁷ in fixed point, plus 16 units of 2⁻²⁴. With 1e-5,
-//!   10.8 million rays spawned on spheres of radius 1e-3 to 1e6 never met their own surface.
+//!   10.8 million rays spawned on spheres of radius 1e-3 to 1e6 never met their own surface. In floating
+//!   point, balls of a radius above 1024 take a 13th of it, so that things on a huge ball throw their shadows
+//!   on it.
 //! - **A torus is solved by separation.** The roots of the cubic separate those of the quartic. Between two,
 //!   Newton's steps run on the squared distance from the tube's circle, because the quartic loses the digits
 //!   of a thin tube. Where a step does not converge, the interval is halved: 32 steps at most, usually five.

@@ -48,8 +48,8 @@ impl Geometry for Sphere {
         let radius: R = scale.length(R::Setup::from_f32(self.radius));
         check_size(radius)?;
         let center = scale.point(self.center.to());
-        let magnitude = center.magnitude() + radius;
-        Ok(PreparedSphere { center, radius, radius_squared: radius.times(radius), magnitude })
+        let rounding = rounding(center.magnitude(), radius);
+        Ok(PreparedSphere { center, radius, radius_squared: radius.times(radius), rounding })
     }
 }
 
@@ -59,8 +59,24 @@ pub struct PreparedSphere<R: Real> {
     center: Vec3<R>,
     radius: R,
     radius_squared: R::Product,
-    /// No coordinate of the surface is larger.
-    magnitude: R,
+    /// [`Surface::magnitude`] of all places.
+    rounding: R,
+}
+
+/// Balls of a larger radius, or whose center has a larger coordinate, are huge: see [`rounding`].
+const HUGE: u16 = 1024;
+
+/// The [`Surface::magnitude`] of a ball whose center has no coordinate larger than `farthest`.
+///
+/// Rays that leave the ground, a ball of radius 1e5, must not begin above the things on it. In floating
+/// point, hits of balls are more accurate than the offset of spawned rays allows for all shapes. Of 27
+/// million rays whose direction's length is off by up to 3.9e-7, none meets its ball again with a sixteenth
+/// of the offset of the larger number, and a few do with an 18th. This is a 13th, and directions are off by
+/// 1.8e-7. In fixed point there are no such balls, as scenes are scaled into its range.
+fn rounding<R: Real>(farthest: R, radius: R) -> R {
+    let larger = farthest.larger(radius);
+    let is_huge = !R::IS_FIXED_POINT && larger > R::from_u16(HUGE);
+    if is_huge { larger * R::from_fraction(5 << 10) } else { farthest + radius }
 }
 
 impl<R: Real> PreparedSphere<R> {
@@ -129,7 +145,7 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
             point: self.center + normal * self.radius,
             normal,
             shading_normal: normal,
-            magnitude: self.magnitude,
+            magnitude: self.rounding,
             part: 0,
         }
     }
@@ -220,7 +236,7 @@ mod tests {
 
     #[test]
     fn spawned_rays_do_not_meet_their_own_surface() {
-        for radius in EXTENTS {
+        for radius in EXTENTS.into_iter().chain([1e4]) {
             for center in [Vec3::ZERO, Vec3::new(3.0, -2.0, 1.0) * radius] {
                 assert_no_self_hits(Sphere::new(center, radius), center, radius, 20_000);
             }

@@ -212,3 +212,10 @@ fn e_lights_next_to_a_ball() {
         None,
     );
 }
+
+/// A ray that glass refracts was no unit vector, and met the ball of radius 65,535 again that it left: rays
+/// leave huge balls by a small part of their radius.
+#[test]
+fn g_rays_that_leave_a_huge_ball() {
+    assert_same::<f32>("g-f32-3x3-b6-r4096-c0.rayline", settings(3, 3, 6, 4096, 0.0), None);
+}

@@ -14,7 +14,9 @@ use rayline::{
     Material, Medium, Object, ObjectId, Optics, Panorama, Part, Pixels, Placed, Placement, PreparedScene,
     RayCounts, Renderer, Scene, SceneBuf, SceneError, Settings, Sky, Stripes, Texture, Vec3,
 };
-use rayline_tests::{Watch, backgrounds, lights, maps, numbers, optics, shapes, textures, vectors};
+use rayline_tests::{
+    Watch, assert_alike, backgrounds, core_picture, lights, maps, numbers, optics, shapes, textures, vectors,
+};
 
 fn prepare(scene: &Scene) -> Result<(), SceneError> {
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
@@ -565,5 +567,37 @@ proptest! {
             }
         }
         prop_assert_eq!(counts.camera, 25);
+    }
+}
+
+/// On a ground that is a ball of radius 1e5, as scenes of textbooks have it, a ball throws its shadow. In
+/// `f32` the ground's coordinates are known to 0.008, and rays leave it by 0.08.
+#[test]
+fn things_on_a_huge_ball_throw_shadows() {
+    let sphere = |y: f32, radius: f32| Shape::Sphere(Sphere::new(Vec3::new(0.0, y, 0.0), radius));
+    let matte = |color| Material { ambient: 0.1, ..Material::matte(color) };
+    let materials = [matte(LinearRgb::gray(0.8)), matte(LinearRgb::new(0.7, 0.2, 0.11))];
+    let direction = Vec3::new(3.0, -1.0, -1.0);
+    let camera = Camera {
+        eye: Vec3::new(0.0, 1.5, 6.0),
+        target: Vec3::new(0.0, 0.5, 0.0),
+        up: Vec3::new(0.0, 1.0, 0.0),
+        vertical_fov: 0.6,
+        lens: None,
+    };
+    for radius in [1.1e3, 5e3, 1e5] {
+        let objects = [Object::new(sphere(-radius, radius), 0), Object::new(sphere(1.0, 1.0), 1)];
+        let scene = Scene {
+            camera,
+            background: Background::Solid(LinearRgb::new(0.2, 0.3, 0.42)),
+            objects: &objects,
+            materials: &materials,
+            lights: &[Light::Directional { direction, color: LinearRgb::WHITE }],
+            motions: &[],
+        };
+        let settings = Settings::new(200, 150);
+        let (f32, f64) = (core_picture::<f32>(&scene, settings), core_picture::<f64>(&scene, settings));
+        let directory = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+        assert_alike(directory, &format!("huge-{radius}"), ("f32", &f32), ("f64", &f64));
     }
 }

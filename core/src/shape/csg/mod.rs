@@ -22,7 +22,7 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Geometry, Hull, Intersect, Silhouette, Solid, Tip};
+use super::{Form, Geometry, Hull, Intersect, Silhouette, Solid, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -296,7 +296,12 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedCsg<'_, R, P> {
                 self.surfaces(&boundaries, &ray).reduce(|a, b| if off(b.t) < off(a.t) { b } else { a })
             })?;
             let solid = self.solids.get(usize::from(boundary.solid))?;
-            Some((solid.surface(&ray, boundary.t), boundary.solid))
+            let mut surface = solid.surface(&ray, boundary.t);
+            // Rays leave a ball by the offset of other shapes: boundaries within it count as one place.
+            if let Form::Ball { center, radius } = solid.form() {
+                surface.magnitude = center.magnitude() + radius;
+            }
+            Some((surface, boundary.solid))
         });
         let Some((surface, solid)) = found else {
             let normal = -ray.direction;
