@@ -63,6 +63,7 @@ impl<R: Real> Path<R> {
             if !self.arrive(trace, met, &mut blockers, waiting) {
                 break;
             }
+            self.keep_unit();
             // They held for the first ray alone.
             blockers = &Blockers::UNKNOWN;
         }
@@ -85,24 +86,6 @@ impl<R: Real> Path<R> {
     /// `false` if none is left.
     #[inline(always)]
     pub(super) fn arrive<S: Geometry, P: Probe<R>>(
-        &mut self,
-        trace: &mut Trace<'_, '_, R, S, P>,
-        met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
-        shadow_rays: &mut impl ShadowRays<R>,
-        waiting: &mut Waiting<R>,
-    ) -> bool {
-        if !self.shade(trace, met, shadow_rays, waiting) {
-            return false;
-        }
-        // Keep directions unit vectors: acceleration relies on it. A mirror adds as much as four times the
-        // error of its normal's length, and glass multiplies the error, see `ShadedHit::refracted`.
-        self.next.ray.direction = self.next.ray.direction.unit_again();
-        true
-    }
-
-    /// [`arrive`](Self::arrive), without a look at the length of the next ray's direction.
-    #[inline(always)]
-    fn shade<S: Geometry, P: Probe<R>>(
         &mut self,
         trace: &mut Trace<'_, '_, R, S, P>,
         met: Option<(&Hit<R>, &PreparedMaterial<'_, R>)>,
@@ -156,6 +139,13 @@ impl<R: Real> Path<R> {
         } else {
             take(waiting, &mut self.next)
         }
+    }
+
+    /// Keeps the direction of a ray that goes on a unit vector: acceleration relies on it. A mirror adds as
+    /// much as four times the error of its normal's length, and glass multiplies the error.
+    #[inline]
+    pub(super) fn keep_unit(&mut self) {
+        self.next.ray.direction = self.next.ray.direction.unit_again();
     }
 
     /// Adds a share of the light from where the ray at hand ends.

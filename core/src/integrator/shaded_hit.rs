@@ -435,9 +435,9 @@ impl<'s, R: Real> ShadedHit<'s, R> {
             return None;
         }
         let refracted = self.incoming * eta + self.normal * (eta * self.cosine - cosine_squared.sqrt());
-        // Keep directions unit vectors: see `Path::arrive`, which does it in floating point. A ray that
-        // leaves the denser side multiplies the error of the incoming length by the square of the ratio; a
-        // ray that enters makes the error smaller.
+        // Keep directions unit vectors: in floating point `Path::keep_unit` does it. A ray that leaves the
+        // denser side multiplies the error of the incoming length by the square of the ratio; a ray that
+        // enters makes the error smaller.
         let is_unit =
             !R::IS_FIXED_POINT || eta < R::ONE || (refracted.length_squared() - R::ONE).abs() < R::RAY_OFFSET;
         if is_unit { Some(refracted) } else { refracted.normalized() }

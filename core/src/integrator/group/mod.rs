@@ -168,6 +168,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> PixelGroup<'p, 'm, R, S> {
             trace.rays = lane.rays;
             let met = lane.material.map(|material| (&lane.hit, material));
             lane.goes_on = lane.path.arrive(trace, met, &mut ways, waiting);
+            if lane.goes_on {
+                lane.path.keep_unit();
+            }
             if !waiting.is_empty() {
                 lane.path.finish(trace, &Blockers::UNKNOWN, waiting);
                 lane.goes_on = false;
