@@ -230,6 +230,18 @@ pub enum Fault {
         /// The numbers that it has.
         given: usize,
     },
+    /// A figure of images for the parts of a surface has none. Add an image.
+    NoImage,
+    /// The list of an irradiance volume does not have as many points as its grid, or is empty. Correct one of
+    /// them.
+    PointCount {
+        /// The points that the grid has.
+        needed: usize,
+        /// The points that the list has.
+        given: usize,
+    },
+    /// An irradiance volume is placed on a surface, or turned. Place it in the scene, without a rotation.
+    TurnedVolume,
     /// A pixel refers to a color that the palette does not have. Add the color or correct the number.
     PaletteColor {
         /// The number of the color, counted from 0.
@@ -464,6 +476,17 @@ impl fmt::Display for Fault {
                     "the image has {given} numbers for its pixels, but its width and height need {needed} \
                      (at least 1); correct one of them"
                 );
+            }
+            Self::NoImage => "a figure of images for parts has no image; add one",
+            Self::PointCount { needed, given } => {
+                return write!(
+                    f,
+                    "the irradiance volume has light for {given} points, but its grid has {needed} (at least \
+                     1); correct one of them"
+                );
+            }
+            Self::TurnedVolume => {
+                "an irradiance volume is on a surface, or turned; place it in the scene, without a rotation"
             }
             Self::PaletteColor { named, colors } => {
                 return write!(

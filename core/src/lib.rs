@@ -167,8 +167,8 @@ pub use scene::BytesError;
 pub use scene::{FASTER, Full, MaterialId, Object, Scene, SceneBuf};
 pub use surface::Surface;
 pub use texture::{
-    Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, MAX_OCTAVES, Map, Marble, Noise, Onto,
-    Pixels, Placed, Placement, Space, Squares, Stripes, Texture, Wood,
+    Brick, Checker, Encoding, Ends, Figure, Filter, Gradient, Image, IrradianceVolume, MAX_OCTAVES, Map,
+    Marble, Noise, Onto, Pixels, Placed, Placement, Space, Squares, Stripes, Texture, Wood,
 };
 
 /// The example of the crate's README compiles.

@@ -10,7 +10,7 @@ use super::shaded_hit::{ShadedHit, ShadowRays};
 use super::shadow_rays::Blockers;
 use crate::color::LinearRgb;
 use crate::limits::MAX_BOUNCES;
-use crate::material::{PreparedMaterial, Shares};
+use crate::material::{MapRoom, PreparedMaterial, Shares};
 use crate::math::{Ray, Real};
 use crate::prepared::{Departure, Hit, ObjectSet};
 use crate::probe::{Cut, Event, Probe, RayKind};
@@ -103,14 +103,14 @@ impl<R: Real> Path<R> {
             return take(waiting, &mut self.next);
         };
         let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
-        let mut room_of_optics = None;
+        let mut room_of_maps = MapRoom::EMPTY;
         let mapped;
         let mut normal = hit.surface.shading_normal;
         let mut room = None;
         let still = scene.still(hit.object, &hit.surface, &mut room);
         if !material.maps.is_empty() {
             let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
-            mapped = material.mapped(still, uv, &mut room_of_optics);
+            mapped = material.mapped(still, uv, &mut room_of_maps);
             normal = scene.bumped(hit.object, still, ray.direction, material);
             material = &mapped;
         }

@@ -208,7 +208,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         // Products are slow in fixed point.
         if !R::IS_FIXED_POINT || self.material.ambient > R::ZERO {
             ambient = self.color * self.material.ambient;
-            if let Some(light) = scene.ambient() {
+            if let Some(light) = self.material.ambient_light().or(scene.ambient()) {
                 ambient = light * ambient;
             }
         }

@@ -174,6 +174,8 @@ impl<'a> Material<'a> {
             eta_leaving: R::from_setup(ior),
             optics,
             maps: Map::prepare_all(self.maps, scale, memory)?,
+            #[cfg(feature = "textures")]
+            ambient_light: None,
         })
     }
 }
@@ -195,23 +197,41 @@ pub(crate) struct PreparedMaterial<'m, R: Real> {
     pub(crate) eta_leaving: R,
     optics: Option<&'m PreparedOptics<R>>,
     pub(crate) maps: PreparedMaps<'m, R>,
+    /// The ambient light that maps say, in place of the scene's.
+    #[cfg(feature = "textures")]
+    ambient_light: Option<&'m LinearRgb<R>>,
+}
+
+/// Room for what a map changes of a material.
+pub(crate) struct MapRoom<R: Real> {
+    optics: Option<PreparedOptics<R>>,
+    #[cfg(feature = "textures")]
+    ambient_light: Option<LinearRgb<R>>,
+}
+
+impl<R: Real> MapRoom<R> {
+    pub(crate) const EMPTY: Self = Self {
+        optics: None,
+        #[cfg(feature = "textures")]
+        ambient_light: None,
+    };
 }
 
 impl<'m, R: Real> PreparedMaterial<'m, R> {
     /// The material at a point of a surface, with each coefficient multiplied by its maps. `uv` computes the
-    /// texture coordinates of the point, and `room` keeps the optics, if a map changes them.
+    /// texture coordinates of the point, and `room` keeps the colors that maps change.
     pub(crate) fn mapped<'r>(
         &self,
         surface: &Surface<R>,
         uv: impl Fn(&Surface<R>) -> [R; 2],
-        room: &'r mut Option<PreparedOptics<R>>,
+        room: &'r mut MapRoom<R>,
     ) -> PreparedMaterial<'r, R>
     where
         'm: 'r,
     {
         let shares = self.maps.shares(surface, uv);
         let optics = match (self.optics(), shares.optics) {
-            (Some(optics), Some(shares)) => Some(&*room.insert(optics.mapped(&shares))),
+            (Some(optics), Some(shares)) => Some(&*room.optics.insert(optics.mapped(&shares))),
             (optics, _) => optics,
         };
         PreparedMaterial {
@@ -221,8 +241,19 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
             reflectance: self.reflectance * shares.reflectance,
             transmittance: self.transmittance * shares.transmittance,
             optics,
+            #[cfg(feature = "textures")]
+            ambient_light: shares.ambient_light.map(|light| &*room.ambient_light.insert(light)),
             ..*self
         }
+    }
+
+    /// The ambient light that a map says; `None` where the scene's holds.
+    #[inline]
+    pub(crate) fn ambient_light(&self) -> Option<LinearRgb<R>> {
+        #[cfg(feature = "textures")]
+        return self.ambient_light.copied();
+        #[cfg(not(feature = "textures"))]
+        None
     }
 
     /// Whether the surface is seen from its front only: see [`Optics::sides`].

@@ -6,7 +6,7 @@ use super::{Among, Departure, ObjectSet, PreparedScene};
 use crate::color::LinearRgb;
 use crate::light::Source;
 use crate::limits::MAX_SHADOW_LAYERS;
-use crate::material::PreparedOptics;
+use crate::material::{MapRoom, PreparedOptics};
 use crate::math::{Interval, Ray, Real, Vec3};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
@@ -244,13 +244,13 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         // Most surfaces let the same share through at each place and from both sides.
         let needs_surface = is_mapped || optics.is_some_and(PreparedOptics::absorbs);
         let surface = needs_surface.then(|| self.surface(prepared, ray, part.max));
-        let (mapped, mut room_of_optics);
+        let (mapped, mut room_of_maps);
         let at = match &surface {
             Some(surface) if is_mapped => {
                 let mut room = None;
                 let still = self.still(object, surface, &mut room);
-                room_of_optics = None;
-                mapped = material.mapped(still, |surface| self.uv(object, surface), &mut room_of_optics);
+                room_of_maps = MapRoom::EMPTY;
+                mapped = material.mapped(still, |surface| self.uv(object, surface), &mut room_of_maps);
                 &mapped
             }
             _ => material,

@@ -168,4 +168,4 @@ macro_rules! __read_plain {
 }
 pub use __read_plain as plain;
 
-plain!(bool, f32, u16, Vec3, [u8; 3], [u16; 3], [f32; 2]);
+plain!(bool, f32, u16, Vec3, [u8; 3], [u16; 3], [f32; 2], [i16; 12]);

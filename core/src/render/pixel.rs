@@ -5,7 +5,7 @@ use super::{Renderer, Settings};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
 use crate::integrator::{RayBudget, RayLimits, SampleRays, Seen, Sight, radiance};
-use crate::math::Real;
+use crate::math::{Ray, Real};
 use crate::prepared::PreparedScene;
 use crate::probe::Probe;
 #[cfg(feature = "distributed")]
@@ -181,6 +181,16 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
             (scene, ray)
         };
         radiance(scene, (ray, numbers), sight, limits, rays, probe)
+    }
+
+    /// The light that comes to the origin of any ray, with the numbers of one sample of pixel (x, y). The
+    /// direction is a unit vector; a unit of the scene is [`PreparedScene::scale`] units of the ray. Things
+    /// that move are where they are when the shutter opens.
+    pub fn light_along(&self, ray: &Ray<R>, place: (u16, u16), sample: u16) -> LinearRgb<R> {
+        let (left, seen) = (RayBudget(self.settings.rays_per_pixel), Seen::NOTHING);
+        let numbers = RayNumbers::of(self.sample(place, sample));
+        let (sight, mut rays) = (Sight::among(self.scene.all()), SampleRays { left, seen });
+        radiance(self.scene, (*ray, numbers), sight, &self.limits, &mut rays, &mut ())
     }
 
     /// Adds one sample to a pixel's sum, and at the beginning the first samples of adaptive sampling. Returns

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 use super::{PreparedTexture, Texture, present};
 use crate::arena::Arena;
-use crate::color::LinearRgb;
+use crate::color::{LinearRgb, check_emission};
 use crate::fault::{Fault, check_coordinate, check_held, check_number, check_size};
 use crate::math::{Real, Scale, Vec3};
 use crate::surface::Surface;
@@ -48,6 +48,12 @@ pub enum Onto {
     /// [`Optics::emission`](crate::Optics::emission) is multiplied by the texture, channel by channel. A
     /// [`Light::Object`](crate::Light::Object) shines as without the map.
     Emission,
+    /// The texture, times `most`, is the ambient light that arrives at the surface, channel by channel, in
+    /// place of the scene's: baked light. Several such maps add up.
+    AmbientLight {
+        /// The light of a white texture, 0 or more.
+        most: f32,
+    },
     /// A bump map: the normal is tilted as if the texture raised the surface. Outlines do not change.
     Bump {
         /// The height of a white texture, in units of the scene.
@@ -126,6 +132,10 @@ impl Onto {
             Self::ReflectionColor => PreparedOnto::Optics(OpticsColor::Reflection),
             Self::TransmissionColor => PreparedOnto::Optics(OpticsColor::Transmission),
             Self::Emission => PreparedOnto::Optics(OpticsColor::Emission),
+            Self::AmbientLight { most } => {
+                check_emission::<R>(LinearRgb::gray(most))?;
+                PreparedOnto::AmbientLight { most: R::from_f32(most) }
+            }
             Self::Normal { strength } => {
                 check_number(strength)?;
                 check_held::<R>(R::Setup::from_f32(strength))?;
@@ -170,6 +180,9 @@ enum PreparedOnto<R> {
     Reflectance,
     Transmittance,
     Optics(OpticsColor),
+    AmbientLight {
+        most: R,
+    },
     /// The slope between black and white at the distance `step`.
     Bump {
         slope: R,
@@ -198,6 +211,8 @@ pub(crate) struct Shares<R> {
     pub(crate) transmittance: R,
     /// The factors of colors of the optics; `None` where no map changes them.
     pub(crate) optics: Option<OpticsShares<R>>,
+    /// The ambient light in place of the scene's; `None` where no map says it.
+    pub(crate) ambient_light: Option<LinearRgb<R>>,
 }
 
 /// The factors, 0 to 1, by which the colors of a material's optics are multiplied.
@@ -255,6 +270,7 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
             reflectance: one,
             transmittance: one,
             optics: None,
+            ambient_light: None,
         };
         for PreparedMap { onto, texture } in self.all() {
             let share = match onto {
@@ -266,6 +282,12 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
                 PreparedOnto::Optics(part) => {
                     let share = shares.optics.get_or_insert(OpticsShares::ALL).part(*part);
                     *share = *share * texture.color(surface, || uv(surface));
+                    continue;
+                }
+                PreparedOnto::AmbientLight { most } => {
+                    let light = texture.color(surface, || uv(surface)).scaled(*most);
+                    let sum = shares.ambient_light.map_or(light, |sum| sum + light);
+                    shares.ambient_light = Some(sum);
                     continue;
                 }
                 PreparedOnto::Bump { .. } | PreparedOnto::Normal { .. } => continue,

@@ -8,6 +8,7 @@ mod brick;
 mod checker;
 mod gradient;
 mod image;
+mod irradiance_volume;
 mod map;
 mod marble;
 mod noise;
@@ -23,6 +24,7 @@ pub use checker::{Checker, Squares};
 pub use gradient::{Ends, Gradient};
 pub(crate) use image::PreparedImage;
 pub use image::{Filter, Image};
+pub use irradiance_volume::IrradianceVolume;
 pub use map::{Map, Onto};
 pub(crate) use map::{OpticsShares, PreparedMaps};
 pub use marble::Marble;
@@ -69,7 +71,9 @@ impl<'a> Texture<'a> {
     pub(crate) const fn bytes<R: Real>(&self) -> usize {
         match self {
             Self::Solid(_) | Self::Checker(_) => 0,
-            Self::Placed(_) => Arena::bytes::<PreparedPlaced<'_, R>>(1),
+            Self::Placed(placed) => {
+                Arena::bytes::<PreparedPlaced<'_, R>>(1).saturating_add(placed.bytes::<R>())
+            }
         }
     }
 
@@ -87,7 +91,8 @@ impl<'a> Texture<'a> {
             Self::Checker(checker) => PreparedTexture::Checker(checker.prepare(scale)?),
             Self::Placed(pattern) => {
                 let present = present()?;
-                PreparedTexture::Placed(Needing::new(memory.store(pattern.prepare(scale)?)?, present))
+                let prepared = pattern.prepare(scale, memory)?;
+                PreparedTexture::Placed(Needing::new(memory.store(prepared)?, present))
             }
         })
     }
@@ -156,7 +161,7 @@ impl<R: Real> PreparedTexture<'_, R> {
         match self {
             Self::Solid(_) => None,
             Self::Checker(checker) => Some(checker.cell(surface.point)),
-            Self::Placed(pattern) => pattern.get().step(surface.point, uv),
+            Self::Placed(pattern) => pattern.get().step(surface, uv),
         }
     }
 
@@ -167,7 +172,7 @@ impl<R: Real> PreparedTexture<'_, R> {
         match self {
             Self::Solid(color) => *color,
             Self::Checker(checker) => checker.color(surface.point),
-            Self::Placed(pattern) => pattern.get().color(surface.point, uv),
+            Self::Placed(pattern) => pattern.get().color(surface, uv),
         }
     }
 }

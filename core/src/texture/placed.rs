@@ -3,15 +3,18 @@
 use super::checker::mark;
 use super::gradient::Gradient;
 use super::image::{Image, PreparedImage};
+use super::irradiance_volume::IrradianceVolume;
 use super::marble::Marble;
 use super::noise::Noise;
 use super::placement::{Placement, PreparedPlacement};
 use super::stripes::Stripes;
 use super::wood::Wood;
 use super::{Brick, Squares};
+use crate::arena::Arena;
 use crate::color::LinearRgb;
 use crate::fault::Fault;
-use crate::math::{LatticeCoordinate, Real, Scale, Vec3};
+use crate::math::{LatticeCoordinate, Real, Scale};
+use crate::surface::Surface;
 
 /// A proof that the feature `textures` is on. Without the feature this type has no values, so that the
 /// compiler drops all code that needs one.
@@ -109,13 +112,18 @@ pub enum Figure<'a> {
     Brick(Brick),
     /// An image.
     Image(Image<'a>),
+    /// An image for each [part](Surface::part) of a surface, such as the six faces of a
+    /// [`Cuboid`](crate::shape::Cuboid): at least one. The last also holds for all parts behind it.
+    Parts(&'a [Image<'a>]),
+    /// Light from all around at the points of a grid: for [`Onto::AmbientLight`](super::Onto::AmbientLight).
+    IrradianceVolume(IrradianceVolume<'a>),
 }
 
 #[cfg(feature = "serde")]
 crate::read::read_enum! {
     [] Figure as Figure<'m> {
         Squares(Squares), Stripes(Stripes), Gradient(Gradient), Noise(Noise), Marble(Marble), Wood(Wood),
-        Brick(Brick), Image(Image<'m>),
+        Brick(Brick), Image(Image<'m>), Parts(&'m [Image<'m>]), IrradianceVolume(IrradianceVolume<'m>),
     }
 }
 
@@ -125,7 +133,22 @@ impl<'a> Placed<'a> {
         Self { figure, placement }
     }
 
-    pub(super) fn prepare<R: Real>(&self, scale: Scale) -> Result<PreparedPlaced<'a, R>, Fault> {
+    /// The most bytes that [`prepare`](Self::prepare) takes.
+    pub(super) const fn bytes<R: Real>(&self) -> usize {
+        match self.figure {
+            Figure::Parts(images) => Arena::bytes::<PreparedImage<'_, R>>(images.len()),
+            _ => 0,
+        }
+    }
+
+    pub(super) fn prepare<'m, R: Real>(
+        &self,
+        scale: Scale,
+        memory: &mut Arena<'m>,
+    ) -> Result<PreparedPlaced<'m, R>, Fault>
+    where
+        'a: 'm,
+    {
         let figure = match self.figure {
             Figure::Squares(squares) => PreparedFigure::Squares(squares.prepare()?),
             Figure::Stripes(stripes) => PreparedFigure::Stripes(stripes.prepare()?),
@@ -135,6 +158,17 @@ impl<'a> Placed<'a> {
             Figure::Wood(wood) => PreparedFigure::Wood(wood.prepare()?),
             Figure::Brick(brick) => PreparedFigure::Brick(brick.prepare()?),
             Figure::Image(image) => PreparedFigure::Image(image.prepare()?),
+            Figure::Parts([]) => return Err(Fault::NoImage),
+            Figure::Parts(images) => {
+                PreparedFigure::Parts(memory.try_store_with(images.len(), |index, _| {
+                    // Every index has an image, so this fault never occurs.
+                    images.get(index).ok_or(Fault::NoImage)?.prepare()
+                })?)
+            }
+            Figure::IrradianceVolume(volume) => {
+                volume.check(&self.placement)?;
+                PreparedFigure::IrradianceVolume(volume)
+            }
         };
         Ok(PreparedPlaced { figure, placement: self.placement.prepare(scale)? })
     }
@@ -158,18 +192,20 @@ enum PreparedFigure<'m, R: Real> {
     Wood(Wood<R>),
     Brick(Brick<R>),
     Image(PreparedImage<'m, R>),
+    Parts(&'m [PreparedImage<'m, R>]),
+    IrradianceVolume(IrradianceVolume<'m>),
 }
 
 impl<R: Real> PreparedPlaced<'_, R> {
     /// The color at a point of the surface.
     #[inline]
-    pub(super) fn color(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
-        self.figure.color(self.placement.coordinates(self.placement.place(point, uv)))
+    pub(super) fn color(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> LinearRgb<R> {
+        self.figure.color(self.placement.coordinates(self.placement.place(surface.point, uv)), surface)
     }
 
     /// See [`PreparedTexture::step`](super::PreparedTexture::step).
-    pub(super) fn step(&self, point: Vec3<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
-        let at = || self.placement.coordinates(self.placement.place(point, uv));
+    pub(super) fn step(&self, surface: &Surface<R>, uv: impl FnOnce() -> [R; 2]) -> Option<u32> {
+        let at = || self.placement.coordinates(self.placement.place(surface.point, uv));
         let numbers = match self.figure {
             PreparedFigure::Squares(_) | PreparedFigure::Stripes(_) => {
                 at().map(|coordinate| coordinate.index)
@@ -180,6 +216,10 @@ impl<R: Real> PreparedPlaced<'_, R> {
                 [x.index, y.index, 0]
             }
             PreparedFigure::Image(image) if image.has_steps() => image.step(at()),
+            PreparedFigure::Parts(images) => match image_of(images, surface) {
+                Some(image) if image.has_steps() => image.step(at()),
+                _ => return None,
+            },
             _ => return None,
         };
         Some(mark(numbers))
@@ -195,7 +235,7 @@ pub(crate) fn level_mark<R: Real>(color: LinearRgb<R>) -> u32 {
 impl<R: Real> PreparedFigure<'_, R> {
     /// Not inlined, so that all callers share one copy of the code.
     #[inline(never)]
-    fn color(&self, at: [LatticeCoordinate<R>; 3]) -> LinearRgb<R> {
+    fn color(&self, at: [LatticeCoordinate<R>; 3], surface: &Surface<R>) -> LinearRgb<R> {
         match self {
             Self::Squares(squares) => squares.color(at),
             Self::Stripes(stripes) => stripes.color(at),
@@ -205,6 +245,18 @@ impl<R: Real> PreparedFigure<'_, R> {
             Self::Wood(wood) => wood.color(at),
             Self::Brick(brick) => brick.color(at),
             Self::Image(image) => image.color(at),
+            Self::Parts(images) => {
+                image_of(images, surface).map_or(LinearRgb::BLACK, |image| image.color(at))
+            }
+            Self::IrradianceVolume(volume) => volume.color(at, surface.shading_normal),
         }
     }
+}
+
+/// The image of the part of a surface; not `None`, because no list is empty.
+fn image_of<'i, 'm, R: Real>(
+    images: &'i [PreparedImage<'m, R>],
+    surface: &Surface<R>,
+) -> Option<&'i PreparedImage<'m, R>> {
+    images.get(surface.part as usize).or(images.last())
 }

@@ -7,7 +7,7 @@ use super::sample::{Near, PathDigest, Sample};
 use super::small::Watch;
 use crate::color::LinearRgb;
 use crate::integrator::fold;
-use crate::material::PreparedMaterial;
+use crate::material::{MapRoom, PreparedMaterial};
 use crate::math::{Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
 use crate::probe::{Event, Probe, RayKind};
@@ -103,7 +103,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
     /// cells.
     fn digest_of_maps(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
         let uv = |surface: &Surface<R>| self.scene.uv(hit.object, surface);
-        let mut room = None;
+        let mut room = MapRoom::EMPTY;
         let at = material.mapped(&hit.surface, uv, &mut room);
         let Vec3 { x, y, z } = hit.surface.shading_normal;
         let half = R::from_fraction(1 << 15);
@@ -113,6 +113,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         let smooth = normal.into_iter().chain(shares).map(|share| share.to_q16() >> 12);
         let colors = at.optics().map(|optics| [optics.reflection_color, optics.emission()].map(level_mark));
         let smooth = smooth.chain(colors.into_iter().flatten());
+        let smooth = smooth.chain(at.ambient_light().map(level_mark));
         smooth.chain(material.maps.steps(&hit.surface, uv)).fold(0, fold)
     }
 

@@ -44,6 +44,8 @@ pub enum Lack {
     Bumps,
     /// A map of a color of the optics.
     ColorMap,
+    /// Light that was baked.
+    BakedLight,
     /// A light that falls off with a linear term.
     Falloff,
     /// Mirrored or refracted rays in a lobe.
@@ -82,6 +84,7 @@ impl fmt::Display for Lack {
             Self::Blades => "its aperture is round",
             Self::Bumps => "its bump maps tilt normals by another rule",
             Self::ColorMap => "its finishes have one color of reflection and emission",
+            Self::BakedLight => "it holds no baked light: export the scene from before",
             Self::Falloff => "its lights fall off without a linear term",
             Self::Motion => "it blurs nothing that moves",
             Self::Lobes => "its mirrored and refracted rays are sharp",

@@ -36,6 +36,7 @@ fn with_maps<'a>(
     };
     match onto {
         Onto::Bump { .. } | Onto::Normal { .. } => return Err(Lack::Bumps),
+        Onto::AmbientLight { .. } => return Err(Lack::BakedLight),
         Onto::ReflectionColor | Onto::TransmissionColor | Onto::Emission => return Err(Lack::ColorMap),
         _ => {}
     }

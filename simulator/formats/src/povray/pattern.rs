@@ -107,6 +107,7 @@ impl Pattern {
                 Self::either(is_brick, mortar, brick)
             }
             Figure::Image(image) => Self::Channels(images.channels(&image, image.ends.axes(), &[x, y])?),
+            Figure::Parts(_) | Figure::IrradianceVolume(_) => return Err(Lack::BakedLight),
             Figure::Noise(_) | Figure::Marble(_) | Figure::Wood(_) => return Err(Lack::Noise),
             _ => return Err(Lack::New),
         })

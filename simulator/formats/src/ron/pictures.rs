@@ -57,6 +57,11 @@ impl<'p, 'a> Marked<'p, 'a> {
                 let figure = Figure::Image(self.image(&image)?);
                 Texture::Placed(self.arena.alloc(Placed::new(figure, placement)))
             }
+            Texture::Placed(&Placed { figure: Figure::Parts(images), placement }) => {
+                let images = images.iter().map(|image| self.image(image)).collect::<io::Result<Vec<_>>>()?;
+                let figure = Figure::Parts(self.arena.alloc_slice_copy(&images));
+                Texture::Placed(self.arena.alloc(Placed::new(figure, placement)))
+            }
             other => other,
         })
     }
