@@ -13,8 +13,8 @@ use rayline::{
 };
 use rayline_simulator::files::limits;
 use rayline_simulator::{
-    BOARDS, Bench, BinaryColorTheme, Display, Exposure, Format, LoadedScene, Mode, ModelView, Number,
-    OpenOptions, OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up, most_rays,
+    BOARDS, Bench, BinaryColorTheme, Display, Exposure, Format, LightTexels, LoadedScene, Mode, ModelView,
+    Number, OpenOptions, OutputSettings, OutputSettingsBuilder, RenderOptions, SAMPLERS, Show, Up, most_rays,
 };
 
 /// Renders ray-traced pictures as a microcontroller's display would show them.
@@ -49,7 +49,11 @@ pub(crate) enum Command {
     ///
     /// The source defines SCENE, with a set of only those shapes that the scene has, so that no other code is
     /// linked. Include it with include!.
-    Bake(Convert),
+    ///
+    /// With --light, the light of the scene is computed once and stored in textures, which a device looks up:
+    /// by radiosity on rectangles, triangles, polygons, boxes and meshes, and by an irradiance volume for all
+    /// other objects. The output may then be in any format of `convert`.
+    Bake(Bake),
     /// Check whether a scene can be drawn and fits boards: flash, RAM, rays and time
     ///
     /// The memory of the scene and the number of rays are computed. Flash and time are estimated from
@@ -154,6 +158,37 @@ pub(crate) struct Convert {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Bake {
+    #[command(flatten)]
+    pub(crate) convert: Convert,
+    /// Bake light: all of it, so that no lamp shines on the device, or only the light that surfaces scatter,
+    /// beside lamps with their shadows and highlights
+    #[arg(long, value_name = "WHAT", value_enum, num_args = 0..=1, default_missing_value = "all")]
+    pub(crate) light: Option<BakedPart>,
+    /// The most bytes of textures of light
+    #[arg(long, value_name = "BYTES", default_value_t = 65_536, requires = "light")]
+    pub(crate) budget: usize,
+    /// The texels of textures of light: 3 or 2 bytes each
+    #[arg(long, value_name = "TEXELS", value_enum, default_value_t, requires = "light")]
+    pub(crate) texels: LightTexels,
+    /// The points of the irradiance volume, each of 24 bytes
+    #[arg(long, value_name = "XxYxZ", default_value = "4x4x4", value_parser = grid, requires = "light")]
+    pub(crate) grid: [u8; 3],
+    /// The objects that will move: names or numbers, counted from 0; they throw no shadows that are baked
+    #[arg(long, value_name = "OBJECTS", value_delimiter = ',', requires = "light")]
+    pub(crate) moving: Vec<String>,
+}
+
+/// The part of the light that is baked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum BakedPart {
+    /// All light.
+    All,
+    /// The light that surfaces scatter.
+    Indirect,
 }
 
 #[derive(Debug, Args)]
@@ -534,6 +569,15 @@ fn size(text: &str) -> Result<(u32, u32), String> {
     pair(text, "x")
         .filter(|(width, height)| side.contains(width) && side.contains(height))
         .ok_or_else(|| format!("expected a width and a height from 1 to {MAX_SIDE}, such as 320x240"))
+}
+
+/// Parses the points of a grid along x, y and z.
+fn grid(text: &str) -> Result<[u8; 3], &'static str> {
+    let counts = text.split('x').map(|count| count.parse().ok().filter(|count: &u8| *count > 0));
+    let counts: Option<Vec<u8>> = counts.collect();
+    counts
+        .and_then(|counts| counts.try_into().ok())
+        .ok_or("expected three numbers from 1 to 255, such as 4x4x4")
 }
 
 /// Parses an azimuth and an elevation.

@@ -7,17 +7,19 @@ use std::time::{Duration, Instant};
 
 use bumpalo::Bump;
 use indicatif::{ProgressBar, ProgressStyle};
-use rayline::{Scene, Settings, builtin};
+use rayline::{Integrator, Scene, Settings, builtin};
 use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
-    BOARDS, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LoadedScene, Number, Orbit,
-    OutputSettings, Pass, Picture, PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats,
-    check, check_apart, check_writable, half_blocks, is_standard_output, on_panel, render_in_passes,
-    render_watched, report_pixel, rounding_notes, write_file,
+    BOARDS, BakedLight, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LightError, LightOptions,
+    LightStep, LoadedScene, Number, Orbit, OutputSettings, Pass, Picture, PictureFile, RenderError,
+    RenderOptions, ReportError, SceneFile, Stats, bake_light, check, check_apart, check_writable,
+    half_blocks, is_standard_output, on_panel, render_in_passes, render_watched, report_pixel,
+    rounding_notes, write_file,
 };
 
 use crate::cli::{
-    BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render, SceneArgs, Window,
+    Bake, BakedPart, BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render,
+    SceneArgs, Window,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -186,15 +188,25 @@ fn pixel(arguments: &Pixel) -> Outcome {
 }
 
 fn convert(arguments: &Convert) -> Outcome {
-    convert_to(arguments, &SceneFile::new(&arguments.output, arguments.number)?)
+    convert_to(arguments, &SceneFile::new(&arguments.output, arguments.number)?, None)
 }
 
-fn convert_to(arguments: &Convert, file: &SceneFile) -> Outcome {
+/// Writes a scene in another format, and bakes its light first if `light` is to be baked.
+fn convert_to(arguments: &Convert, file: &SceneFile, light: Option<&Bake>) -> Outcome {
     // Refuse to overwrite the source: its names and comments would be lost.
     check_apart(file.path(), &arguments.scene.source)?;
     let arena = Bump::new();
-    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
+    let mut scene = open(&arguments.scene, &arena, arguments.quiet)?;
     check(&scene.scene).map_err(|error| scene.explain(&error))?;
+    let baked = light.map(|light| bake_light_of(&scene, light, &arena)).transpose()?;
+    if let Some(baked) = &baked {
+        scene.scene = baked.scene;
+        // Paths would find the light that is now in textures, too. Their samples are no longer needed.
+        if scene.settings.integrator != Integrator::Whitted {
+            scene.settings.integrator = Integrator::Whitted;
+            scene.settings.sampling.samples = 1;
+        }
+    }
     let contents = file.contents(&scene.scene, &scene.settings, &arena)?;
     if !arguments.quiet {
         for (path, length) in contents.large_files() {
@@ -209,6 +221,9 @@ fn convert_to(arguments: &Convert, file: &SceneFile) -> Outcome {
         1 => " and 1 picture".to_owned(),
         count => format!(" and {count} pictures"),
     };
+    if let Some(BakedLight { bytes, texels, .. }) = baked {
+        report.say(&format!("light at {texels} places, in {bytes} bytes"))?;
+    }
     report.say(&format!("{path}: {length} bytes{beside}; {}", counts(&scene.scene)))
 }
 
@@ -219,8 +234,45 @@ fn counts(Scene { objects, materials, lights, .. }: &Scene<'_>) -> String {
         .join(", ")
 }
 
-fn bake(arguments: &Convert) -> Outcome {
-    convert_to(arguments, &SceneFile::rust(&arguments.output, arguments.number)?)
+fn bake(arguments: &Bake) -> Outcome {
+    let Convert { output, number, .. } = &arguments.convert;
+    if arguments.light.is_none() {
+        return convert_to(&arguments.convert, &SceneFile::rust(output, *number)?, None);
+    }
+    convert_to(&arguments.convert, &SceneFile::new(output, *number)?, Some(arguments))
+}
+
+/// Bakes the light of a scene, with a progress bar.
+fn bake_light_of<'a>(
+    scene: &LoadedScene<'a>,
+    arguments: &Bake,
+    arena: &'a Bump,
+) -> Result<BakedLight<'a>, Box<dyn Error>> {
+    let object = |name: &String| {
+        scene.object(name).ok_or_else(|| format!("--moving: {} has no object {name}", scene.name))
+    };
+    let options = LightOptions {
+        keep_lamps: arguments.light == Some(BakedPart::Indirect),
+        budget: arguments.budget,
+        texels: arguments.texels,
+        grid: arguments.grid,
+        moving: arguments.moving.iter().map(object).collect::<Result<_, _>>()?,
+    };
+    const PARTS: u64 = 1000;
+    let bar = progress("part", PARTS, arguments.convert.quiet)?;
+    let baked = bake_light(&scene.scene, &options, arena, &|step, part| {
+        bar.set_message(match step {
+            LightStep::Lamps => "light of lamps",
+            LightStep::Surfaces => "light between surfaces",
+            LightStep::Space => "light in space",
+        });
+        bar.set_position((part * PARTS as f64) as u64);
+    });
+    bar.finish_and_clear();
+    baked.map_err(|error| match error {
+        LightError::Scene(error) => scene.explain(&error).into(),
+        error => error.into(),
+    })
 }
 
 fn fit(arguments: &CheckArgs) -> Outcome {

@@ -5,6 +5,7 @@
 //! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats, and
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
+//! - [`bake_light`] computes the light of a scene and stores it in textures;
 //! - [`Demands`] estimates whether a scene fits boards;
 //! - [`PictureFile`] writes PNG and PPM files, [`FilmFile`] GIF and animated PNG files, and [`raster`] reads
 //!   image files;
@@ -26,6 +27,7 @@ mod distinct;
 mod file;
 mod film;
 mod gallery;
+mod light;
 mod options;
 mod orbit;
 mod panel;
@@ -48,6 +50,7 @@ pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSe
 pub use file::{FileError, PictureFile, check_apart, check_writable, is_standard_output, write_file};
 pub use film::FilmFile;
 pub use gallery::{Gallery, GalleryError};
+pub use light::{BakedLight, LightError, LightOptions, LightStep, LightTexels, bake_light};
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
 pub use orbit::Orbit;
 pub use panel::on_panel;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
 use rayline::builtin;
-use rayline::{BytesError, Part, Scene, SceneError, Settings, Transfer};
+use rayline::{BytesError, ObjectId, Part, Scene, SceneError, Settings, Transfer};
 
 use crate::exposure::Exposure;
 use crate::files::Files;
@@ -327,6 +327,13 @@ impl<'a> LoadedScene<'a> {
             Some((_, Import::Ron(import))) => Some(import.position_of(Part::Object(index))?.line),
             _ => None,
         }
+    }
+
+    /// The object with this name or number.
+    pub fn object(&self, name: &str) -> Option<ObjectId> {
+        let named = self.names_of("objects").iter().position(|other| other == name);
+        let object = named.or_else(|| name.parse().ok()).filter(|object| *object < self.scene.objects.len());
+        object.and_then(|object| u16::try_from(object).ok()).map(ObjectId)
     }
 
     /// The names of the parts in one of the scene's lists, such as `objects` or `lights`, in their order.

@@ -5,4 +5,5 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 mod demands;
+mod light;
 mod pictures;
