@@ -126,8 +126,33 @@
 //! # }
 //! ```
 //!
-//! # Exercises
+//! # Radiosity, and light that is baked
 //!
+//! A path finds the light of one pixel. Where surfaces are matte, their light is the same from all sides, and
+//! is found once for all pictures: that is radiosity (Goral and others, 1984). Surfaces are divided into
+//! patches; the light that arrives at patch i is a sum over all others,
+//!
+//! ```text
+//! Eᵢ = Eᵢ⁰ + Σⱼ Fᵢⱼ ρⱼ Eⱼ,   Fᵢⱼ = 1 / Aᵢ ∫∫ cos θ cos θ' / (π r²) V dAⱼ dAᵢ
+//! ```
+//!
+//! where E⁰ is the light of lamps, ρ the albedo, and the form factor F the share of the light around i that
+//! comes from j; V is 0 where something is between. Progressive refinement (Cohen and others, 1988) solves
+//! it by shooting: the brightest patch sends its light to all others, until little is left.
+//!
+//! `rayline bake --light` does so, and writes the light into images: [`Onto::AmbientLight`] takes the place
+//! of the constant ambient light, [`Figure::Parts`] holds an image for each face of a box, and
+//! [`IrradianceVolume`] holds the light in between, for balls and for things that move. No lamp is left: a
+//! pixel takes one ray and four texels, also on a processor that traces no paths in a lifetime.
+//!
+//! `cargo run --release -- bake docs/gallery/light-indirect.ron room.ron --light indirect`
+//!
+//! [`Onto::AmbientLight`]: crate::Onto::AmbientLight
+//! [`Figure::Parts`]: crate::Figure::Parts
+//! [`IrradianceVolume`]: crate::IrradianceVolume
+//!
+//! # Exercises
+//!//!
 //! 1. A closed white room has the albedo 0.9. How much brighter than its lamp alone would make it is it? *1 /
 //!    (1 - 0.9) = 10 times.*
 //! 2. Why does a path that survives roulette count more? *It stands for those that ended: with the
@@ -135,3 +160,4 @@
 //! 3. A shadow ray draws points of a small far lamp. Why is it better than a scattered ray there, and worse
 //!    at a large lamp close by? *A scattered ray rarely meets a small lamp. Close to a large one, points of
 //!    equal area differ much in the light that they bring; directions by the cosine do not.*
+//! 4. Why is a mirror not baked? *Its light is another one from each side.*

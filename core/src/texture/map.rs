@@ -49,7 +49,7 @@ pub enum Onto {
     /// [`Light::Object`](crate::Light::Object) shines as without the map.
     Emission,
     /// The texture, times `most`, is the ambient light that arrives at the surface, channel by channel, in
-    /// place of the scene's: baked light. Several such maps add up.
+    /// place of the scene's: baked light, which path tracing leaves out. Several such maps add up.
     AmbientLight {
         /// The light of a white texture, 0 or more.
         most: f32,

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use bumpalo::Bump;
-use rayline::{AreaLights, LinearRgb, Sampling, Settings, Transfer};
-use rayline_simulator::LoadedScene;
+use rayline::math::Fixed;
+use rayline::{AreaLights, LinearRgb, Sampler, Sampling, Settings, Transfer};
+use rayline_simulator::{LightOptions, LoadedScene, bake_light};
 use rayline_tests::{PovrayPicture, core_picture};
 
 use super::distributed::lights;
@@ -90,6 +91,27 @@ fn paths_are_as_in_mitsuba() {
         let error = mean_error(&picture, &reference(name));
         println!("{name}: {:.2} % from Mitsuba", 100.0 * error);
         assert!(error < 0.02, "{name}: {error}");
+    }
+}
+
+/// The Cornell box with baked light: all of it, or only the light that surfaces scatter.
+#[test]
+fn baked_light_is_as_in_mitsuba() {
+    for (keep_lamps, most) in [(false, 0.03), (true, 0.03)] {
+        let arena = Bump::new();
+        let LoadedScene { scene, .. } = opened("cornell", &arena);
+        let options = LightOptions { keep_lamps, budget: 24 << 10, ..LightOptions::default() };
+        let baked = bake_light(&scene, &options, &arena, &|_, _| ()).expect("a scene that holds light");
+        let sampling = Sampling { sampler: Sampler::Sobol, ..Sampling::new(64) };
+        let settings = Settings { sampling, rays_per_pixel: 2000, ..Settings::new(WIDTH, HEIGHT) };
+        for (number, picture) in [
+            ("f32", lights::<f32>(&baked.scene, settings, true)),
+            ("fixed", lights::<Fixed>(&baked.scene, settings, true)),
+        ] {
+            let error = mean_error(&picture, &reference("cornell"));
+            println!("cornell, {number}, keep_lamps {keep_lamps}: {:.2} % from Mitsuba", 100.0 * error);
+            assert!(error < most, "{number}, keep_lamps {keep_lamps}: {error}");
+        }
     }
 }
 

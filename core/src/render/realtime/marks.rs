@@ -92,7 +92,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
             self.path = fold(self.path, level_mark(color));
         }
         if !material.maps.is_empty() {
-            self.path = fold(self.path, self.digest_of_maps(hit, material));
+            self.path = fold(self.path, self.digest_of_maps(hit, material, color));
         }
         if material.specular > R::ZERO && material.shininess.is_sharp() {
             self.mirrored = mirrored;
@@ -101,7 +101,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
 
     /// A digest of what the maps of a material say at a hit: the normal, the coefficients and the maps'
     /// cells.
-    fn digest_of_maps(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>) -> u32 {
+    fn digest_of_maps(&self, hit: &Hit<R>, material: &PreparedMaterial<'_, R>, color: LinearRgb<R>) -> u32 {
         let uv = |surface: &Surface<R>| self.scene.uv(hit.object, surface);
         let mut room = MapRoom::EMPTY;
         let at = material.mapped(&hit.surface, uv, &mut room);
@@ -113,7 +113,9 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         let smooth = normal.into_iter().chain(shares).map(|share| share.to_q16() >> 12);
         let colors = at.optics().map(|optics| [optics.reflection_color, optics.emission()].map(level_mark));
         let smooth = smooth.chain(colors.into_iter().flatten());
-        let smooth = smooth.chain(at.ambient_light().map(level_mark));
+        // Baked light as the surface shows it.
+        let shown = at.ambient_light().map(|light| light * (color * at.ambient));
+        let smooth = smooth.chain(shown.map(level_mark));
         smooth.chain(material.maps.steps(&hit.surface, uv)).fold(0, fold)
     }
 
