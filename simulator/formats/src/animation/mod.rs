@@ -264,6 +264,3 @@ impl fmt::Display for Name {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -103,8 +103,6 @@ mod materials;
 mod nodes;
 mod reach;
 mod skins;
-#[cfg(test)]
-mod tests;
 mod textures;
 
 use std::collections::{HashMap, HashSet};

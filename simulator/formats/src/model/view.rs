@@ -191,7 +191,7 @@ mod tests {
     use core::mem::MaybeUninit;
 
     use rayline::math::Aabb;
-    use rayline::shape::{Cuboid, Sphere};
+    use rayline::shape::{Cuboid, Pose, Sphere};
     use rayline::{Fresnel, Material, Optics, PreparedScene, Renderer, Scene, Settings};
 
     use super::*;
@@ -280,6 +280,19 @@ mod tests {
         let material = Material { ambient: 0.1, ..Material::matte(LinearRgb::WHITE) };
         let [differences, _] = outline(cube(), material, Some(&dark));
         assert!(differences[0] >= 6, "{}", differences[0]);
+    }
+
+    #[test]
+    fn instances_are_turned_and_moved_in_the_bounds() {
+        let vertices = [(0.0, 0.0), (15.0, 0.0), (0.0, 15.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        let mesh = Mesh::new(&vertices, &[[0, 1, 2]]);
+        let turn = Vec3::new(0.0, 0.0, core::f32::consts::FRAC_PI_2);
+        let poses = [Pose::at(Vec3::ZERO), Pose { rotation: turn, ..Pose::at(Vec3::new(100.0, 0.0, 5.0)) }];
+        let model = Model::Mesh(mesh);
+        let instances = Shape::Instances(Instances::new(&model, &poses).sized(2.0));
+        let bounds = bounds(&[Object::new(instances, 0)]).unwrap();
+        assert!((bounds.min - Vec3::ZERO).length() < 1e-4, "{bounds:?}");
+        assert!((bounds.max - Vec3::new(100.0, 30.0, 5.0)).length() < 1e-4, "{bounds:?}");
     }
 
     /// A ball of gold mirrors light from above and dark from below.

@@ -1,13 +1,9 @@
 //! Tests of every statement and of every error message.
 
 use rayline::shape::{Cone, Cylinder, Polygon, Shape, Sphere, Triangle};
-use rayline::{
-    Background, Fault, Light, LinearRgb, Material, PreparedScene, SceneError, Settings, Texture, Transfer,
-    Vec3,
-};
+use rayline::{Background, Fault, Light, LinearRgb, Material, PreparedScene, SceneError, Texture, Vec3};
 
 use super::*;
-use crate::LoadedScene;
 use crate::model::view;
 
 const VIEW: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 90 hither 1 resolution 40 30\n";
@@ -345,20 +341,6 @@ fn files_without_light_or_view_get_one() {
     assert_eq!((import.resolution, import.scene.camera.target), ((640, 480), Vec3::new(3.0, 0.0, 0.0)));
     assert_eq!(import.line_of(Part::Camera), None);
     assert_eq!(crate::check(&import.scene), Ok(()));
-}
-
-#[test]
-fn colors_are_codes() {
-    let (arena, folder) = (Bump::new(), tempfile::tempdir().unwrap());
-    let path = folder.path().join("sky.nff");
-    std::fs::write(&path, format!("{VIEW}b 0.078 0.361 0.753")).unwrap();
-    let LoadedScene { scene, settings, .. } = LoadedScene::open(&path, &arena).unwrap();
-    assert_eq!(settings, Settings { transfer: Transfer::Linear, ..Settings::new(40, 30) });
-    let text = crate::ron::write(&scene, &settings, &crate::FILE_SETTINGS).unwrap();
-    assert!(text.contains("transfer: Linear"), "{text}");
-    let path = folder.path().join("sky.ron");
-    std::fs::write(&path, text).unwrap();
-    assert_eq!(LoadedScene::open(&path, &arena).unwrap().settings.transfer, Transfer::Linear);
 }
 
 proptest::proptest! {

@@ -48,8 +48,6 @@ mod library;
 mod lines;
 mod materials;
 mod statements;
-#[cfg(test)]
-mod tests;
 
 use std::collections::HashSet;
 use std::path::Path;

@@ -53,8 +53,6 @@ mod names;
 mod pictures;
 mod scan;
 mod settings;
-#[cfg(test)]
-mod tests;
 
 use core::mem::MaybeUninit;
 use std::collections::HashSet;

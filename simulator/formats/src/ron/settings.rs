@@ -70,7 +70,7 @@ impl FileSettings {
     }
 
     /// The usual settings with those of the file.
-    pub(crate) fn over(&self, usual: Settings) -> Settings {
+    pub fn over(&self, usual: Settings) -> Settings {
         let (width, height) = self.size.unwrap_or((usual.width, usual.height));
         Settings {
             width,

@@ -1,7 +1,5 @@
 //! Tests with small files, valid and broken, that are written here.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)]
-
 mod broken;
 mod geometry;
 mod materials;
@@ -12,10 +10,14 @@ use std::fs;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use bumpalo::Bump;
+use rayline::Part;
 use rayline::shape::{Mesh, Shape};
+use rayline_formats::OpenOptions;
+use rayline_formats::gltf::{Import, read};
 use serde_json::{Value, json};
 
-use super::*;
+use crate::check;
 
 /// The corners of a cube from -1/2 to 1/2. Bit 0 of a corner's index selects x, bit 1 y, bit 2 z.
 pub(super) fn corners() -> Vec<[f32; 3]> {
@@ -117,14 +119,23 @@ pub(super) fn with_options<T>(
     options: &OpenOptions,
     look: impl FnOnce(Result<Import<'_>, String>) -> T,
 ) -> T {
+    let arena = Bump::new();
+    look(import(&arena, name, bytes, options))
+}
+
+fn import<'a>(
+    arena: &'a Bump,
+    name: &str,
+    bytes: &[u8],
+    options: &OpenOptions,
+) -> Result<Import<'a>, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     fs::write(&path, bytes).unwrap();
-    let clean = |text: String| text.replace(&format!("{}/", folder.path().display()), "");
-    let arena = Bump::new();
-    let import = read(&arena, &path, options)
-        .map(|import| Import { notes: import.notes.into_iter().map(clean).collect(), ..import });
-    look(import.map_err(|error| clean(error.to_string())))
+    let clean = |text: &str| text.replace(&format!("{}/", folder.path().display()), "");
+    let mut import = read(arena, &path, options).map_err(|error| clean(&error.to_string()))?;
+    import.notes.iter_mut().for_each(|note| *note = clean(note));
+    Ok(import)
 }
 
 pub(super) fn with_file<T>(file: &Value, look: impl FnOnce(Import<'_>) -> T) -> T {

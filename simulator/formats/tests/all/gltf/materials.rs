@@ -10,7 +10,7 @@ use rayline::{
 };
 
 use super::*;
-use crate::raster::to_png;
+use rayline_formats::raster::to_png;
 
 /// Imports the cube with this material.
 fn with_material(material: Value, look: impl FnOnce(Material<'_>)) {
@@ -155,7 +155,7 @@ fn numbers_beyond_their_range_are_brought_into_it() {
     });
     let mut file = cube();
     file["materials"] = json!([wild]);
-    with_file(&file, |import| crate::check(&import.scene).unwrap());
+    with_file(&file, |import| check(&import.scene).unwrap());
 }
 
 /// Red and green above, blue and white below; the white pixel is half transparent.
@@ -211,7 +211,7 @@ fn pictures_lie_on_surfaces() {
         };
         assert_eq!((image(material.color), material.maps), (expected, &[][..]));
         assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.0, 1.0]);
-        crate::check(&import.scene).unwrap();
+        check(&import.scene).unwrap();
     });
     assert_eq!(notes(&file), [""; 0]);
     // Half of the light is code 188. A metal mirrors in the color of its picture.
@@ -255,7 +255,7 @@ fn alpha_of_pictures_is_seen_through() {
     let palettes = |file: &Value| {
         with_file(file, |import| {
             let material = import.scene.materials[0];
-            crate::check(&import.scene).unwrap();
+            check(&import.scene).unwrap();
             assert_eq!((material.diffuse, material.transmittance, material.ior), (1.0, 1.0, 1.0));
             let map = |onto| image(material.maps.iter().find(|map| map.onto == onto).unwrap().texture);
             [Onto::Diffuse, Onto::Transmittance].map(|onto| {
@@ -298,7 +298,7 @@ fn metals_and_roughness_differ_by_texel() {
     } }]);
     with_file(&file, |import| {
         let material = import.scene.materials[0];
-        crate::check(&import.scene).unwrap();
+        check(&import.scene).unwrap();
         assert_eq!((material.reflectance, material.diffuse, material.ambient), (1.0, 1.0, 0.1));
         assert_eq!(levels(&material, Onto::Diffuse), [255, 0]);
         assert_eq!(levels(&material, Onto::Ambient), [255, 0]);
@@ -350,7 +350,7 @@ fn emissive_and_normal_textures_are_maps() {
     }]);
     with_file(&file, |import| {
         let material = import.scene.materials[0];
-        crate::check(&import.scene).unwrap();
+        check(&import.scene).unwrap();
         assert_eq!(mesh(&import, 0).uvs.unwrap()[0], [0.5, 0.5]);
         assert_eq!(material.optics.unwrap().emission, LinearRgb::new(2.0, 1.0, 0.5));
         let map = |onto| image(material.maps.iter().find(|map| map.onto == onto).unwrap().texture);
@@ -442,7 +442,7 @@ fn textures_repeat_at_any_coordinates() {
     };
     let read = |file: &Value| {
         with_file(file, |import| {
-            crate::check(&import.scene).unwrap();
+            check(&import.scene).unwrap();
             let mut memory =
                 vec![core::mem::MaybeUninit::uninit(); import.scene.bytes::<rayline::math::Fixed>()];
             rayline::PreparedScene::<rayline::math::Fixed, _>::new(&import.scene, &mut memory).unwrap();

@@ -1,7 +1,9 @@
 //! Tests of odd lines, which are read as far as they can be, and of far, bent and smooth models.
 
+use rayline::math::Aabb;
+use rayline_formats::{LoadedScene, ModelView, Up};
+
 use super::*;
-use crate::LoadedScene;
 
 /// A square of two units in the x-y plane, from -1 to 1.
 const SQUARE: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
@@ -17,7 +19,11 @@ fn notes_of(obj: &str, mtl: &str) -> Vec<String> {
 
 /// The bounds of all objects.
 fn bounds_of(import: &Import<'_>) -> [Vec3; 2] {
-    let bounds = view::bounds(import.scene.objects).unwrap();
+    let meshes = (0..import.scene.objects.len()).map(|index| mesh(import, index));
+    let corners = meshes.flat_map(|Mesh { triangles, vertices, .. }| {
+        triangles.as_flattened().iter().map(|corner| Aabb::point(vertices[usize::from(*corner)]))
+    });
+    let bounds = corners.reduce(Aabb::union).unwrap();
     [bounds.min, bounds.max]
 }
 
@@ -318,16 +324,16 @@ fn far_models_come_to_the_origin() {
         assert_eq!(c, Vec3::new(5.1, 5.25, 1.0));
         let moved = "model.obj: moved by -456794, -5412350, -211, as a scene reaches from -1e6 to 1e6";
         assert_eq!(import.notes[0], moved);
-        crate::check(&import.scene).unwrap();
+        check(&import.scene).unwrap();
     });
     // A model in thousandths, with an unused vertex far away.
     with_files("v 0 0 0\nv 4e7 0 0\nv 0 3e7 0\nv 1e20 0 0\nf 1 2 3\n", "", |import| {
         let import = import.unwrap();
         assert_eq!(bounds_of(&import)[1], Vec3::new(2e4, 1.5e4, 0.0));
-        crate::check(&import.scene).unwrap();
+        check(&import.scene).unwrap();
     });
     with_files("v 0 0 0\nv 9e5 0 0\nv 0 9e5 0\nf 1 2 3\n", "", |import| {
-        crate::check(&import.unwrap().scene).unwrap()
+        check(&import.unwrap().scene).unwrap()
     });
 }
 
@@ -399,10 +405,9 @@ fn models_stand_on_the_axis_that_is_asked_for() {
     fs::write(&path, "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 5\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").unwrap();
     let arena = Bump::new();
     let open = |up, from| {
-        let view = crate::ModelView { up: Some(up), from };
+        let view = ModelView { up: Some(up), from };
         LoadedScene::open_with(&path, &OpenOptions { view, ..OpenOptions::default() }, &arena).unwrap().scene
     };
-    use crate::Up;
     let scene = open(Up::Z, None);
     assert_eq!(scene.camera.up, Vec3::new(0.0, 0.0, 1.0));
     // The front is the side of -y, and the camera is above and to the right of it.
@@ -419,11 +424,11 @@ fn models_stand_on_the_axis_that_is_asked_for() {
         (Up::X, (0.0, 90.0), Vec3::new(1.0, 0.0, 0.0)),
     ] {
         let scene = open(up, Some(from));
-        crate::check(&scene).unwrap();
+        check(&scene).unwrap();
         let toward = (scene.camera.eye - scene.camera.target).normalized().unwrap();
         assert!((toward - expected).length() < 1e-3, "{up:?} {from:?}: {toward:?}");
     }
-    let view = crate::ModelView { up: Some(Up::Z), from: None };
+    let view = ModelView { up: Some(Up::Z), from: None };
     let options = OpenOptions { view, ..OpenOptions::default() };
     let error = LoadedScene::open_with(Path::new("classic"), &options, &arena).unwrap_err();
     let expected = "classic has a camera of its own, but --up and --from are for models without one; leave \

@@ -1,5 +1,9 @@
 //! Tests of files that are refused, and of the part in the error.
 
+use std::path::Path;
+
+use rayline_formats::gltf::read;
+
 use super::*;
 
 /// Asserts the error of the cube's file after a change.

@@ -3,7 +3,7 @@
 use rayline::Texture;
 use rayline_formats::LoadedScene;
 
-use crate::table::{compare, material, mesh, near, open};
+use super::table::{compare, material, mesh, near, open};
 
 /// The corners of a square, and of a triangle beside it that is a quarter as large.
 const SQUARE: &str = "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 2 -1 0\nv 2 0 0\n";

@@ -7,7 +7,7 @@ use rayline::{Fresnel, Light, Optics, Sides, Texture, Vec3};
 use rayline_formats::LoadedScene;
 use serde_json::{Value, json};
 
-use crate::table::{compare, material, mesh, near, open};
+use super::table::{compare, material, mesh, near, open};
 
 /// A file with a square from -1 to 1. Its accessors: 0 positions, 1 texture coordinates, 2 corners of
 /// triangles, 3 normals, 4 colors with opacity, 5 the same vector of 3 for each vertex, 6 joints, 7 weights,

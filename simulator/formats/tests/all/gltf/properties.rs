@@ -10,15 +10,11 @@ use super::*;
 /// Reads a file and prepares the scene. The core may still refuse numbers that are in range.
 fn read_and_prepare(bytes: &[u8]) {
     with_bytes("model.gltf", bytes, |import| {
-        if let Ok(Import { scene, names, .. }) = import {
-            let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
-            if let Err(error) = PreparedScene::<f32, _>::new(&scene, &mut memory) {
-                let is_of_the_file = match error.part {
-                    Part::Camera => names.camera.is_some(),
-                    Part::Light(index) => index < names.lights.len(),
-                    Part::Object(index) => index < names.objects.len(),
-                    _ => false,
-                };
+        if let Ok(import) = import {
+            let mut memory = vec![MaybeUninit::uninit(); import.scene.bytes::<f32>()];
+            if let Err(error) = PreparedScene::<f32, _>::new(&import.scene, &mut memory) {
+                let may_be_refused = matches!(error.part, Part::Camera | Part::Light(_) | Part::Object(_));
+                let is_of_the_file = may_be_refused && import.name_of(error.part).is_some();
                 assert!(is_of_the_file, "{error}");
             }
         }
@@ -147,5 +143,5 @@ proptest! {
 
 #[test]
 fn the_rich_file_is_a_scene() {
-    with_file(&rich(), |import| crate::check(&import.scene).unwrap());
+    with_file(&rich(), |import| check(&import.scene).unwrap());
 }

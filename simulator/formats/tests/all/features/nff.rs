@@ -4,7 +4,7 @@ use rayline::shape::Shape;
 use rayline::{Background, Light, LinearRgb, Transfer};
 use rayline_formats::LoadedScene;
 
-use crate::table::{compare, material, near, open};
+use super::table::{compare, material, near, open};
 
 const VIEW: &str = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 40 30\nl 3 4 5\n";
 const GRAY: &str = "f .5 .5 .5 1 0 0 0 0\n";

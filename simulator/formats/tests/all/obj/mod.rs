@@ -1,15 +1,18 @@
 //! Tests with small files, valid and broken.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)]
-
 use core::mem::MaybeUninit;
 use std::fs;
+use std::path::Path;
 
+use bumpalo::Bump;
 use proptest::prelude::*;
-use rayline::shape::Mesh;
-use rayline::{LinearRgb, Material, Optics, PreparedScene, Texture, Vec3};
+use rayline::limits::MAX_COUNT;
+use rayline::shape::{Mesh, Shape};
+use rayline::{LinearRgb, Material, Optics, Part, PreparedScene, Texture, Vec3};
+use rayline_formats::OpenOptions;
+use rayline_formats::obj::{Import, read};
 
-use super::*;
+use crate::check;
 
 mod maps;
 mod odd;
@@ -54,21 +57,20 @@ Ni 1.5
 
 /// Reads an OBJ file and an MTL file with these contents.
 fn with_files<T>(obj: &str, mtl: &str, look: impl FnOnce(Result<Import<'_>, String>) -> T) -> T {
+    let arena = Bump::new();
+    look(import(&arena, obj, mtl))
+}
+
+fn import<'a>(arena: &'a Bump, obj: &str, mtl: &str) -> Result<Import<'a>, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.obj");
     fs::write(&path, obj).unwrap();
     fs::write(folder.path().join("colors.mtl"), mtl).unwrap();
-    let arena = Bump::new();
-    let shown = |error: ObjError| error.to_string().replace(&format!("{}/", folder.path().display()), "");
-    let import = read(&arena, &path, &OpenOptions::default()).map(|import| Import {
-        notes: import
-            .notes
-            .iter()
-            .map(|note| note.replace(&format!("{}/", folder.path().display()), ""))
-            .collect(),
-        ..import
-    });
-    look(import.map_err(shown))
+    let clean = |text: &str| text.replace(&format!("{}/", folder.path().display()), "");
+    let import = read(arena, &path, &OpenOptions::default());
+    let mut import = import.map_err(|error| clean(&error.to_string()))?;
+    import.notes.iter_mut().for_each(|note| *note = clean(note));
+    Ok(import)
 }
 
 fn mesh<'a>(import: &Import<'a>, index: usize) -> Mesh<'a> {

@@ -1,7 +1,10 @@
 //! Tests with texts that are scenes and texts that are not.
 
+use core::mem::MaybeUninit;
 use std::fs;
+use std::path::Path;
 
+use bumpalo::Bump;
 use rayline::shape::{
     Blob, Cone, ConvexPolyhedron, Csg, CsgStep, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Mesh,
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
@@ -9,12 +12,14 @@ use rayline::shape::{
 use rayline::{
     Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
     Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Motion, Noise,
-    Object, ObjectId, Onto, Optics, Panorama, Pixels, Placed, Placement, Sampler, Sampling, Sides, Sky,
-    Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Object, ObjectId, Onto, Optics, Panorama, Part, Pixels, Placed, Placement, Sampler, Sampling, Scene,
+    Settings, Sides, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
-use super::*;
-use crate::FILE_SETTINGS;
+use rayline_formats::ron::{FileSettings, Import, Position, RonFault, read, write, write_beside};
+use rayline_formats::{FILE_SETTINGS, LoadedScene, Pictures};
+
+use crate::check;
 
 const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 const GRAY: LinearRgb = LinearRgb::gray(0.25);
@@ -170,7 +175,10 @@ fn everything(arena: &Bump) -> Scene<'_> {
 }
 
 fn parsed<'a>(arena: &'a Bump, text: &str) -> Result<Import<'a>, (Position, RonFault)> {
-    parse(arena, arena.alloc_str(text), arena.alloc(Files::new(Path::new("scene.ron"), false)))
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.ron");
+    fs::write(&path, text).unwrap();
+    read(arena, &path).map_err(|error| (error.position.unwrap(), *error.fault))
 }
 
 #[test]
@@ -309,8 +317,8 @@ fn a_refused_solid_is_reported_by_its_number() {
         assert!(SMALL.contains(from));
         std::fs::write(&path, SMALL.replace(from, &format!("(shape: {shape}"))).unwrap();
         let arena = Bump::new();
-        let loaded = crate::LoadedScene::open(&path, &arena).unwrap();
-        let error = crate::check(&loaded.scene).unwrap_err();
+        let loaded = LoadedScene::open(&path, &arena).unwrap();
+        let error = check(&loaded.scene).unwrap_err();
         loaded.explain(&error).replace(&format!("{}/", folder.path().display()), "")
     };
     let csg = "Csg(steps: [
@@ -470,9 +478,16 @@ fn placement_of(material: &Material<'_>) -> Placement {
 #[test]
 fn fields_beside_a_file_overrule_it() {
     let (arena, folder) = (Bump::new(), tempfile::tempdir().unwrap());
-    let png = crate::raster::to_png((2, 1), 3, &[1, 2, 3, 4, 5, 6]).unwrap();
+    let png = rayline_formats::raster::to_png((2, 1), 3, &[1, 2, 3, 4, 5, 6]).unwrap();
     fs::write(folder.path().join("a.png"), png).unwrap();
-    let named = crate::pictures::tests::IMAGE;
+    let named = Image {
+        width: 2,
+        height: 1,
+        pixels: Pixels::Rgb888(&[1, 2, 3, 4, 5, 6]),
+        encoding: Encoding::Srgb,
+        filter: Filter::Bilinear,
+        ends: Ends::Repeat,
+    };
     for (written, expected) in [
         ("\"a.png\"", named),
         ("file: \"a.png\"", named),

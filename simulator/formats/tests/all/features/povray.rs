@@ -11,7 +11,7 @@ use rayline::{
 use rayline_formats::Pictures;
 use rayline_formats::povray::to_povray;
 
-use crate::table::{Seen, compare};
+use super::table::{Seen, compare};
 
 const TOWARD: Vec3 = Vec3::new(0.0, 0.0, -1.0);
 const AT: Vec3 = Vec3::new(0.0, 3.0, 4.0);

@@ -3,7 +3,7 @@
 use rayline::{Ends, Figure, Image, Onto, Placed, Placement, Texture};
 
 use super::*;
-use crate::raster::to_png;
+use rayline_formats::raster::to_png;
 
 /// A square of two units with texture coordinates from 0 to 1.
 const SQUARE: &str = "mtllib m.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
@@ -23,11 +23,11 @@ fn with_material<T>(mtl: &str, look: impl FnOnce(Import<'_>) -> T) -> T {
     let path = folder.path().join("model.obj");
     fs::write(&path, SQUARE).unwrap();
     let arena = Bump::new();
-    let import = read(&arena, &path, &OpenOptions::default()).unwrap();
-    crate::check(&import.scene).unwrap();
+    let mut import = read(&arena, &path, &OpenOptions::default()).unwrap();
+    check(&import.scene).unwrap();
     let folder = format!("{}/", folder.path().display());
-    let notes = import.notes.iter().map(|note| note.replace(&folder, "")).collect();
-    look(Import { notes, ..import })
+    import.notes.iter_mut().for_each(|note| *note = note.replace(&folder, ""));
+    look(import)
 }
 
 fn image<'a>(texture: &Texture<'a>) -> (Image<'a>, Placement) {
