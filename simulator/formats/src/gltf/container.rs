@@ -123,7 +123,8 @@ fn parse_loosely(json: &[u8]) -> Option<Root> {
             _ => {}
         }
     }
-    serde_json::from_value(all).ok()
+    // As text again, so that there is one reader of all parts.
+    serde_json::from_slice(&serde_json::to_vec(&all).ok()?).ok()
 }
 
 /// The whole number that a floating-point number is; `None` if it has a fraction, or is too large or
