@@ -196,7 +196,8 @@ pub fn write(scene: &Scene<'_>, settings: &Settings, usual: &Settings) -> Result
     let style = ron::ser::PrettyConfig::new().struct_names(false).indentor("    ");
     let style = style.depth_limit(5).separate_tuple_members(false);
     let file = File::new(scene, FileSettings::beside(usual, settings));
-    let mut text = options().to_string_pretty(&file, style)?;
+    // Writers of RON are long, and there would be one for each type of a field.
+    let mut text = options().to_string_pretty::<dyn erased_serde::Serialize>(&file, style)?;
     text.push('\n');
     Ok(text)
 }

@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 use bumpalo::Bump;
+use erased_serde::Serialize;
 use png::BitDepth;
 use rayline::materials::{ALUMINUM, CHROMIUM, COPPER, DIAMOND, FLINT, GLASS, GOLD, ICE, IRON, SILVER, WATER};
-use rayline::shape::{Mesh, Shape};
+use rayline::shape::Shape;
 use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
-use serde::Serialize;
 
 use super::RonFault;
 use super::scan::object_names;
@@ -134,7 +134,7 @@ impl<'a> Known<'a> {
         }
         match import.scene.objects {
             [object] => match &object.shape {
-                Shape::Mesh(mesh) => self.bytes::<Mesh<'_>>(name, mesh),
+                Shape::Mesh(mesh) => self.bytes(name, mesh),
                 _ => Err(failed(name, "its object is not a mesh")),
             },
             objects => Err(failed(
@@ -185,7 +185,7 @@ impl<'a> Known<'a> {
         self.files.reference(self.files.folder(), name).map_err(|error| failed(name, error))
     }
 
-    fn bytes<T: Serialize>(&self, name: &str, value: &T) -> Result<&'a [u8], RonFault> {
+    fn bytes(&self, name: &str, value: &dyn Serialize) -> Result<&'a [u8], RonFault> {
         let bytes = postcard::to_allocvec(value).map_err(|error| failed(name, error))?;
         Ok(self.arena.alloc_slice_copy(&bytes))
     }
