@@ -6,6 +6,8 @@ use core::marker::PhantomData;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use super::{Read, Reader, Seed};
+#[cfg(feature = "std")]
+use crate::fault::Fault;
 
 impl<'m, T: Read<'m> + Copy + 'm> Read<'m> for &'m [T] {
     fn read<D: Deserializer<'m>>(from: D, reader: &mut Reader<'m>) -> Result<Self, D::Error> {
@@ -72,11 +74,11 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
         self,
         mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
-        let values = core::iter::from_fn(|| next(self.reader).transpose());
-        let values = values.collect::<Result<std::vec::Vec<T>, E>>()?;
-        let mut room = self.reader.memory.room(values.len()).map_err(|fault| self.reader.fail(fault))?;
-        values.into_iter().try_for_each(|value| room.push(value)).map_err(|fault| self.reader.fail(fault))?;
-        Ok(room.filled())
+        let mut values = std::vec::Vec::new();
+        while let Some(value) = next(self.reader)? {
+            values.push(value);
+        }
+        stored(self.reader, &values).map_err(|fault| self.reader.fail(fault))
     }
 
     #[cfg(not(feature = "std"))]
@@ -110,6 +112,14 @@ impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
             None => Ok(None),
         })
     }
+}
+
+/// Stores values in the reader's memory.
+#[cfg(feature = "std")]
+fn stored<'m, T: Copy>(reader: &mut Reader<'m>, values: &[T]) -> Result<&'m [T], Fault> {
+    let mut room = reader.memory.room(values.len())?;
+    values.iter().try_for_each(|value| room.push(*value))?;
+    Ok(room.filled())
 }
 
 /// The key of a value in a list that is written as a map. It names the value for people who read the file,
