@@ -11,10 +11,10 @@ use rayline::{Integrator, Scene, Settings, builtin};
 use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
     BOARDS, BakedLight, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LightError, LightOptions,
-    LightStep, LoadedScene, Number, Orbit, OutputSettings, Pass, Picture, PictureFile, RenderError,
-    RenderOptions, ReportError, SceneFile, Stats, bake_light, check, check_apart, check_writable,
-    half_blocks, is_standard_output, on_panel, render_in_passes, render_watched, report_pixel,
-    rounding_notes, write_file,
+    LightStep, LoadedScene, Number, Orbit, OutputSettings, Pass, PassError, Picture, PictureFile,
+    RenderError, RenderOptions, ReportError, SceneFile, Stats, bake_light, check, check_apart,
+    check_writable, half_blocks, is_standard_output, on_panel, render_in_passes, render_watched,
+    report_pixel, rounding_notes, write_file,
 };
 
 use crate::cli::{
@@ -467,7 +467,7 @@ fn in_passes(
     let pixels = u64::from(options.settings.width) * u64::from(options.settings.height);
     let start = Instant::now();
     let mut rows_shown = 0;
-    let picture = render_in_passes(&scene.scene, options, |picture, pass| {
+    let picture = render_in_passes(&scene.scene, options, &mut |picture, pass| {
         let Pass { number, most, pixels_refined } = pass;
         if quiet || !(number.is_power_of_two() || pixels_refined == pixels) {
             return Ok(());
@@ -476,7 +476,7 @@ fn in_passes(
             // The next picture takes the place of the last one.
             terminal.clear_last_lines(rows_shown)?;
             let (rows, columns) = terminal.size();
-            let shown = panel.map(|panel| on_panel(picture, panel)).transpose()?;
+            let shown = panel.map(|panel| on_panel(picture, panel)).transpose().map_err(io::Error::other)?;
             let picture = shown.as_ref().unwrap_or(picture);
             let text = half_blocks(picture, u32::from(columns), u32::from(rows.saturating_sub(3)));
             rows_shown = text.lines().count() + 1;
@@ -484,32 +484,14 @@ fn in_passes(
         }
         let percent = pixels_refined as f64 / pixels.max(1) as f64 * 100.0;
         let line = format!("pass {number} of at most {most}: {percent:.0} % of the pixels are complete");
-        Ok(terminal.write_line(&line)?)
+        terminal.write_line(&line)
     });
     let time = start.elapsed();
     let explained = |error: PassError| match error {
         PassError::Render(error) => explain(scene, error),
-        PassError::Terminal(error) => error.into(),
+        PassError::Show(error) => error.into(),
     };
     Ok((picture.map_err(explained)?, time))
-}
-
-/// The reason why rendering in passes ended.
-enum PassError {
-    Render(RenderError),
-    Terminal(io::Error),
-}
-
-impl From<RenderError> for PassError {
-    fn from(error: RenderError) -> Self {
-        Self::Render(error)
-    }
-}
-
-impl From<io::Error> for PassError {
-    fn from(error: io::Error) -> Self {
-        Self::Terminal(error)
-    }
 }
 
 /// The error with the line of the scene's file, if the file has lines.

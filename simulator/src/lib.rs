@@ -54,7 +54,7 @@ pub use light::{BakedLight, LightError, LightOptions, LightStep, LightTexels, ba
 pub use options::{Mode, Number, RenderOptions, SAMPLERS, Show};
 pub use orbit::Orbit;
 pub use panel::on_panel;
-pub use passes::{Pass, render_in_passes};
+pub use passes::{Pass, PassError, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use rayline_formats::{
     Exposure, ExposureError, Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files,

@@ -1,5 +1,7 @@
 //! Pictures in passes: every pass adds a sample to each pixel.
 
+use std::io;
+
 use rayline::math::Fixed;
 use rayline::{Light16, PixelSum, RayCounts, Real, Renderer, Scene};
 use rayon::prelude::*;
@@ -19,28 +21,44 @@ pub struct Pass {
     pub pixels_refined: u64,
 }
 
-/// Renders a whole picture in passes, and calls `pass_done` with the picture after each. The last picture has
-/// the bytes of [`render`](crate::render).
-///
-/// # Errors
-/// The errors of [`render`](crate::render), and those of `pass_done`.
-pub fn render_in_passes<E: From<RenderError>>(
-    scene: &Scene<'_>,
-    options: &RenderOptions,
-    mut pass_done: impl FnMut(&Picture, Pass) -> Result<(), E>,
-) -> Result<Picture, E> {
-    match options.number {
-        Number::F32 => passes_in::<f32, E>(scene, options, &mut pass_done),
-        Number::Fixed => passes_in::<Fixed, E>(scene, options, &mut pass_done),
-        Number::F64 => passes_in::<f64, E>(scene, options, &mut pass_done),
+/// The reason why rendering in passes ended.
+#[derive(Debug)]
+pub enum PassError {
+    /// The scene or an option was refused.
+    Render(RenderError),
+    /// A pass could not be shown.
+    Show(io::Error),
+}
+
+impl From<RenderError> for PassError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(error)
     }
 }
 
-fn passes_in<R: Real, E: From<RenderError>>(
+/// Renders a whole picture in passes, and calls `pass_done` with the picture after each. The last picture has
+/// the bytes of [`render`](crate::render). Nothing here is generic, so that the tracer is compiled with this
+/// library, and not once more in each program.
+///
+/// # Errors
+/// The errors of [`render`](crate::render), and those of `pass_done`.
+pub fn render_in_passes(
     scene: &Scene<'_>,
     options: &RenderOptions,
-    pass_done: &mut dyn FnMut(&Picture, Pass) -> Result<(), E>,
-) -> Result<Picture, E> {
+    pass_done: &mut dyn FnMut(&Picture, Pass) -> io::Result<()>,
+) -> Result<Picture, PassError> {
+    match options.number {
+        Number::F32 => passes_in::<f32>(scene, options, pass_done),
+        Number::Fixed => passes_in::<Fixed>(scene, options, pass_done),
+        Number::F64 => passes_in::<f64>(scene, options, pass_done),
+    }
+}
+
+fn passes_in<R: Real>(
+    scene: &Scene<'_>,
+    options: &RenderOptions,
+    pass_done: &mut dyn FnMut(&Picture, Pass) -> io::Result<()>,
+) -> Result<Picture, PassError> {
     let kept = distinct(scene);
     let seen = seen(scene, kept.as_deref());
     let mut memory = memory_for::<R>(&seen);
@@ -55,7 +73,7 @@ fn passes_in<R: Real, E: From<RenderError>>(
         pool.install(|| draw(&renderer, options, &mut sums, &mut picture));
         let pixels_refined = sums.iter().filter(|sum| sum.is_complete()).count() as u64;
         let most = u32::from(options.settings.sampling.samples);
-        pass_done(&picture, Pass { number, most, pixels_refined })?;
+        pass_done(&picture, Pass { number, most, pixels_refined }).map_err(PassError::Show)?;
         if pixels_refined == sums.len() as u64 {
             break;
         }
