@@ -197,6 +197,17 @@ impl Demands {
         settings: Settings,
         progress: &(dyn Fn(Number, f64) + Sync),
     ) -> Result<Self, RenderError> {
+        let boards: Vec<_> = boards.into_iter().collect();
+        Self::of(scene, &boards, settings, progress)
+    }
+
+    /// Is not generic, so that the tracer is compiled with this library.
+    fn of(
+        scene: &Scene<'_>,
+        boards: &[&'static Board],
+        settings: Settings,
+        progress: &(dyn Fn(Number, f64) + Sync),
+    ) -> Result<Self, RenderError> {
         let description_bytes = description_bytes(scene);
         let (mut float, mut fixed) = (None, None);
         let demand = |board: &'static Board| {
@@ -210,7 +221,7 @@ impl Demands {
             };
             Ok(Demand::new(scene, description_bytes, board, settings, traced))
         };
-        boards.into_iter().map(demand).collect::<Result<_, _>>().map(Self)
+        boards.iter().copied().map(demand).collect::<Result<_, _>>().map(Self)
     }
 }
 
