@@ -329,7 +329,7 @@ pub(crate) struct Look {
     #[arg(long, value_name = "DISPLAY", value_enum)]
     color: Option<Display>,
     /// Rounding of light to the display's levels: to the nearest, or by a pattern that keeps the mean of
-    /// areas: ordered, or as drawn by hand with dots or lines
+    /// areas: ordered, without a pattern, or as drawn by hand with dots or lines
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
     dither: Dither,
     /// The curve from light to the display's codes: that of sRGB, or linear [default: the scene's own; linear
@@ -543,8 +543,10 @@ impl Look {
 }
 
 fn dither() -> impl TypedValueParser<Value = Dither> {
-    PossibleValuesParser::new(["none", "ordered", "stippling", "hatching"]).map(|name| match &*name {
+    let names = ["none", "ordered", "blue-noise", "stippling", "hatching"];
+    PossibleValuesParser::new(names).map(|name| match &*name {
         "ordered" => Dither::Ordered,
+        "blue-noise" => Dither::BlueNoise,
         "stippling" => Dither::Stippling,
         "hatching" => Dither::Hatching,
         _ => Dither::None,

@@ -23,8 +23,6 @@ mod image;
 mod interleave;
 mod line;
 mod line_candidates;
-#[cfg(feature = "looks")]
-mod looks;
 mod outline;
 mod outlines;
 mod painter;
@@ -38,6 +36,8 @@ mod realtime;
 mod region;
 mod settings;
 mod span;
+#[cfg(feature = "looks")]
+mod thresholds;
 mod tone;
 mod unchanged;
 

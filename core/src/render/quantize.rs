@@ -1,8 +1,8 @@
 //! From linear light to the levels of a display, in integers: the same bytes on every processor.
 
-#[cfg(feature = "looks")]
-use super::looks;
 use super::settings::{Dither, Settings, Transfer};
+#[cfg(feature = "looks")]
+use super::thresholds;
 use crate::color::LinearRgb;
 use crate::math::Real;
 
@@ -68,9 +68,11 @@ impl Quantizer {
             Dither::None => 0x8000,
             Dither::Ordered => bayer(x, y) * 1024 + 512,
             #[cfg(feature = "looks")]
-            Dither::Stippling => looks::stippling(x, y),
+            Dither::Stippling => thresholds::stippling(x, y),
             #[cfg(feature = "looks")]
-            Dither::Hatching => looks::hatching(x, y),
+            Dither::Hatching => thresholds::hatching(x, y),
+            #[cfg(feature = "looks")]
+            Dither::BlueNoise => thresholds::blue_noise(x, y),
         };
         Self { transfer: settings.transfer, threshold }
     }

@@ -128,4 +128,8 @@ pub enum Dither {
     /// As `Ordered`, with lines in two directions: the darker, the denser.
     #[cfg(feature = "looks")]
     Hatching,
+    /// As `Ordered`, by a mask of 64×64 pixels without a pattern: blue noise, as it is best for photographs
+    /// (Ulichney, "The Void-and-Cluster Method for Dither Array Generation", SPIE 1993).
+    #[cfg(feature = "looks")]
+    BlueNoise,
 }
