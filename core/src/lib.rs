@@ -156,6 +156,8 @@ pub use math::{Real, Vec3};
 pub use motion::{Motion, Mover, Spin};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
+#[cfg(feature = "looks")]
+pub use render::Palette;
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Edges, Frame, Grid, Interleave, Light16, LineError, Pattern,
     PixelSum, Progress, Progressive, Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer,

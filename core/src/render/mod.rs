@@ -26,6 +26,8 @@ mod line_candidates;
 mod outline;
 mod outlines;
 mod painter;
+#[cfg(feature = "looks")]
+mod palette;
 mod pattern;
 mod pixel;
 mod pixel_sum;
@@ -47,6 +49,8 @@ pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use image::RenderedImage;
 pub use interleave::Interleave;
+#[cfg(feature = "looks")]
+pub use palette::Palette;
 pub use pattern::Pattern;
 pub use pixel_sum::PixelSum;
 pub use progressive::Progressive;

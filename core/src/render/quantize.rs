@@ -88,6 +88,12 @@ impl Quantizer {
         ((code * u32::from(most) + self.threshold) >> 16) as u8
     }
 
+    /// The threshold of the pixel, 0 to 65535; `None` if it is that of the nearest level.
+    #[cfg(feature = "looks")]
+    pub(super) const fn dithers_by(&self) -> Option<u32> {
+        if self.threshold == 0x8000 { None } else { Some(self.threshold) }
+    }
+
     /// Rounds to the nearest level, for any pixel.
     pub(super) const fn nearest(transfer: Transfer) -> Self {
         Self { transfer, threshold: 0x8000 }
@@ -171,7 +177,7 @@ const fn srgb_curve() -> [u16; SEGMENTS + 1] {
 }
 
 /// The sRGB code, 0 to 65536, of light from 0 to 65536.
-fn encode_srgb(light: u32) -> u32 {
+pub(super) fn encode_srgb(light: u32) -> u32 {
     let (position, along) = ((light / SEGMENT) as usize, light % SEGMENT);
     match SRGB.get(position..) {
         Some([below, above, ..]) => {
@@ -196,30 +202,34 @@ const fn inverse_srgb_curve() -> [u32; INVERSE_SEGMENTS + 1] {
     let mut curve = [0; INVERSE_SEGMENTS + 1];
     let mut i = 0;
     while i <= INVERSE_SEGMENTS {
-        let code = i as f64 / INVERSE_SEGMENTS as f64;
-        let light = if code <= 0.040_45 {
-            code / 12.92
-        } else {
-            // y = x^(12/5) with y⁵ = x¹²: Newton's method from above.
-            let x = (code + 0.055) / 1.055;
-            let x3 = x * x * x;
-            let target = x3 * x3 * x3 * x3;
-            let mut y = 1.0;
-            let mut step = 0;
-            while step < 100 {
-                let y4 = y * y * y * y;
-                y -= (y4 * y - target) / (5.0 * y4);
-                step += 1;
-            }
-            y
-        };
         #[allow(clippy::indexing_slicing)] // evaluated by the compiler
         {
-            curve[i] = (light * 65536.0 + 0.5) as u32;
+            curve[i] = light_of_srgb(i as f64 / INVERSE_SEGMENTS as f64);
         }
         i += 1;
     }
     curve
+}
+
+/// The light, 0 to 65536, of an sRGB code from 0 to 1. For constants: it is slow.
+pub(super) const fn light_of_srgb(code: f64) -> u32 {
+    let light = if code <= 0.040_45 {
+        code / 12.92
+    } else {
+        // y = x^(12/5) with y⁵ = x¹²: Newton's method from above.
+        let x = (code + 0.055) / 1.055;
+        let x3 = x * x * x;
+        let target = x3 * x3 * x3 * x3;
+        let mut y = 1.0;
+        let mut step = 0;
+        while step < 100 {
+            let y4 = y * y * y * y;
+            y -= (y4 * y - target) / (5.0 * y4);
+            step += 1;
+        }
+        y
+    };
+    (light * 65536.0 + 0.5) as u32
 }
 
 /// The light, 0 to 65536, of an sRGB code from 0 to 65536.
