@@ -9,6 +9,7 @@ use crate::math::Real;
 ///
 /// Light has no upper bound; a reflectivity lies in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearRgb<R = f32> {
     /// Red.
     pub r: R,

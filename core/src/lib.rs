@@ -148,6 +148,8 @@ pub use camera::Camera;
 pub use color::LinearRgb;
 pub use falloff::Falloff;
 pub use fault::{Coefficient, Fault};
+#[cfg(feature = "looks")]
+pub use integrator::Gooch;
 pub use integrator::{AreaLights, Integrator};
 pub use lens::Lens;
 pub use light::{Lamp, Light, LightCone, ObjectId};
@@ -157,7 +159,7 @@ pub use motion::{Motion, Mover, Spin};
 pub use prepared::{Hit, Part, PreparedScene, SceneError, Through, prepared_bytes};
 pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 #[cfg(feature = "looks")]
-pub use render::Palette;
+pub use render::{Contours, Look, Palette, Tones};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Edges, Frame, Grid, Interleave, Light16, LineError, Pattern,
     PixelSum, Progress, Progressive, Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer,

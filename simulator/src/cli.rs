@@ -9,7 +9,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
 use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
 use rayline::{
-    Adaptive, AreaLights, Dither, Edges, Integrator, Reconstruction, Sampler, Sampling, Settings, Transfer,
+    Adaptive, AreaLights, Contours, Dither, Edges, Gooch, Integrator, Look, Reconstruction, Sampler,
+    Sampling, Settings, Tones, Transfer,
 };
 use rayline_simulator::files::limits;
 use rayline_simulator::{
@@ -142,7 +143,7 @@ pub(crate) struct Pixel {
     #[arg(value_name = "X,Y", value_parser = pixel)]
     pub(crate) pixel: (i64, i64),
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) look: Appearance,
 }
 
 #[derive(Debug, Args)]
@@ -313,7 +314,7 @@ fn scene_help() -> String {
 
 /// The options that decide the colors of the pixels.
 #[derive(Debug, Args)]
-pub(crate) struct Look {
+pub(crate) struct Appearance {
     /// Width and height in pixels [default: the size in an .nff file or in the camera of a .gltf file, else
     /// 640x480]
     #[arg(long, value_name = "WxH", value_parser = size)]
@@ -328,6 +329,11 @@ pub(crate) struct Look {
     /// The colors of the display that the picture is made for [default: rgb888; mono with --theme]
     #[arg(long, value_name = "DISPLAY", value_enum)]
     color: Option<Display>,
+    /// As a photograph, or as a drawing: toon for tones in 4 steps, toon:N for 2 to 16 steps, gooch for tones
+    /// from cool to warm, contours for dark lines along edges, also with tones: toon,contours [default: the
+    /// scene's own, else photo]
+    #[arg(long, value_name = "LOOK", value_parser = drawn)]
+    look: Option<Look>,
     /// Rounding of light to the display's levels: to the nearest, or by a pattern that keeps the mean of
     /// areas: ordered, without a pattern, or as drawn by hand with dots or lines
     #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
@@ -363,7 +369,7 @@ pub(crate) struct Look {
 #[derive(Debug, Args)]
 pub(crate) struct PictureArgs {
     #[command(flatten)]
-    look: Look,
+    look: Appearance,
     /// Trace every pixel, or interpolate pixels whose neighbors hit the same
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     mode: Mode,
@@ -511,7 +517,7 @@ impl SamplingArgs {
     }
 }
 
-impl Look {
+impl Appearance {
     /// The options for a picture of this scene.
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
         let (meant, own) = (RenderOptions::new(scene.settings), &scene.settings);
@@ -533,6 +539,7 @@ impl Look {
             area_lights: self.area_lights.unwrap_or(own.area_lights),
             transfer: self.transfer.unwrap_or(own.transfer),
             dither: self.dither,
+            look: self.look.unwrap_or(own.look),
         };
         if traces_paths && self.rays_per_pixel.is_none() {
             let needed = most_rays(&scene.scene, Settings { rays_per_pixel: u32::MAX, ..settings });
@@ -551,6 +558,25 @@ fn dither() -> impl TypedValueParser<Value = Dither> {
         "hatching" => Dither::Hatching,
         _ => Dither::None,
     })
+}
+
+/// Parses a look: the names of tones and of contours, with a comma between them.
+fn drawn(text: &str) -> Result<Look, &'static str> {
+    const EXPECTED: &str = "expected photo, toon, toon:N or gooch, contours, or both: toon,contours";
+    let mut look = Look::PHOTO;
+    for part in text.split(',') {
+        match part.split_once(':') {
+            None if part == "photo" => look.tones = Tones::Light,
+            None if part == "toon" => look.tones = Tones::Toon { steps: 4 },
+            None if part == "gooch" => look.tones = Tones::Gooch(Gooch::NEW),
+            None if part == "contours" => look.contours = Some(Contours::NEW),
+            Some(("toon", steps)) => {
+                look.tones = Tones::Toon { steps: steps.parse().map_err(|_| EXPECTED)? };
+            }
+            _ => return Err(EXPECTED),
+        }
+    }
+    Ok(look)
 }
 
 fn transfer() -> impl TypedValueParser<Value = Transfer> {
@@ -649,6 +675,12 @@ mod tests {
         assert_eq!(direction(&format!("{MINUS}30,-5")), Ok((-30.0, -5.0)));
         for bad in ["30", "361,0", "0,91", "nan,0", "0,inf", "1,2,3"] {
             assert!(direction(bad).is_err(), "{bad}");
+        }
+        let (tones, contours) = (Tones::Toon { steps: 3 }, Some(Contours::NEW));
+        assert_eq!(drawn("contours,toon:3"), Ok(Look { tones, contours }));
+        assert_eq!(drawn("photo"), Ok(Look::PHOTO));
+        for bad in ["", "toon:", "toon:256", "Toon", "gooch:3", "toon contours", "toon,", "photo:1"] {
+            assert!(drawn(bad).is_err(), "{bad}");
         }
         assert_eq!(share("0.25"), Ok(0.25));
         for bad in ["NaN", "-0.1", "1.1", "x"] {

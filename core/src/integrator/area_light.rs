@@ -20,6 +20,10 @@ impl<R: Real> ShadedHit<'_, R> {
         bounces: u8,
     ) -> LinearRgb<R> {
         let mut light = LinearRgb::BLACK;
+        #[cfg(feature = "looks")]
+        if trace.limits.gooch.is_some() {
+            return light;
+        }
         if let Some(sky) = trace.scene.sky() {
             light = self.light_of_sky(trace, sky, bounces);
         }

@@ -17,6 +17,8 @@
 
 #[cfg(feature = "distributed")]
 mod area_light;
+#[cfg(feature = "looks")]
+mod gooch;
 mod group;
 mod path;
 #[cfg(feature = "path-tracing")]
@@ -28,6 +30,8 @@ mod shadow_rays;
 #[cfg(feature = "distributed")]
 mod sky_light;
 
+#[cfg(feature = "looks")]
+pub use gooch::Gooch;
 pub(crate) use group::{Lane, Lanes, PixelGroup, WIDTH};
 pub(crate) use seen::{Seen, fold};
 pub(crate) use shadow_rays::{Blockers, OUTLINED_LIGHTS};
@@ -52,6 +56,9 @@ pub(crate) struct RayLimits<R> {
     pub(crate) area_lights: AreaLights,
     #[cfg(feature = "path-tracing")]
     pub(crate) integrator: Integrator,
+    /// The tones of surfaces in place of their light.
+    #[cfg(feature = "looks")]
+    pub(crate) gooch: Option<Gooch>,
 }
 
 /// The rays by which light finds its way to the eye.

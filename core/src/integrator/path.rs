@@ -126,7 +126,10 @@ impl<R: Real> Path<R> {
         if trace.limits.integrator == Integrator::PathTracing {
             return self.scatter(trace, &shaded, throughput, shadow_rays);
         }
+        #[cfg(not(feature = "looks"))]
         let light = shaded.local_light(trace, shadow_rays);
+        #[cfg(feature = "looks")]
+        let light = shaded.light_or_tone(trace, shadow_rays);
         #[cfg(feature = "distributed")]
         let light = if trace.scene.has_wide_lights() {
             light + shaded.light_of_areas(trace, self.next.bounces)

@@ -18,9 +18,9 @@ pub(super) struct ShadedHit<'s, R: Real> {
     pub(super) hit: &'s Hit<R>,
     pub(super) material: &'s PreparedMaterial<'s, R>,
     /// The color of the texture.
-    color: LinearRgb<R>,
+    pub(super) color: LinearRgb<R>,
     /// Direction of the ray that met the hit.
-    incoming: Vec3<R>,
+    pub(super) incoming: Vec3<R>,
     /// The shading normal, on the side that the ray came from.
     pub(super) normal: Vec3<R>,
     /// Cosine of the angle between `normal` and the way back: 0 or more.

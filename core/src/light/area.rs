@@ -102,6 +102,14 @@ impl<R: Real> AreaLight<R> {
         Ok(Self { object, light, radiance, surface })
     }
 
+    /// The middle of the lamp.
+    #[cfg(feature = "looks")]
+    pub(crate) fn center(&self) -> Vec3<R> {
+        match self.surface {
+            LampSurface::Ball { center, .. } | LampSurface::Flat { center, .. } => center,
+        }
+    }
+
     /// A point of the lamp that a pair of numbers draws; `None` if the lamp is not seen from there.
     pub(crate) fn point_seen_from(&self, point: Vec3<R>, pair: [u16; 2]) -> Option<LampPoint<R>> {
         match self.surface {

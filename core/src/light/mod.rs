@@ -236,6 +236,13 @@ impl<'m, R: Real> PreparedLight<'m, R> {
         Some(lamp.share(toward, distance))
     }
 
+    /// Whether the light has no direction of its own: ambient light, the sky, and objects, whose light is found
+    /// apart.
+    #[cfg(feature = "looks")]
+    pub(crate) fn comes_from_all_around(&self) -> bool {
+        matches!(self.source, Source::Toward(toward) if toward == Vec3::ZERO)
+    }
+
     /// The unit vector from a point to the light, the distance of the light, and the cosine between that
     /// vector and a unit normal; `None` where the light is behind the surface or at the point.
     #[inline(always)]

@@ -44,6 +44,25 @@ pub enum SettingsError {
     WithoutDistributed,
     /// The cut-off is not between 0 and 1. Use 0 to follow every ray.
     Cutoff,
+    /// Toon tones cannot have this number of steps. Use 2 or more; 4 are usual.
+    #[cfg(feature = "looks")]
+    ToonSteps {
+        /// The number of steps.
+        given: u8,
+        /// The most steps.
+        most: u8,
+    },
+    /// A number of Gooch's tones is not between 0 and 1. Use [`Gooch::NEW`](crate::Gooch::NEW).
+    #[cfg(feature = "looks")]
+    Gooch,
+    /// Toon tones and Gooch's take the place of light that path tracing scatters. Use
+    /// [`Integrator::Whitted`](crate::Integrator::Whitted), or contours alone.
+    #[cfg(feature = "looks")]
+    TonesOfPaths,
+    /// The angle of a crease is not between 0 and π, or the step in depth or the color of the ink not between 0
+    /// and 1. Use [`Contours::NEW`](crate::Contours::NEW).
+    #[cfg(feature = "looks")]
+    Contours,
 }
 
 impl fmt::Display for SettingsError {
@@ -69,6 +88,22 @@ impl fmt::Display for SettingsError {
                  `Sampling::new`",
             ),
             Self::Cutoff => f.write_str("the cut-off is not between 0 and 1; use 0 to follow every ray"),
+            #[cfg(feature = "looks")]
+            Self::ToonSteps { given, most } => {
+                write!(f, "toon tones cannot have {given} steps; use 2 to {most}, 4 are usual")
+            }
+            #[cfg(feature = "looks")]
+            Self::Gooch => f.write_str("a number of Gooch's tones is not between 0 and 1; use `Gooch::NEW`"),
+            #[cfg(feature = "looks")]
+            Self::TonesOfPaths => f.write_str(
+                "toon tones and Gooch's take the place of light that path tracing scatters; use \
+                 `Integrator::Whitted`, or contours alone",
+            ),
+            #[cfg(feature = "looks")]
+            Self::Contours => f.write_str(
+                "the crease of contours is not between 0 and 3.14 radians, or their depth or ink not between \
+                 0 and 1; use `Contours::NEW`",
+            ),
         }
     }
 }

@@ -96,7 +96,7 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     /// work. In exact quality this is one pixel; in a scene with a hierarchy, in floating point, a group of
     /// as many pixels as a square of [`LINES_AT_ONCE`](crate::limits::LINES_AT_ONCE) lines has. In realtime
     /// quality it is a cell with its sides, and each pixel counts twice, because some are traced once more
-    /// without lights.
+    /// without lights. Contours take up to 4 rays more for each sample of a pixel.
     ///
     /// # Errors
     /// The display's own error, with the first line that may not have been drawn. Nothing is lost: the next

@@ -3,6 +3,8 @@
 //! The rays of a square lie closer together than the rays of a row, so several lines at once take less time
 //! than the same lines one by one.
 
+#[cfg(feature = "looks")]
+use super::contours::Ink;
 use super::pixel::Aim;
 use super::region::Region;
 use super::{DisplayColor, Light16, Quantizer, Renderer};
@@ -78,12 +80,26 @@ impl<'r, 'p, 'm, R: Real, S: Geometry + 'm> Groups<'r, 'p, 'm, R, S> {
         }
         self.group.trace(lanes, limits, probe);
         let mut spent: u32 = 0;
-        for (lane, (x, down)) in lanes.iter().zip(group.pixels()) {
+        #[cfg(feature = "looks")]
+        let mut inks = [Ink::NONE; WIDTH];
+        #[cfg(feature = "looks")]
+        {
+            let corner = region.pixel(group.left, group.top);
+            let rays = self.renderer.ink_of_group(corner, (group.width, group.height), &mut inks);
+            spent = spent.saturating_add(rays);
+        }
+        for (lane, (column, down)) in lanes.iter().zip(group.pixels()) {
             spent = spent.saturating_add(rays_per_pixel.saturating_sub(lane.rays_left().0));
-            if let Some(pixel) = lines.get_mut(down * region.width() as usize + x) {
-                let (x, y) = region.pixel(x, down);
+            if let Some(pixel) = lines.get_mut(down * region.width() as usize + column) {
+                let (x, y) = region.pixel(column, down);
                 let quantizer = Quantizer::new(settings, x, y);
-                *pixel = C::from_light(Light16::new(lane.light()), &quantizer);
+                let light = Light16::new(self.renderer.toned(lane.light()));
+                #[cfg(feature = "looks")]
+                let light = {
+                    let place = (down - group.top) * group.width + column - group.left;
+                    self.renderer.inked(light, inks.get(place).copied().unwrap_or(Ink::NONE))
+                };
+                *pixel = C::from_light(light, &quantizer);
             }
         }
         spent

@@ -1,5 +1,7 @@
 //! One line of the picture in exact quality, pixel after pixel.
 
+#[cfg(feature = "looks")]
+use super::contours::LineInk;
 use super::line_candidates::LineCandidates;
 use super::pixel::{Aim, Pixel};
 use super::{DisplayColor, Dither, Light16, Quantizer, Renderer};
@@ -14,7 +16,10 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
     /// The light of a pixel in a display's colors.
     #[inline]
     pub(super) fn color<C: DisplayColor>(&self, light: LinearRgb<R>, x: u16, y: u16) -> C {
-        C::from_light(Light16::new(light), &Quantizer::new(&self.settings, x, y))
+        let light = Light16::new(light);
+        #[cfg(feature = "looks")]
+        let light = self.inked(light, self.ink(x, y));
+        C::from_light(light, &Quantizer::new(&self.settings, x, y))
     }
 }
 
@@ -27,6 +32,9 @@ pub(super) struct LinePainter<'r, 'm, R: Real, S: Geometry + 'm, C> {
     candidates: Option<LineCandidates<'r>>,
     /// The color of a pixel that sees no object, if all such pixels have the same.
     background: Option<C>,
+    /// The contours of the line, if there are any.
+    #[cfg(feature = "looks")]
+    ink: Option<LineInk<'r, R>>,
 }
 
 impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, S, C> {
@@ -35,11 +43,24 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         let candidates = LineCandidates::new(&renderer.outlines, y);
         let background = match renderer.scene.background.solid() {
             Some(color) if settings.dither == Dither::None && settings.sampling.samples == 1 => {
-                Some(C::from_light(Light16::new(color), &Quantizer::new(settings, 0, y)))
+                Some(C::from_light(Light16::new(renderer.toned(color)), &Quantizer::new(settings, 0, y)))
             }
             _ => None,
         };
-        Self { renderer, y, row: renderer.row(y, Aim::Area), candidates, background }
+        #[cfg(feature = "looks")]
+        let ink = LineInk::new(renderer, y);
+        // Ink may lie beside objects.
+        #[cfg(feature = "looks")]
+        let background = background.filter(|_| ink.is_none());
+        Self {
+            renderer,
+            y,
+            row: renderer.row(y, Aim::Area),
+            candidates,
+            background,
+            #[cfg(feature = "looks")]
+            ink,
+        }
     }
 
     /// Renders pixels from column `x` on, until all are done or `budget_rays` are spent, and at least one.
@@ -103,6 +124,13 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, C: DisplayColor> LinePainter<'r, 'm, R, 
         };
         let pixel = Pixel { x, y: self.y, row: self.row, aim: Aim::Area };
         let (light, rays) = self.renderer.light_at(pixel, sight, probe);
+        #[cfg(feature = "looks")]
+        if let Some(line) = &mut self.ink {
+            let ink = line.ink(self.renderer, x);
+            let light = self.renderer.inked(Light16::new(light), ink);
+            let quantizer = Quantizer::new(&self.renderer.settings, x, self.y);
+            return (C::from_light(light, &quantizer), rays.saturating_add(ink.rays));
+        }
         (self.renderer.color(light, x, self.y), rays)
     }
 }

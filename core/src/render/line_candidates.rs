@@ -69,6 +69,13 @@ impl<'o> LineCandidates<'o> {
         Sight { among: self.current, blockers: &self.blockers }
     }
 
+    /// The objects that pixel `x` can show. `x` must not decrease.
+    #[cfg(feature = "looks")]
+    pub(super) fn seen(&mut self, x: u16) -> ObjectSet {
+        self.nothing_until(x);
+        self.current
+    }
+
     fn look_up(&mut self, x: u16) {
         self.current = ObjectSet::NONE;
         self.until = u16::MAX;

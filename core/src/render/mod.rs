@@ -13,6 +13,8 @@
 //! that traces a pixel is therefore compiled once for all colors; without it, that code is inlined into each
 //! painter, which is faster on small processors.
 
+#[cfg(feature = "looks")]
+mod contours;
 mod digest;
 mod display_color;
 mod error;
@@ -23,6 +25,8 @@ mod image;
 mod interleave;
 mod line;
 mod line_candidates;
+#[cfg(feature = "looks")]
+mod look;
 mod outline;
 mod outlines;
 mod painter;
@@ -41,6 +45,8 @@ mod span;
 #[cfg(feature = "looks")]
 mod thresholds;
 mod tone;
+#[cfg(feature = "looks")]
+mod toon;
 mod unchanged;
 
 pub use digest::Digest;
@@ -49,6 +55,8 @@ pub use error::{DrawError, LineError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use image::RenderedImage;
 pub use interleave::Interleave;
+#[cfg(feature = "looks")]
+pub use look::{Contours, Look, Tones};
 #[cfg(feature = "looks")]
 pub use palette::Palette;
 pub use pattern::Pattern;
@@ -62,6 +70,8 @@ pub use tone::Tone;
 
 use core::ops::Range;
 
+#[cfg(feature = "looks")]
+use contours::PreparedContours;
 use exact::trace_region;
 use outlines::Outlines;
 use region::Region;
@@ -91,6 +101,8 @@ pub struct Renderer<'p, 'm, R: Real, S: Geometry + 'm = Shape<'m>> {
     /// The share of each sample in the light of its pixel.
     sample_weight: R,
     settings: Settings,
+    #[cfg(feature = "looks")]
+    contours: Option<PreparedContours<R>>,
     /// Whether the rays of a sample draw numbers.
     is_distributed: bool,
     /// The places at which objects and shadows can be seen. They are known for the centers of pixels, so
@@ -121,9 +133,16 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
                 area_lights: settings.area_lights,
                 #[cfg(feature = "path-tracing")]
                 integrator: settings.integrator,
+                #[cfg(feature = "looks")]
+                gooch: match settings.look.tones {
+                    Tones::Gooch(gooch) => Some(gooch),
+                    _ => None,
+                },
             },
             sample_weight: R::from_setup(R::Setup::from_u16(samples).recip()),
             settings,
+            #[cfg(feature = "looks")]
+            contours: settings.look.contours.as_ref().map(PreparedContours::new),
             is_distributed: viewport.has_lens()
                 || settings.integrator != Integrator::Whitted
                 || scene.is_distributed(settings.area_lights == AreaLights::Sampled),

@@ -1,6 +1,8 @@
 //! One pixel: its samples, and their mean.
 
 use super::pixel_sum::PixelSum;
+#[cfg(feature = "looks")]
+use super::toon::toned;
 use super::{Renderer, Settings};
 use crate::camera::RayRow;
 use crate::color::LinearRgb;
@@ -180,7 +182,15 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         } else {
             (scene, ray)
         };
-        radiance(scene, (ray, numbers), sight, limits, rays, probe)
+        self.toned(radiance(scene, (ray, numbers), sight, limits, rays, probe))
+    }
+
+    /// The light of one sample in the tones of the picture's look.
+    #[inline]
+    pub(super) fn toned(&self, light: LinearRgb<R>) -> LinearRgb<R> {
+        #[cfg(feature = "looks")]
+        let light = toned(self.settings.look.tones, light);
+        light
     }
 
     /// The light that comes to the origin of any ray, with the numbers of one sample of pixel (x, y). The
@@ -242,7 +252,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         (self.viewport.across((x, right)), self.viewport.row((y, down)))
     }
 
-    fn sample(&self, (x, y): (u16, u16), index: u16) -> PixelSample {
+    pub(super) fn sample(&self, (x, y): (u16, u16), index: u16) -> PixelSample {
         PixelSample { sampling: self.settings.sampling, x, y, index }
     }
 

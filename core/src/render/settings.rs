@@ -1,6 +1,8 @@
 //! How a picture is rendered.
 
 use super::SettingsError;
+#[cfg(feature = "looks")]
+use super::look::Look;
 use crate::integrator::{AreaLights, Integrator};
 use crate::limits::{MAX_BOUNCES, MAX_SIDE};
 use crate::sampling::{Adaptive, Sampling};
@@ -36,6 +38,9 @@ pub struct Settings {
     pub transfer: Transfer,
     /// The rounding of light to the levels of a display.
     pub dither: Dither,
+    /// The look: as a photograph or as a drawing.
+    #[cfg(feature = "looks")]
+    pub look: Look,
 }
 
 impl Settings {
@@ -53,6 +58,8 @@ impl Settings {
             area_lights: AreaLights::Sampled,
             transfer: Transfer::Srgb,
             dither: Dither::None,
+            #[cfg(feature = "looks")]
+            look: Look::PHOTO,
         }
     }
 
@@ -69,6 +76,8 @@ impl Settings {
         if !(0.0..=1.0).contains(&self.cutoff) {
             return Err(SettingsError::Cutoff);
         }
+        #[cfg(feature = "looks")]
+        self.look.check(self.integrator)?;
         Ok((side(self.width)?, side(self.height)?))
     }
 

@@ -55,7 +55,13 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
 
     /// Whether certainly no object is seen on a line.
     fn sees_nothing(&self, y: u16) -> bool {
+        #[cfg(not(feature = "looks"))]
         let spans = self.outlines.strip((y, y), Aim::Area);
+        // The line has contours of what the line below shows.
+        #[cfg(feature = "looks")]
+        let below = if self.contours.is_some() { y.saturating_add(1) } else { y };
+        #[cfg(feature = "looks")]
+        let spans = self.outlines.strip((y, below), Aim::Area);
         spans.is_some_and(|mut spans| spans.all(|span| span.start >= span.end || span.start >= self.width))
     }
 }

@@ -19,6 +19,7 @@ mod fixed;
 mod gallery;
 mod goldens;
 mod judges;
+mod looks;
 mod media;
 mod operations;
 mod optics;

@@ -6,6 +6,8 @@ use core::marker::PhantomData;
 use super::budget::{Budget, Detail, Spent};
 use super::buffer::RealtimeBuffer;
 use super::cell::{Cell, Corners};
+#[cfg(feature = "looks")]
+use super::grid::SQUARE;
 use super::grid::beyond;
 use super::marks::FAINT;
 use super::paint::Paint;
@@ -25,6 +27,8 @@ use crate::integrator::RayLimits;
 use crate::math::Real;
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
+#[cfg(feature = "looks")]
+use crate::render::contours::InkWalk;
 use crate::render::region::Region;
 use crate::render::{DisplayColor, Renderer};
 use crate::shape::{Geometry, Silhouette};
@@ -199,7 +203,6 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         probe: &mut impl Probe<R>,
     ) -> Spent {
         let (size, drawn) = (self.quality.grid.pixels(), band.drawn());
-        let is_smooth = self.quality.is_smooth();
         let paint = Paint {
             settings: &renderer.settings,
             width: band.width(),
@@ -207,7 +210,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             left: band.left,
             top: band.top,
             size,
-            is_smooth,
+            is_smooth: self.quality.is_smooth(),
         };
         let among = objects_shown(renderer, band, size);
         if let Some(nothing) = self.nothing
@@ -240,12 +243,11 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             allowed: self.budget.left(),
         };
         let above: Above<'_> = if band.has_top { buffer.samples.get(drawn..) } else { None };
-        let is_first = drawn == 0;
-        let traces_row = self.budget.traces_row();
-        let (corners, row) = trace_corners(&mut self.cell, above, (is_first, traces_row), size, &mut tracer);
+        let (corners, row) =
+            trace_corners(&mut self.cell, above, (drawn == 0, self.budget.traces_row()), size, &mut tracer);
         let grid = tracer.rays;
         tracer.allow(self.budget.refines());
-        if is_first {
+        if drawn == 0 {
             band.is_left_refined = refine_first_side(&mut self.cell, size, &mut tracer);
         }
         let plan = Plan::new(&corners, band.is_left_refined, small, size, &tracer);
@@ -255,6 +257,8 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
         } else {
             paint_points(&self.cell, plan.traces_all(), paint, buffer.colors, &mut tracer);
         }
+        #[cfg(feature = "looks")]
+        ink_smooth_cell(&mut self.cell, (&plan, &corners), paint, buffer.colors, &mut tracer);
         let all = tracer.rays;
         self.hand_on(band, &plan, &corners, buffer.samples);
         Spent { all, row, refined: all - grid }
@@ -322,7 +326,7 @@ fn objects_shown<R: Real, S: Geometry>(
     shown.filter(|_| is_inside).unwrap_or_else(|| renderer.scene.all())
 }
 
-/// Paints a cell from its points. With smooth edges, this may take rays.
+/// Paints a cell from its points. With smooth edges or contours, this may take rays.
 fn paint_points<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     cell: &Cell,
     is_all_traced: bool,
@@ -330,6 +334,10 @@ fn paint_points<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     colors: &mut [C],
     tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
 ) {
+    #[cfg(feature = "looks")]
+    if tracer.view.renderer.contours.is_some() {
+        return paint_inked(cell, is_all_traced, paint, colors, tracer);
+    }
     #[cfg(feature = "distributed")]
     if paint.is_smooth {
         let mut near = OutlinesNear::in_cell(paint.size);
@@ -337,6 +345,46 @@ fn paint_points<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     }
     let _ = (is_all_traced, tracer);
     paint.refined(colors, cell);
+}
+
+/// Paints a cell of which only the corners are known once more, if a contour goes through it.
+#[cfg(feature = "looks")]
+fn ink_smooth_cell<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+    cell: &mut Cell,
+    (plan, corners): (&Plan, &Corners),
+    paint: Paint<'_>,
+    colors: &mut [C],
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+) {
+    if plan.needs_corners_alone() && tracer.has_edge((0, 0), paint.size) {
+        cell.fill_smooth(corners, paint.size);
+        paint_inked(cell, false, paint, colors, tracer);
+    }
+}
+
+/// Paints a cell with its contours.
+#[cfg(feature = "looks")]
+fn paint_inked<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+    cell: &Cell,
+    is_all_traced: bool,
+    paint: Paint<'_>,
+    colors: &mut [C],
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+) {
+    let mut walk = InkWalk::BEGIN;
+    // In a cell whose points are all traced for their tones, the digests tell nothing.
+    let squares = if is_all_traced { u8::MAX } else { tracer.squares_with_edges(paint.size) };
+    #[cfg(feature = "distributed")]
+    let mut near = OutlinesNear::in_cell(paint.size);
+    paint.tones(colors, |x, y| {
+        let tone = cell.get(x, y).tone();
+        #[cfg(feature = "distributed")]
+        let tone =
+            if paint.is_smooth { tracer.smooth_tone(cell, (x, y), &mut near, is_all_traced) } else { tone };
+        let square = y / SQUARE * paint.size.div_ceil(SQUARE) + x / SQUARE;
+        let may_be_edge = squares >> (square & 7) & 1 != 0 || tracer.may_be_edge(cell, (x, y), paint.size);
+        if may_be_edge { tracer.inked(tone, (x, y), &mut walk) } else { tone }
+    });
 }
 
 /// The corners of a cell, and the rays that the lower right one took. The left corners are known from the

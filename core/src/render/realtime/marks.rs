@@ -71,6 +71,14 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         }
     }
 
+    /// Folds the step of toon tones into the digest of the shadows: between two steps there is an edge.
+    #[cfg(feature = "looks")]
+    pub(super) fn fold_step(&mut self, step: u32) {
+        if step > 0 {
+            self.shade = fold(self.shade, step);
+        }
+    }
+
     /// The pixel's sample, once its tone is known.
     pub(super) fn sample(&self, tone: Tone) -> Sample {
         let watched = self.watch.as_ref().map_or(Near::Nothing, |watch| watch.near);

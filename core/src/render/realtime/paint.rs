@@ -61,7 +61,7 @@ impl Paint<'_> {
     }
 
     /// A cell whose pixels have these tones.
-    #[cfg(feature = "distributed")]
+    #[cfg(any(feature = "distributed", feature = "looks"))]
     pub(super) fn tones<C: DisplayColor>(
         &self,
         colors: &mut [C],

@@ -2,6 +2,10 @@
 
 use core::marker::PhantomData;
 
+#[cfg(feature = "looks")]
+use super::cell::Cell;
+#[cfg(feature = "looks")]
+use super::grid::SQUARE;
 use super::grid::beyond;
 use super::marks::{FAINT, MarkProbe};
 use super::pixel_source::PixelSource;
@@ -16,7 +20,11 @@ use crate::math::{Ray, Real, Vec3};
 use crate::prepared::ObjectSet;
 use crate::prepared::PreparedScene;
 use crate::probe::{Event, Probe};
+#[cfg(feature = "looks")]
+use crate::render::contours::InkWalk;
 use crate::render::pixel::{Aim, Pixel};
+#[cfg(feature = "looks")]
+use crate::render::toon::step_of;
 use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
 use crate::shape::Geometry;
 
@@ -82,7 +90,10 @@ pub(super) fn nothing_met<R: Real, S: Geometry, C: DisplayColor>(
     let ray = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
     marks.record(Event::Miss { ray, color, throughput: LinearRgb::even(R::ONE) });
     let quantizer = Quantizer::nearest(renderer.settings.transfer);
-    Some(marks.sample(C::tone(Light16::new(color), &quantizer)))
+    let light = Light16::new(renderer.toned(color));
+    #[cfg(feature = "looks")]
+    marks.fold_step(step_of(renderer.settings.look.tones, light));
+    Some(marks.sample(C::tone(light, &quantizer)))
 }
 
 impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
@@ -131,11 +142,65 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         let tone = if purpose == Purpose::Objects {
             Tone::new(0, 0, 0)
         } else {
-            C::tone(Light16::new(light), &Quantizer::nearest(view.renderer.settings.transfer))
+            let light = Light16::new(light);
+            #[cfg(feature = "looks")]
+            marks.fold_step(step_of(view.renderer.settings.look.tones, light));
+            C::tone(light, &Quantizer::nearest(view.renderer.settings.transfer))
         };
         let sample = marks.sample(tone);
         self.spend(rays);
         sample
+    }
+
+    /// The squares of four pixels of a cell whose corners see different things, a bit for each.
+    ///
+    /// Digests say the same of two things of 128, and between two such things they would lose a whole line.
+    #[cfg(feature = "looks")]
+    pub(super) fn squares_with_edges(&mut self, size: usize) -> u8 {
+        let squares = size.div_ceil(SQUARE);
+        let mut with_edges = 0;
+        for square in 0..squares * squares {
+            let corner = (square % squares * SQUARE, square / squares * SQUARE);
+            with_edges |= u8::from(self.has_edge(corner, size.min(SQUARE))) << (square & 7);
+        }
+        with_edges
+    }
+
+    /// Whether pixels at the corners of a square see different things, as long as rays are left.
+    #[cfg(feature = "looks")]
+    pub(super) fn has_edge(&mut self, (x, y): (usize, usize), length: usize) -> bool {
+        let (renderer, among) = (self.view.renderer, self.view.among);
+        if renderer.contours.is_none() || self.rays >= self.allowed {
+            return false;
+        }
+        let corner = (beyond(self.view.left, x), beyond(self.view.top, y));
+        let (has_edge, rays) = renderer.has_edge_in(corner, length as u16, among);
+        self.spend(rays);
+        has_edge
+    }
+
+    /// Whether points around a pixel differ, so that an edge may go through it: two pixels around, because
+    /// edges within a cell are known to half a pixel.
+    #[cfg(feature = "looks")]
+    pub(super) fn may_be_edge(&self, cell: &Cell, (x, y): (usize, usize), size: usize) -> bool {
+        let (here, around) = (cell.get(x, y), |place: usize| place.saturating_sub(1)..=(place + 2).min(size));
+        around(y).any(|y| around(x).any(|x| self.tolerance.differ(here, cell.get(x, y), 1)))
+    }
+
+    /// A tone with the ink of the pixel at a point, as long as rays are left.
+    #[cfg(feature = "looks")]
+    pub(super) fn inked(&mut self, tone: Tone, (x, y): (usize, usize), walk: &mut InkWalk<R>) -> Tone {
+        let (renderer, among) = (self.view.renderer, self.view.among);
+        if self.rays >= self.allowed {
+            return tone;
+        }
+        let ink = walk.ink(renderer, (beyond(self.view.left, x), beyond(self.view.top, y)), |_, _| among);
+        self.spend(ink.rays);
+        let quantizer = Quantizer::nearest(renderer.settings.transfer);
+        match renderer.color_of(ink) {
+            Some(color) => C::tone(C::light(tone, &quantizer).mixed(color, ink.share()), &quantizer),
+            None => tone,
+        }
     }
 
     /// Counts rays that were traced.

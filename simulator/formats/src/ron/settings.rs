@@ -3,8 +3,8 @@
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
 use rayline::{
-    AreaLights, Background, Camera, Integrator, Light, Material, Motion, Object, Sampling, Scene, Settings,
-    Transfer,
+    AreaLights, Background, Camera, Integrator, Light, Look, Material, Motion, Object, Sampling, Scene,
+    Settings, Transfer,
 };
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +38,9 @@ pub struct FileSettings {
     /// [`Settings::transfer`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
+    /// [`Settings::look`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub look: Option<Look>,
     /// The exposure. The scene is as written: [`LoadedScene`](crate::LoadedScene) exposes it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exposure: Option<Exposure>,
@@ -60,6 +63,7 @@ impl FileSettings {
             integrator: changed(usual.integrator, settings.integrator),
             area_lights: changed(usual.area_lights, settings.area_lights),
             transfer: changed(usual.transfer, settings.transfer),
+            look: changed(usual.look, settings.look),
             // A scene that was opened is exposed already.
             exposure: None,
         }
@@ -82,6 +86,7 @@ impl FileSettings {
             integrator: self.integrator.unwrap_or(usual.integrator),
             area_lights: self.area_lights.unwrap_or(usual.area_lights),
             transfer: self.transfer.unwrap_or(usual.transfer),
+            look: self.look.unwrap_or(usual.look),
             ..usual
         }
     }
