@@ -13,6 +13,7 @@ mod baked;
 mod causes;
 mod circles;
 mod closed_forms;
+mod coherence;
 mod distributed;
 mod drawing;
 mod fixed;
