@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use bumpalo::Bump;
-use rayline::{Integrator, Sampling, Settings, Transfer};
+use rayline::{Integrator, Look, Sampling, Settings, Transfer};
 use rayline_formats::files::read_regular;
 
 use crate::povray::{self, RunError};
@@ -231,6 +231,9 @@ fn beside_povray(
 ) -> Result<(Option<f64>, Option<String>), GalleryError> {
     if settings.integrator != Integrator::Whitted {
         return Ok((None, Some("POV-Ray does not trace paths".to_owned())));
+    }
+    if settings.look != Look::PHOTO {
+        return Ok((None, Some("POV-Ray has no such looks".to_owned())));
     }
     let failed = |error| GalleryError::Povray { scene: scene.name.clone(), error };
     let directory = tempfile::tempdir().map_err(|error| failed(RunError::Io(error)))?;

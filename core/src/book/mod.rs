@@ -14,6 +14,7 @@
 //! | [`sampling`] | aliasing, distributions of samples, filters |
 //! | [`distributed`] | soft shadows, depth of field, motion blur, gloss |
 //! | [`global_light`] | light that surfaces scatter onto each other |
+#![cfg_attr(feature = "looks", doc = "| [`looks`] | lines, tones and patterns of drawings |")]
 //! | [`acceleration`] | boxes, lists and fewer pixels |
 //!
 //! The chapters are documentation only: no program contains them.
@@ -22,6 +23,8 @@ pub mod acceleration;
 pub mod distributed;
 pub mod global_light;
 pub mod intersections;
+#[cfg(feature = "looks")]
+pub mod looks;
 pub mod ray_tree;
 pub mod rays;
 pub mod sampling;

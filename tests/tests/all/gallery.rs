@@ -24,8 +24,8 @@ fn root() -> PathBuf {
 fn picture(scene: &LoadedScene<'_>, number: Number) -> Picture {
     let own = scene.settings.sampling;
     let sampling = Sampling { samples: own.samples.min(4), adaptive: None, ..own };
-    let Settings { integrator, area_lights, .. } = scene.settings;
-    let settings = Settings { sampling, integrator, area_lights, ..SETTINGS };
+    let Settings { integrator, area_lights, look, .. } = scene.settings;
+    let settings = Settings { sampling, integrator, area_lights, look, ..SETTINGS };
     let options = RenderOptions { number, ..RenderOptions::new(settings) };
     render(&scene.scene, &options).unwrap_or_else(|error| panic!("{}: {error}", scene.name))
 }
