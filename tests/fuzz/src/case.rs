@@ -3,7 +3,9 @@
 use core::fmt;
 use core::str::FromStr;
 
-use rayline::{AreaLights, Edges, Grid, Integrator, Realtime, Sampling, Settings};
+use rayline::{
+    AreaLights, Contours, Edges, Gooch, Grid, Integrator, Look, Realtime, Sampling, Settings, Tones,
+};
 
 use crate::choices::Choices;
 
@@ -94,6 +96,7 @@ impl Case {
             area_lights: choices.one_of([AreaLights::Sampled, AreaLights::ClosedForm]),
             ..Settings::new(width as u32, height as u32)
         };
+        let integrator = settings.integrator;
         let portions = match choices.below(8) {
             0..=3 => Portions::All,
             4..=5 => Portions::Lines,
@@ -109,13 +112,31 @@ impl Case {
             budget_rays: if choices.chance(70) { u32::MAX } else { choices.between(0, 2000) as u32 },
             edges: choices.one_of([Edges::Stepped, Edges::Smooth]),
         });
-        Self { number, settings, portions, realtime }
+        let look = choose_look(choices, integrator);
+        Self { number, settings: Settings { look, ..settings }, portions, realtime }
     }
+}
+
+/// Chooses a look: as a photograph most of the time.
+fn choose_look(choices: &mut Choices<'_>, integrator: Integrator) -> Look {
+    if !choices.chance(15) {
+        return Look::PHOTO;
+    }
+    let contours = choices.chance(60).then_some(Contours::NEW);
+    let steps = choices.one_of([4, 2, 16]);
+    let tones = match integrator {
+        Integrator::Whitted => {
+            choices.one_of([Tones::Light, Tones::Toon { steps }, Tones::Gooch(Gooch::NEW)])
+        }
+        _ => Tones::Light,
+    };
+    Look { tones, contours }
 }
 
 /// As in `f32-16x10-b2-r4096-c256-lines`: number system, size, bounces, rays per pixel, the cutoff's
 /// reciprocal, `s` and samples per pixel where they are several, `paths` where paths are traced, `closed`
-/// where wide lights are found in closed form, portions, `g` with grid, threshold and budget of realtime
+/// where wide lights are found in closed form, `toon` with the steps, `gooch` and `contours` of a look,
+/// portions, `g` with grid, threshold and budget of realtime
 /// quality, and `smooth` if its edges are.
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -131,6 +152,14 @@ impl fmt::Display for Case {
         }
         if self.settings.area_lights == AreaLights::ClosedForm {
             write!(f, "-closed")?;
+        }
+        match self.settings.look.tones {
+            Tones::Toon { steps } => write!(f, "-toon{steps}")?,
+            Tones::Gooch(_) => write!(f, "-gooch")?,
+            _ => {}
+        }
+        if self.settings.look.contours.is_some() {
+            write!(f, "-contours")?;
         }
         match self.portions {
             Portions::All => {}
@@ -174,6 +203,12 @@ impl FromStr for Case {
                 case.settings.area_lights = AreaLights::ClosedForm;
             } else if part == "paths" {
                 case.settings.integrator = Integrator::PathTracing;
+            } else if part == "gooch" {
+                case.settings.look.tones = Tones::Gooch(Gooch::NEW);
+            } else if part == "contours" {
+                case.settings.look.contours = Some(Contours::NEW);
+            } else if let Some(steps) = part.strip_prefix("toon") {
+                case.settings.look.tones = Tones::Toon { steps: read(steps)? as u8 };
             } else if part == "smooth" {
                 case.realtime = case.realtime.map(Realtime::smooth);
             } else if part == "lines" {

@@ -10,8 +10,9 @@ use embedded_graphics::pixelcolor::{PixelColor, raw::RawU24};
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Shape;
 use rayline::{
-    AreaLights, DisplayColor, Frame, Integrator, Light16, PixelSum, PreparedScene, Quantizer, RayCounts,
-    Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings,
+    AreaLights, Contours, DisplayColor, Frame, Gooch, Integrator, Light16, LinearRgb, Look, PixelSum,
+    PreparedScene, Quantizer, RayCounts, Real, Realtime, RealtimeBuffer, Renderer, Sample, Scene, Settings,
+    Tones,
 };
 
 use crate::case::Portions;
@@ -33,6 +34,12 @@ impl Debug for Light {
 
 impl PixelColor for Light {
     type Raw = RawU24;
+}
+
+impl rayline_plain::DisplayColor for Light {
+    fn from_light(light: rayline_plain::Light16, _: &rayline_plain::Quantizer) -> Self {
+        Self([light.r, light.g, light.b])
+    }
 }
 
 impl DisplayColor for Light {
@@ -237,6 +244,9 @@ pub(crate) fn realtime<R: Real>(
         let side = quality.grid.pixels() as u32;
         // Pixels of a cell and its sides, twice, and once more with smooth edges.
         let beyond = (side + 1).pow(2).saturating_mul(3).saturating_mul(settings.rays_per_pixel);
+        // Contours take up to 3 rays a pixel and sample, and a few for each square.
+        let ink = (side + 1).pow(2).saturating_mul(4).saturating_mul(settings.sampling.samples.into());
+        let beyond = if settings.look.contours.is_some() { beyond.saturating_add(ink) } else { beyond };
         draw_bands(&mut frame, height, beyond, &mut canvas)?;
         is_twice |= canvas.is_twice;
         if let Some(at) = differing(at_once, in_steps) {
@@ -299,7 +309,7 @@ pub(crate) fn plain<R: rayline_plain::Real>(
     let prepared = rayline_plain::PreparedScene::<R>::new(&scene, memory);
     let prepared = prepared.map_err(|error| Stop::Refused(error.to_string()))?;
     let Settings { width, height, bounces, rays_per_pixel, cutoff, sampling, .. } = settings;
-    let Settings { integrator, area_lights, .. } = settings;
+    let Settings { integrator, area_lights, look, .. } = settings;
     let settings = rayline_plain::Settings::new(width, height);
     let settings = rayline_plain::Settings { bounces, rays_per_pixel, cutoff, ..settings };
     let sampling = rayline_plain::Sampling::new(sampling.samples);
@@ -311,7 +321,8 @@ pub(crate) fn plain<R: rayline_plain::Real>(
         AreaLights::ClosedForm => rayline_plain::AreaLights::ClosedForm,
         _ => rayline_plain::AreaLights::Sampled,
     };
-    let settings = rayline_plain::Settings { sampling, integrator, area_lights, ..settings };
+    let look = plain_look(look);
+    let settings = rayline_plain::Settings { sampling, integrator, area_lights, look, ..settings };
     let renderer = rayline_plain::Renderer::new(&prepared, settings).map_err(broken)?;
     picture.clear();
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
@@ -325,5 +336,23 @@ pub(crate) fn plain<R: rayline_plain::Real>(
         }
         picture.push(Light([light.r, light.g, light.b].map(R::to_q16)));
     }
+    if settings.look.contours.is_some() {
+        renderer.lines(0, picture, &mut ()).map_err(broken)?;
+    }
     Ok(())
+}
+
+/// The look for the program without acceleration.
+fn plain_look(look: Look) -> rayline_plain::Look {
+    let tones = match look.tones {
+        Tones::Toon { steps } => rayline_plain::Tones::Toon { steps },
+        Tones::Gooch(Gooch { blue, yellow, cool, warm }) => {
+            rayline_plain::Tones::Gooch(rayline_plain::Gooch { blue, yellow, cool, warm })
+        }
+        _ => rayline_plain::Tones::Light,
+    };
+    let contours = look.contours.map(|Contours { crease, depth, ink: LinearRgb { r, g, b } }| {
+        rayline_plain::Contours { crease, depth, ink: rayline_plain::LinearRgb { r, g, b } }
+    });
+    rayline_plain::Look { tones, contours }
 }
