@@ -1,11 +1,11 @@
 //! This chapter teaches pictures that look drawn: lines along edges, few tones, and dots or lines in place of
 //! gray.
 //!
-//! A photograph shows light. A drawing shows what matters: where one thing ends and the next begins, and which
-//! way a surface turns. Saito and Takahashi ("Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990) found
-//! that a renderer knows all of that for each pixel, and that lines and tones can be made of it afterwards.
-//! Drawings suit small displays: a line of one pixel is sharp on an OLED of 128 by 64 pixels, where a gradient
-//! is noise.
+//! A photograph shows light. A drawing shows what matters: where one thing ends and the next begins, and
+//! which way a surface turns. Saito and Takahashi ("Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990)
+//! found that a renderer knows all of that for each pixel, and that lines and tones can be made of it
+//! afterwards. Drawings suit small displays: a line of one pixel is sharp on an OLED of 128 by 64 pixels,
+//! where a gradient is noise.
 //!
 //! # The formulas
 //!
@@ -19,13 +19,13 @@
 //! palette     color i = the one nearest to light + (light · i - the colors before it),   i = 1 … 16
 //! ```
 //!
-//! P and N are the point and the normal that a pixel sees at the distance t, P' and N' those of its neighbor; L
-//! is the direction of the lamp. A slanted plane has points at very different distances, but all of them lie
-//! on it, so that a step is measured along both normals. Gooch, Gooch, Shirley and Cohen ("A
+//! P and N are the point and the normal that a pixel sees at the distance t, P' and N' those of its neighbor;
+//! L is the direction of the lamp. A slanted plane has points at very different distances, but all of them
+//! lie on it, so that a step is measured along both normals. Gooch, Gooch, Shirley and Cohen ("A
 //! Non-Photorealistic Lighting Model for Automatic Technical Illustration", SIGGRAPH 1998, eq. 2) let N · L
 //! run to -1: the side turned away from the lamp shows its form in blues, where a photograph is black.
-//! Thresholds are the ranks of the pixels in a pattern (Ulichney, "Digital Halftoning", 1987): Bayer's matrix,
-//! blue noise by his method of voids and clusters (1993), dots by the sequence R2, or hatching.
+//! Thresholds are the ranks of the pixels in a pattern (Ulichney, "Digital Halftoning", 1987): Bayer's
+//! matrix, blue noise by his method of voids and clusters (1993), dots by the sequence R2, or hatching.
 //!
 //! # In the code
 //!
@@ -38,14 +38,14 @@
 //! | palette | [`Palette`](crate::Palette), `Palette::parts` | `render/palette.rs` |
 //!
 //! - **No frame buffer.** Filters of the papers read a buffer of depths and normals. Here a pixel asks its
-//!   neighbors by rays without light (Choudhury and Parker, "Ray Tracing NPR-Style Feature Lines", NPAR 2009).
-//!   From left to right, the neighbor to the right is the next pixel: two rays a pixel are left, and none where
-//!   outlines tell that there is only sky. A square of 16 pixels that is traced at once takes 24.
+//!   neighbors by rays without light (Choudhury and Parker, "Ray Tracing NPR-Style Feature Lines", NPAR
+//!   2009). From left to right, the neighbor to the right is the next pixel: two rays a pixel are left, and
+//!   none where outlines tell that there is only sky. A square of 16 pixels that is traced at once takes 24.
 //! - **Any order of lines.** The ink of a pixel depends on nothing but the scene and its place, so that lines
 //!   and cores need not talk to each other.
-//! - **Realtime quality** looks for ink where neighbors on its grid differ. Digests of 7 bits are no sure sign:
-//!   once, a ball and the sky had the same one, and the ball had no line. So the corners of each cell are
-//!   compared by what they see, too.
+//! - **Realtime quality** looks for ink where neighbors on its grid differ. Digests of 7 bits are no sure
+//!   sign: once, a ball and the sky had the same one, and the ball had no line. So the corners of each cell
+//!   are compared by what they see, too.
 //! - **Toon tones are made of single samples**, not of the mean of a pixel. The mean of a white sample and a
 //!   black one would be a gray step: a rim around each thing.
 //! - **Gooch's tones need the normal**, so they are made where surfaces are shaded. They have no shadows, and
@@ -60,8 +60,8 @@
 //! | pixels that change where nothing moves | 0 | - |
 //!
 //! Contours take 0.86 rays a pixel of 320x240 in `classic` and 1.24 in `flake`, and in realtime quality 0.57
-//! and 0.72; a photograph takes 2.39, 4.57, 0.46 and 1.21. What each look costs, in nanoseconds a pixel of 640x480 on one thread of a desktop that was not idle (the
-//! best of nine):
+//! and 0.72; a photograph takes 2.39, 4.57, 0.46 and 1.21. What each look costs, in nanoseconds a pixel of
+//! 640x480 on one thread of a desktop that was not idle (the best of nine):
 //!
 //! | scene | quality | photo | toon | Gooch | contours |
 //! |---|---|--:|--:|--:|--:|
@@ -124,8 +124,8 @@
 //!
 //! # Exercises
 //!
-//! 1. Why is there no ink at the edges of a checker, although its colors differ? Which line of `Mark::differs`
-//!    would have to change?
+//! 1. Why is there no ink at the edges of a checker, although its colors differ? Which line of
+//!    `Mark::differs` would have to change?
 //! 2. A cylinder of 24 flat sides has edges of 15°. Which `crease` shows them, and which hides them?
 //! 3. Count the rays of `ink_of_group` for a group of 1 by 16 pixels, and compare them with those for 4 by 4.
 //! 4. Draw a ball with Gooch's tones and two lamps, one red on the left and one green on the right. Why is

@@ -236,8 +236,8 @@ impl<'m, R: Real> PreparedLight<'m, R> {
         Some(lamp.share(toward, distance))
     }
 
-    /// Whether the light has no direction of its own: ambient light, the sky, and objects, whose light is found
-    /// apart.
+    /// Whether the light has no direction of its own: ambient light, the sky, and objects, whose light is
+    /// found apart.
     #[cfg(feature = "looks")]
     pub(crate) fn comes_from_all_around(&self) -> bool {
         matches!(self.source, Source::Toward(toward) if toward == Vec3::ZERO)

@@ -177,8 +177,8 @@ impl<'o, R: Real> LineInk<'o, R> {
     }
 }
 
-/// A place in the pixel, in 65536ths of it. All pixels have the same ones, so that lines are even (Hammersley,
-/// "Monte Carlo Methods for Solving Multivariable Problems", 1960).
+/// A place in the pixel, in 65536ths of it. All pixels have the same ones, so that lines are even
+/// (Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
 fn place_of(index: u16, samples: u16) -> [i32; 2] {
     let along = (u32::from(index) * 2 + 1) << 15;
     let right = along.checked_div(samples.into()).unwrap_or(0);

@@ -59,8 +59,8 @@ pub enum SettingsError {
     /// [`Integrator::Whitted`](crate::Integrator::Whitted), or contours alone.
     #[cfg(feature = "looks")]
     TonesOfPaths,
-    /// The angle of a crease is not between 0 and π, or the step in depth or the color of the ink not between 0
-    /// and 1. Use [`Contours::NEW`](crate::Contours::NEW).
+    /// The angle of a crease is not between 0 and π, or the step in depth or the color of the ink not between
+    /// 0 and 1. Use [`Contours::NEW`](crate::Contours::NEW).
     #[cfg(feature = "looks")]
     Contours,
 }

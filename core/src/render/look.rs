@@ -8,9 +8,9 @@
 //! | part | must know | place |
 //! |---|---|---|
 //! | steps of toon tones | the light of one sample | `toon.rs`, before the mean of a pixel's samples |
-//! | Gooch's tones | the normal, and the directions of lamps, also behind the surface | `integrator/gooch.rs` |
+//! | Gooch's tones | the normal, and the directions of lamps, also behind a surface | `integrator/gooch.rs` |
 //! | contours | what neighboring pixels see | `contours.rs`, before the colors of the display |
-//! | dots and lines in place of gray | the place of the pixel | `thresholds.rs`, by [`Dither`](super::Dither) |
+//! | dots and lines for gray | the place of the pixel | `thresholds.rs`, by [`Dither`](super::Dither) |
 
 use super::SettingsError;
 use crate::color::LinearRgb;
@@ -67,8 +67,8 @@ pub enum Tones {
 ///
 /// What a pixel sees takes a ray without light: up to 2 for each pixel of one sample, up to 3 for each of
 /// several samples and in scenes with a hierarchy. They come on top of
-/// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel), and probes do not see them. Realtime quality
-/// looks for contours where neighbors on its grid differ, and where it traces more.
+/// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel), and probes do not see them. Realtime
+/// quality looks for contours where neighbors on its grid differ, and where it traces more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

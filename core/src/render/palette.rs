@@ -2,10 +2,10 @@
 //!
 //! A pixel that is not dithered has the nearest color, as the eye sees it: by the codes of sRGB. A dithered
 //! pixel is one of [`PARTS`] that together have the color of the light. They are found one after the other:
-//! each is the color nearest to the light and to what the ones before it lack. Sorted from dark to bright, the
-//! threshold of the pixel chooses one (Knoll, "Pattern Dithering", US patent 6,606,166 of 1999, expired; as
-//! described by Yliluoma, "Arbitrary-Palette Positional Dithering Algorithm", 2011). Unlike error diffusion, a
-//! pixel needs no other pixel, so lines may come in any order.
+//! each is the color nearest to the light and to what the ones before it lack. Sorted from dark to bright,
+//! the threshold of the pixel chooses one (Knoll, "Pattern Dithering", US patent 6,606,166 of 1999, expired;
+//! as described by Yliluoma, "Arbitrary-Palette Positional Dithering Algorithm", 2011). Unlike error
+//! diffusion, a pixel needs no other pixel, so lines may come in any order.
 
 use super::quantize::{encode_srgb, light_of_srgb};
 use super::{Light16, Quantizer};

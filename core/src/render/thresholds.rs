@@ -27,15 +27,15 @@ pub(super) fn hatching(x: u16, y: u16) -> u32 {
 ///
 /// Formulas take no table. But of a third of the pixels, the power at low frequencies and the largest peak,
 /// both in parts of the mean power of white noise, are 0.12 and 10 for this mask, 0.35 and 455 for R2 above,
-/// and 0.13 and 782 for interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of Duty:
-/// Advanced Warfare", 2014): peaks are seen as stripes. A test prints the figures.
+/// and 0.13 and 782 for interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of
+/// Duty: Advanced Warfare", 2014): peaks are seen as stripes. A test prints the figures.
 pub(super) fn blue_noise(x: u16, y: u16) -> u32 {
     let place = usize::from(y & 63) << 6 | usize::from(x & 63);
     u32::from(BLUE_NOISE.get(place).copied().unwrap_or_default()) * 256 + 128
 }
 
-/// The ranks of the mask's pixels in 256ths, row by row: 4 KB. The test `blue_noise_is_made_by_void_and_cluster`
-/// makes them.
+/// The ranks of the mask's pixels in 256ths, row by row: 4 KB. The test
+/// `blue_noise_is_made_by_void_and_cluster` makes them.
 static BLUE_NOISE: [u8; 64 * 64] = *include_bytes!("blue_noise.bin");
 
 /// The order in which the pixels of a square of eight by eight turn to ink: line by line, in two directions
@@ -213,8 +213,8 @@ mod tests {
         hash >> 16
     }
 
-    /// The power of a picture of 64 x 64 black and white pixels at low frequencies, and its largest peak, both
-    /// in parts of the mean power of white noise.
+    /// The power of a picture of 64 x 64 black and white pixels at low frequencies, and its largest peak,
+    /// both in parts of the mean power of white noise.
     fn spectrum(pattern: fn(u16, u16) -> u32, ink: f64) -> (f64, f64) {
         const SIDE: usize = 64;
         let light = ((1.0 - ink) * 65536.0) as u32;

@@ -4,8 +4,8 @@
 //! less than a pixel, so that lines need no compensation for motion. Three measures:
 //!
 //! - *Lasting lines*: the share of pixels with ink that have ink within one pixel in the next frame.
-//! - *Flips*: the pixels of a dithered picture that turn from black to white or back, over the smallest number
-//!   by which the mean of areas can follow the light: the sum of its changes.
+//! - *Flips*: the pixels of a dithered picture that turn from black to white or back, over the smallest
+//!   number by which the mean of areas can follow the light: the sum of its changes.
 //! - *Still pixels*: those of the ball and the sky around it must not change at all.
 //!
 //! Each measure is also taken of a drawing that does flicker, with dots in random places in each frame.
