@@ -201,3 +201,56 @@ fn exported_scenes_may_be_drawn_in_any_shape() {
     assert!(width == height && (88..=92).contains(&width), "{width}x{height}");
     assert!(different(&ours, &theirs) < 0.005);
 }
+
+/// A room with a named box, a ball and a lamp.
+const ROOM: &str = r#"Scene(
+    camera: (eye: (0, 1, 3), target: (0, 0.5, 0), up: (0, 1, 0), vertical_fov: 0.8),
+    materials: {"white": (color: Solid(0.7, 0.7, 0.7))},
+    objects: {
+        "floor": (shape: Rectangle(corner: (-2, 0, -2), right: (0, 0, 4), up: (4, 0, 0)), material: "white"),
+        "box": (shape: Cuboid(center: (0.5, 0.4, 0), axes: ((0.4, 0, 0), (0, 0.4, 0), (0, 0, 0.4))), material: "white"),
+        "ball": (shape: Sphere(center: (-0.6, 0.5, 0), radius: 0.4), material: "white"),
+    },
+    lights: [Point(position: (1, 4, 3), color: (0.8, 0.8, 0.8))],
+)"#;
+
+/// The light of a scene is baked into all formats, which show one picture.
+#[test]
+fn baked_light_is_written_in_all_formats() {
+    let bench = Bench::new();
+    bench.write("room.ron", ROOM);
+    for output in ["lit.ron", "lit.rayline", "lit.rs"] {
+        let run = bench.run(&["bake", "room.ron", output, "--light", "--budget", "6000", "--grid", "2x2x2"]);
+        let (said, errors) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+        assert!(run.status.success(), "{errors}");
+        assert!(said.contains("light at ") && said.contains("0 lights"), "{said}");
+    }
+    let shown = |scene: &str| {
+        let picture = format!("{scene}.png");
+        let run = bench.run(&["render", scene, "-o", &picture, "--size", "40x30", "--transfer", "linear"]);
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+        pixels(&bench.path(&picture))
+    };
+    assert!(shown("lit.ron") == shown("lit.rayline"));
+    let source = std::fs::read_to_string(bench.path("lit.rs")).unwrap();
+    assert!(source.contains("IrradianceVolume") && source.contains("AmbientLight"));
+    // A box that moves throws no shadow, and gets a material with light from the volume.
+    let run = bench.run(&["bake", "room.ron", "moving.ron", "--light", "indirect", "--moving", "box"]);
+    assert!(run.status.success());
+    let text = std::fs::read_to_string(bench.path("moving.ron")).unwrap();
+    assert_eq!(text.matches("IrradianceVolume").count(), 1);
+    assert!(text.contains("Point("), "{text}");
+    for (arguments, expected) in [
+        (&["--light", "--budget", "20"][..], "raise the budget"),
+        (&["--light", "--grid", "0x1x1"], "three numbers from 1 to 255"),
+        (&["--light", "--moving", "cat"], "has no object cat"),
+        (&["--budget", "20"], "--light"),
+    ] {
+        let run = bench.run(&[&["bake", "room.ron", "bad.ron"], arguments].concat());
+        let errors = String::from_utf8_lossy(&run.stderr);
+        assert!(!run.status.success() && errors.contains(expected), "{arguments:?}: {errors}");
+    }
+    // POV-Ray's language has no such textures.
+    let run = bench.run(&["bake", "room.ron", "lit.pov", "--light"]);
+    assert!(String::from_utf8_lossy(&run.stderr).contains("holds no baked light"));
+}
