@@ -231,7 +231,9 @@ mod tests {
             rows[y * SIDE + u] = sum.fold((0.0, 0.0), |(re, im), (v, (s, c))| (re + v * c, im - v * s));
         }
         let (mut low, mut count, mut peak) = (0.0, 0, 0.0f64);
-        let lattice = ink.min(1.0 - ink).sqrt() * SIDE as f64;
+        // The frequency of dots that are spread evenly. From a quarter on they touch, and it stays (Lau, Ulichney
+        // and Arce, "Blue- and Green-Noise Halftoning Models", 2003).
+        let lattice = ink.min(1.0 - ink).min(0.25).sqrt() * SIDE as f64;
         for (u, v) in (0..SIDE).flat_map(|u| (0..SIDE).map(move |v| (u, v))).skip(1) {
             let column = (0..SIDE).map(|y| (rows[y * SIDE + u], wave[y * v % SIDE]));
             let (re, im) = column

@@ -160,9 +160,10 @@ pub fn bake_light<'a>(
     let (mut surfaces, placements) = surfaces(still, options, &probe, progress)?;
     surfaces.solve(&probe, &|share| progress(LightStep::Surfaces, share));
     progress(LightStep::Space, 0.0);
-    let mut shelf = Shelf { scene, options, arena, objects: scene.objects.to_vec(), materials: Vec::new() };
-    shelf.store(&resting, &surfaces, &placements)?;
-    shelf.finish(&resting, &surfaces, &white, &probe)
+    let mut assembly =
+        Assembly { scene, options, arena, objects: scene.objects.to_vec(), materials: Vec::new() };
+    assembly.store(&resting, &surfaces, &placements)?;
+    assembly.finish(&resting, &surfaces, &white, &probe)
 }
 
 /// The scene without the objects that will move.
@@ -236,7 +237,7 @@ fn scatters(material: &Material<'_>) -> bool {
 }
 
 /// The scene that is made.
-struct Shelf<'s, 'a> {
+struct Assembly<'s, 'a> {
     scene: &'s Scene<'a>,
     options: &'s LightOptions,
     arena: &'a Bump,
@@ -244,9 +245,9 @@ struct Shelf<'s, 'a> {
     materials: Vec<Material<'a>>,
 }
 
-impl<'a> Shelf<'_, 'a> {
+impl<'a> Assembly<'_, 'a> {
     /// Gives an object a material.
-    fn dress(&mut self, object: usize, material: Material<'a>) -> Result<(), LightError> {
+    fn set_material(&mut self, object: usize, material: Material<'a>) -> Result<(), LightError> {
         let known = self.materials.iter().position(|other| *other == material);
         let position = known.unwrap_or_else(|| {
             self.materials.push(material);
@@ -277,15 +278,15 @@ impl<'a> Shelf<'_, 'a> {
             if let Some((_, placement)) = faces.first() {
                 let lattices: Vec<_> = faces.iter().map(|(lattice, _)| *lattice).collect();
                 let map = texture::map(&lattices, **placement, self.options, self.arena);
-                self.dress(object, texture::lit(&material, map, self.options, self.arena))?;
+                self.set_material(object, texture::lit(&material, map, self.options, self.arena))?;
             } else if let (Some((_, texels)), Shape::Mesh(mesh)) = (of_mesh, self.objects[object].shape) {
                 let (mesh, most) = texture::lit_mesh(&mesh, texels, self.options, self.arena);
                 let onto = Onto::AmbientLight { most };
                 let map = Map { onto, texture: Texture::Solid(LinearRgb::WHITE) };
                 self.objects[object].shape = Shape::Mesh(mesh);
-                self.dress(object, texture::lit(&material, map, self.options, self.arena))?;
+                self.set_material(object, texture::lit(&material, map, self.options, self.arena))?;
             } else {
-                self.dress(object, material)?;
+                self.set_material(object, material)?;
             }
         }
         Ok(())
@@ -319,15 +320,24 @@ impl<'a> Shelf<'_, 'a> {
             let map = volume::map(&grid, &baked, lit, probe, self.arena)?;
             for object in dark {
                 let Some(material) = self.material_of(object).copied() else { continue };
-                self.dress(object, texture::lit(&material, map, self.options, self.arena))?;
+                self.set_material(object, texture::lit(&material, map, self.options, self.arena))?;
             }
             bytes += self.options.grid.map(usize::from).iter().product::<usize>() * 24;
         }
-        self.scene_with(bytes, surfaces.points().count())
+        Ok(self.scene_with(bytes, surfaces.points().count()))
     }
 
-    fn scene_with(self, bytes: usize, texels: usize) -> Result<BakedLight<'a>, LightError> {
-        let Self { scene, options, arena, objects, materials } = self;
+    /// The complete scene, without materials and lights that nothing needs any more.
+    fn scene_with(self, bytes: usize, texels: usize) -> BakedLight<'a> {
+        let Self { scene, options, arena, mut objects, mut materials } = self;
+        for material in (0..materials.len()).rev() {
+            let numbers = || objects.iter().map(|object| usize::from(object.material.0));
+            if !numbers().any(|number| number == material) {
+                materials.remove(material);
+                let behind = |object: &&mut Object<_>| usize::from(object.material.0) > material;
+                objects.iter_mut().filter(behind).for_each(|object| object.material.0 -= 1);
+            }
+        }
         let is_shiny = |object: &Object<_>| {
             materials.get(usize::from(object.material.0)).is_some_and(|material| material.specular > 0.0)
         };
@@ -341,7 +351,7 @@ impl<'a> Shelf<'_, 'a> {
             lights: arena.alloc_slice_copy(&lights),
             ..*scene
         };
-        Ok(BakedLight { scene, bytes, texels })
+        BakedLight { scene, bytes, texels }
     }
 }
 
