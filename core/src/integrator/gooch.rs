@@ -9,7 +9,7 @@ use super::shaded_hit::{FacingLight, LampLight, ShadedHit, ShadowRays};
 use crate::color::LinearRgb;
 use crate::light::PreparedLight;
 use crate::math::{Real, Vec3};
-use crate::probe::{Event, Probe};
+use crate::probe::{Cut, Event, Probe};
 use crate::shape::Geometry;
 use crate::throughput::Throughput;
 
@@ -134,6 +134,11 @@ impl<R: Real> ShadedHit<'_, R> {
         trace: &mut Trace<'_, '_, R, S, P>,
     ) {
         if !(cosine > R::ZERO && self.material.specular > R::ZERO) {
+            return;
+        }
+        // Its event is one of a shadow ray, which counts though nothing can be in the way.
+        if !trace.rays.spend() {
+            trace.probe.record(Event::Cut(Cut::Rays));
             return;
         }
         let highlight_cosine = self.highlight_cosine(toward);

@@ -48,12 +48,6 @@ pub enum Onto {
     /// [`Optics::emission`](crate::Optics::emission) is multiplied by the texture, channel by channel. A
     /// [`Light::Object`](crate::Light::Object) shines as without the map.
     Emission,
-    /// The texture, times `most`, is the ambient light that arrives at the surface, channel by channel, in
-    /// place of the scene's: baked light, which path tracing leaves out. Several such maps add up.
-    AmbientLight {
-        /// The light of a white texture, 0 or more.
-        most: f32,
-    },
     /// A bump map: the normal is tilted as if the texture raised the surface. Outlines do not change.
     Bump {
         /// The height of a white texture, in units of the scene.
@@ -69,6 +63,12 @@ pub enum Onto {
     Normal {
         /// The factor of the first two coordinates: 1 leaves the normals as they are, 0 has no effect.
         strength: f32,
+    },
+    /// The texture, times `most`, is the ambient light that arrives at the surface, channel by channel, in
+    /// place of the scene's: baked light, which path tracing leaves out. Several such maps add up.
+    AmbientLight {
+        /// The light of a white texture, 0 or more.
+        most: f32,
     },
 }
 

@@ -17,6 +17,8 @@ mod placed;
 mod placement;
 mod srgb;
 mod stripes;
+#[cfg(all(test, feature = "textures"))]
+mod tests;
 mod wood;
 
 pub use brick::Brick;

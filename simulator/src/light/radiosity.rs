@@ -2,7 +2,8 @@
 //! Wallace and Greenberg, "A Progressive Refinement Approach to Fast Radiosity Image Generation", SIGGRAPH
 //! 1988).
 //!
-//! 1. Each texel scatters the light of lamps that it receives, and emits light of its own: its *unshot* light.
+//! 1. Each texel scatters the light of lamps that it receives, and emits light of its own: its *unshot*
+//!    light.
 //! 2. The patch with the most unshot light, a block of texels, sends it to all other texels. A texel receives
 //!    the light times the form factor of the patch ([`form_factor`](super::form_factor)), times the share of
 //!    the way that is free, which a ray finds; it scatters what it received, which is unshot again.

@@ -1,5 +1,5 @@
-//! Tests through the public interface. They are no unit tests, because the library would be compiled once more
-//! for these: the readers of RON and JSON take most of that time.
+//! Tests through the public interface. They are no unit tests, because the library would be compiled once
+//! more for these: the readers of RON and JSON take most of that time.
 
 // All of this is test code, but clippy counts only functions with `#[test]` as such.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
