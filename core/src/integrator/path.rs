@@ -103,13 +103,13 @@ impl<R: Real> Path<R> {
             return take(waiting, &mut self.next);
         };
         let throughput = scene.dimmed(throughput, from, is_reflected, Some(hit.t));
-        let mut room_of_maps = MapRoom::EMPTY;
-        let mapped;
+        let (mapped, mut room_of_maps);
         let mut normal = hit.surface.shading_normal;
         let mut room = None;
         let still = scene.still(hit.object, &hit.surface, &mut room);
         if !material.maps.is_empty() {
             let uv = |surface: &Surface<R>| scene.uv(hit.object, surface);
+            room_of_maps = MapRoom::EMPTY;
             mapped = material.mapped(still, uv, &mut room_of_maps);
             normal = scene.bumped(hit.object, still, ray.direction, material);
             material = &mapped;

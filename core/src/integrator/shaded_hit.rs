@@ -208,7 +208,10 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         // Products are slow in fixed point.
         if !R::IS_FIXED_POINT || self.material.ambient > R::ZERO {
             ambient = self.color * self.material.ambient;
-            if let Some(light) = self.material.ambient_light().or(scene.ambient()) {
+            let light = scene.ambient();
+            #[cfg(feature = "textures")]
+            let light = self.material.ambient_light().or(light);
+            if let Some(light) = light {
                 ambient = light * ambient;
             }
         }
