@@ -65,8 +65,8 @@ pub enum Tones {
 /// contours: no mirror image, shadow or texture has one. With several samples, each of them is compared with
 /// the places a pixel beside it, so that lines are smooth.
 ///
-/// What a pixel sees takes a ray without light: up to 2 for each pixel of one sample, up to 3 for each of
-/// several samples and in scenes with a hierarchy. They come on top of
+/// Contours take rays without light: up to 2 for each pixel of one sample, up to 3 for each of
+/// several samples and in scenes with a hierarchy. These rays come on top of
 /// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel), and probes do not see them. Realtime
 /// quality looks for contours where neighbors on its grid differ, and where it traces more.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -105,7 +105,7 @@ impl<const N: usize> Palette<N> {
         let (mut parts, mut lacking) = ([0u8; N], [0i32; 3]);
         for _ in 0..PARTS {
             let add = |i: usize| light.get(i).copied().unwrap_or(0) + lacking.get(i).copied().unwrap_or(0);
-            // What no mixture has would add up without end.
+            // A lack that no mixture can fill would grow without end.
             let wanted = [add(0), add(1), add(2)].map(|channel| channel.clamp(-WHOLE, 2 * WHOLE));
             let number = usize::from(Self::nearest(self.lights.into_iter().map(channels), wanted));
             if let (Some(part), Some(color)) = (parts.get_mut(number), self.lights.get(number)) {

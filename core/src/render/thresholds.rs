@@ -26,8 +26,8 @@ pub(super) fn hatching(x: u16, y: u16) -> u32 {
 /// 1993).
 ///
 /// Formulas take no table. But of a third of the pixels, the power at low frequencies and the largest peak,
-/// both in parts of the mean power of white noise, are 0.12 and 10 for this mask, 0.35 and 455 for R2 above,
-/// and 0.13 and 782 for interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of
+/// both in parts of the mean power of white noise, are 0.07 and 10 for this mask, 0.06 and 455 for R2 above,
+/// and 0.14 and 782 for interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of
 /// Duty: Advanced Warfare", 2014): peaks are seen as stripes. A test prints the figures.
 pub(super) fn blue_noise(x: u16, y: u16) -> u32 {
     let place = usize::from(y & 63) << 6 | usize::from(x & 63);

@@ -179,8 +179,8 @@ impl<R: Real> PreparedTexture<'_, R> {
             Self::Checker(checker) => checker.color(surface.point),
             #[cfg(feature = "textures")]
             Self::Placed(pattern) => pattern.get().color(surface, uv),
-            // There is no such pattern. A call that is never reached kept all of `surface` in memory, and took
-            // `classic` on an M4F 5 instructions a pixel.
+            // There is no such pattern. A call that is never reached kept all of `surface` in memory, and
+            // took `classic` on an M4F 5 instructions a pixel.
             #[cfg(not(feature = "textures"))]
             Self::Placed(pattern) => {
                 pattern.get();
