@@ -82,11 +82,7 @@ impl<R: Real> ShadedHit<'_, R> {
         gooch: &Gooch,
         trace: &mut Trace<'_, '_, R, S, P>,
     ) -> LinearRgb<R> {
-        let (material, incoming) = (self.material, self.incoming);
-        let emitted = material
-            .optics()
-            .map_or(LinearRgb::BLACK, |optics| optics.emission_toward(self.hit.surface.normal, incoming));
-        let share = (material.ambient + material.diffuse).smaller(R::ONE);
+        let share = (self.material.ambient + self.material.diffuse).smaller(R::ONE);
         let mut sum = Facing { cosines: R::ZERO, weights: R::ZERO };
         let mut lamps = LampLight::NONE;
         for (index, light) in trace.scene.lights.iter().enumerate() {
@@ -108,8 +104,8 @@ impl<R: Real> ShadedHit<'_, R> {
             }
         }
         let cosine =
-            if sum.weights > R::ZERO { sum.cosines / sum.weights } else { -self.normal.dot(incoming) };
-        let tone = self.tone(gooch, cosine) * share + emitted;
+            if sum.weights > R::ZERO { sum.cosines / sum.weights } else { -self.normal.dot(self.incoming) };
+        let tone = self.tone(gooch, cosine) * share + self.emission();
         trace.probe.record(Event::Surface { shown: tone });
         self.reflected_light(tone, lamps)
     }
@@ -136,7 +132,7 @@ impl<R: Real> ShadedHit<'_, R> {
         if !(cosine > R::ZERO && self.material.specular > R::ZERO) {
             return;
         }
-        // Its event is one of a shadow ray, which counts though nothing can be in the way.
+        // The event reports a shadow ray, and each reported ray is one of the budget.
         if !trace.rays.spend() {
             trace.probe.record(Event::Cut(Cut::Rays));
             return;

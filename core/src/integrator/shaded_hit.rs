@@ -208,10 +208,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         // Products are slow in fixed point.
         if !R::IS_FIXED_POINT || self.material.ambient > R::ZERO {
             ambient = self.color * self.material.ambient;
-            let light = scene.ambient();
-            #[cfg(feature = "textures")]
-            let light = self.material.ambient_light().or(light);
-            if let Some(light) = light {
+            if let Some(light) = self.material.ambient_light().or(scene.ambient()) {
                 ambient = light * ambient;
             }
         }
@@ -222,7 +219,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     }
 
     /// The light that the surface emits along the incoming ray.
-    #[cfg(feature = "path-tracing")]
+    #[cfg(any(feature = "looks", feature = "path-tracing"))]
     pub(super) fn emission(&self) -> LinearRgb<R> {
         let (optics, normal) = (self.material.optics(), self.hit.surface.normal);
         optics.map_or(LinearRgb::BLACK, |optics| optics.emission_toward(normal, self.incoming))

@@ -60,13 +60,18 @@ pub(super) struct Ink {
 impl Ink {
     pub(super) const NONE: Self = Self { share: 0, rays: 0 };
 
+    /// All ink on an edge, and none beside it.
+    const fn of_edge(is_edge: bool, rays: u32) -> Self {
+        Self { share: if is_edge { ALL_INK } else { 0 }, rays }
+    }
+
     /// The share, 0 to 32768.
     pub(super) fn share(self) -> u32 {
         self.share
     }
 }
 
-/// What a ray from the eye meets, as far as edges show it.
+/// The part of a hit that edges depend on.
 #[derive(Clone, Copy, Debug)]
 struct Mark<R> {
     /// Position of the object; `None` for the background.
@@ -102,7 +107,7 @@ impl<R: Real> Mark<R> {
 /// Finds the ink of neighboring pixels, best from left to right.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InkWalk<R> {
-    /// What the pixel to the right of the last one sees, and its place.
+    /// The place of the pixel to the right of the last one, and its mark.
     next: Option<((u16, u16), Mark<R>)>,
 }
 
@@ -136,7 +141,7 @@ impl<R: Real> InkWalk<R> {
             _ => mark(x, y),
         };
         let mut is_edge = false;
-        // What lies beside the picture is not seen.
+        // Pixels beside the picture make no edge.
         if x.saturating_add(1) < renderer.width {
             let right = mark(x + 1, y);
             self.next = Some(((x + 1, y), right));
@@ -145,7 +150,7 @@ impl<R: Real> InkWalk<R> {
         if !is_edge && y.saturating_add(1) < renderer.height {
             is_edge = here.differs(&mark(x, y + 1), contours);
         }
-        Ink { share: if is_edge { ALL_INK } else { 0 }, rays }
+        Ink::of_edge(is_edge, rays)
     }
 }
 
@@ -186,25 +191,35 @@ fn place_of(index: u16, samples: u16) -> [i32; 2] {
 }
 
 impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
-    /// What the center of a pixel sees.
+    /// The mark of the center of a pixel.
     fn mark_of_pixel(&self, (x, y): (u16, u16), among: ObjectSet) -> Mark<R> {
         let (viewport, row) = (&self.viewport, self.row(y, Aim::Area));
         self.scene.mark(&viewport.ray(viewport.across((x, CENTER)), row, &RayNumbers::NONE), among)
     }
 
+    /// The mark of the pixel at this distance from a corner, and one more ray; `None` beside the picture,
+    /// where no pixel makes an edge.
+    fn mark_in_picture(
+        &self,
+        (left, top): (u16, u16),
+        (right, down): (u16, u16),
+        among: ObjectSet,
+        rays: &mut u32,
+    ) -> Option<Mark<R>> {
+        let (x, y) = (left.checked_add(right)?, top.checked_add(down)?);
+        if x >= self.width || y >= self.height {
+            return None;
+        }
+        *rays += 1;
+        Some(self.mark_of_pixel((x, y), among))
+    }
+
     /// Whether pixels at the corners of a square of this length see different things, if the picture has
-    /// contours, and the rays that it took to know. What lies beside the picture is not seen.
+    /// contours, and the rays that it took to know.
     pub(super) fn has_edge_in(&self, (left, top): (u16, u16), length: u16, among: ObjectSet) -> (bool, u32) {
         let Some(contours) = &self.contours else { return (false, 0) };
         let mut rays = 0;
-        let mut mark = |right, down| {
-            let (x, y) = (left.checked_add(right)?, top.checked_add(down)?);
-            if x >= self.width || y >= self.height {
-                return None;
-            }
-            rays += 1;
-            Some(self.mark_of_pixel((x, y), among))
-        };
+        let mut mark = |right, down| self.mark_in_picture((left, top), (right, down), among, &mut rays);
         let first = mark(0, 0);
         let mut differs = |right, down| {
             first.zip(mark(right, down)).is_some_and(|(first, other)| first.differs(&other, contours))
@@ -224,14 +239,9 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         let Some(contours) = &self.contours else { return 0 };
         let mut rays = 0;
         let mut mark = |right: usize, down: usize| {
-            let (x, y) = (left.checked_add(right as u16)?, top.checked_add(down as u16)?);
-            if x >= self.width || y >= self.height {
-                return None;
-            }
-            rays += 1;
-            Some(self.mark_of_pixel((x, y), self.scene.all()))
+            let from_corner = (right as u16, down as u16);
+            self.mark_in_picture((left, top), from_corner, self.scene.all(), &mut rays)
         };
-        // What lies beside the picture is not seen.
         let mut row: [Option<Mark<R>>; WIDTH + 1] = [None; WIDTH + 1];
         for (right, here) in row.iter_mut().take(width + 1).enumerate() {
             *here = mark(right, 0);
@@ -252,7 +262,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
                 };
                 let is_edge = differs(&below) || others.first().is_some_and(differs);
                 if let Some(ink) = inks.get_mut(right).filter(|_| !is_last) {
-                    *ink = Ink { share: if is_edge { ALL_INK } else { 0 }, rays: 0 };
+                    *ink = Ink::of_edge(is_edge, 0);
                 }
                 *here = below;
                 rest = others;
@@ -299,7 +309,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         ink
     }
 
-    /// What a sample sees.
+    /// The mark of one sample of a pixel.
     fn mark_of_sample(&self, across: (u16, i32), down: (u16, i32), numbers: &RayNumbers) -> Mark<R> {
         let (viewport, scene) = (&self.viewport, self.scene);
         let ray = viewport.ray(viewport.across(across), viewport.row(down), numbers);
@@ -314,7 +324,7 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
 }
 
 impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
-    /// What a ray from the eye meets among these objects.
+    /// The mark of a ray from the eye that can meet these objects.
     fn mark(&self, ray: &Ray<R>, among: ObjectSet) -> Mark<R> {
         let Some((t, object)) = self.closest_from(ray, Departure::NONE, among) else { return Mark::NOTHING };
         // Balls and planes have no edges in themselves.
