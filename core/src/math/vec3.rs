@@ -123,7 +123,7 @@ impl<R: Real> Vec3<R> {
     /// Two unit vectors perpendicular to this unit vector and to each other: first, second and this vector
     /// are right-handed in this order. The first leans toward the x axis, or toward y if this vector lies
     /// almost along x.
-    pub(crate) fn around(self) -> (Self, Self) {
+    pub fn around(self) -> (Self, Self) {
         let (one, none) = (R::ONE, R::ZERO);
         let lies_along_x = self.x.abs() > R::from_f32(0.9);
         let toward = if lies_along_x { Self::new(none, one, none) } else { Self::new(one, none, none) };

@@ -30,7 +30,7 @@ pub mod raster;
 pub mod ron;
 mod source;
 mod space;
-mod srgb;
+pub mod srgb;
 mod text;
 
 pub use exposure::{Exposure, ExposureError};

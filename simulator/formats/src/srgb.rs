@@ -3,7 +3,7 @@
 use rayline::Encoding;
 
 /// The linear light of a code.
-pub(crate) fn light(code: u8) -> f32 {
+pub fn light(code: u8) -> f32 {
     light_of_share(f32::from(code) / 255.0)
 }
 
@@ -13,7 +13,7 @@ pub(crate) fn light_of_share(share: f32) -> f32 {
 }
 
 /// The code of linear light.
-pub(crate) fn code(light: f32) -> u8 {
+pub fn code(light: f32) -> u8 {
     byte(if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 })
 }
 

@@ -110,9 +110,7 @@ fn around(corners: &[Vector]) -> Option<((Vector, [Vector; 2], Vec<[f64; 2]>), P
     // Newell's normal, as the shape has it.
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let normal = edges.fold(Vec3::new(0.0, 0.0, 0.0), |sum, (a, b)| sum + a.cross(*b)).normalized()?;
-    let toward = if normal.x.abs() > 0.9 { Vec3::new(0.0, 1.0, 0.0) } else { Vec3::new(1.0, 0.0, 0.0) };
-    let first = (toward - normal * normal.dot(toward)).normalized()?;
-    let second = normal.cross(first);
+    let (first, second) = normal.around();
     let flat = |point: &Vector| [first.dot(*point), second.dot(*point)];
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for point in corners.iter().map(flat) {

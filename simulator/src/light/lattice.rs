@@ -45,7 +45,7 @@ const PLACES: usize = 2;
 impl Lattice {
     pub(super) fn new(face: Face, [width, height]: [usize; 2], probe: &LightProbe<'_>) -> Self {
         let area = face.whole_area() / (width * height * PLACES * PLACES) as f64;
-        // What covers a texel this closely hides it: a lamp below a ceiling.
+        // A surface this close above a texel hides it, such as a lamp below a ceiling.
         let reach = area.sqrt() * 0.5;
         let texel = |index: usize| {
             let (column, line) = (index % width, index / width);
@@ -105,8 +105,7 @@ impl Lattice {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
                 .map(|(right, up)| self.texels[(line + up) * self.width + column + right]);
             let area: f64 = four.iter().map(|texel| texel.area).sum();
-            let sum =
-                four.iter().fold(Light::new(0.0, 0.0, 0.0), |sum, texel| sum + texel.direct * texel.area);
+            let sum = four.iter().fold(Light::BLACK, |sum, texel| sum + texel.direct * texel.area);
             Texel { area, direct: if area > 0.0 { sum * (1.0 / area) } else { sum }, ..four[0] }
         };
         let texels = (0..width * height).map(mean).collect();
@@ -121,7 +120,7 @@ impl Lattice {
             (first, (first + 1).min(count - 1), at - first as f64)
         };
         let ((left, right, across), (low, high, up)) = (between(x, self.width), between(y, self.height));
-        let mut sum = (Light::new(0.0, 0.0, 0.0), 0.0);
+        let mut sum = (Light::BLACK, 0.0);
         for (column, line, share) in [
             (left, low, (1.0 - across) * (1.0 - up)),
             (right, low, across * (1.0 - up)),
@@ -175,10 +174,9 @@ impl Texel {
         index: usize,
         probe: &LightProbe<'_>,
     ) -> Self {
-        let dark = Light::new(0.0, 0.0, 0.0);
         let mean = |light: &dyn Fn(&Place) -> Light| {
-            let sum = places.iter().map(light).fold(dark, |sum, light| sum + light);
-            if places.is_empty() { dark } else { sum * (1.0 / places.len() as f64) }
+            let sum = places.iter().map(light).fold(Light::BLACK, |sum, light| sum + light);
+            if places.is_empty() { Light::BLACK } else { sum * (1.0 / places.len() as f64) }
         };
         let emission = mean(&|place| probe.emission(*place));
         // A middle inside of a body sees nothing.
@@ -192,9 +190,9 @@ impl Texel {
             area,
             reflectance: mean(&|place| probe.reflectance(*place)),
             emission,
-            direct: probe.direct(places, index),
-            scattered: dark,
-            unshot: dark,
+            direct: probe.shown(places, index) + emission * -1.0,
+            scattered: Light::BLACK,
+            unshot: Light::BLACK,
         }
     }
 }

@@ -30,6 +30,7 @@ use rayline::{
     Renderer, Sampling, Scene, SceneError, Settings, SettingsError, Texture, Vec3,
 };
 
+use crate::picture::memory_for;
 use face::Face;
 use probe::LightProbe;
 use radiosity::Surfaces;
@@ -146,7 +147,7 @@ pub fn bake_light<'a>(
     let white = probe::with_materials(still, arena, still.lights, probe::in_white);
     let colored = probe::with_materials(still, arena, &[], |material| probe::in_color(material, arena));
     let glowing = probe::with_materials(still, arena, &[], probe::in_black);
-    let [mut of_white, mut of_colored, mut of_glowing] = [&white, &colored, &glowing].map(memory);
+    let [mut of_white, mut of_colored, mut of_glowing] = [&white, &colored, &glowing].map(memory_for::<f64>);
     let in_white = prepared(&white, &mut of_white)?;
     let (in_color, in_black) = (prepared(&colored, &mut of_colored)?, prepared(&glowing, &mut of_glowing)?);
     let probe = LightProbe {
@@ -162,8 +163,8 @@ pub fn bake_light<'a>(
     progress(LightStep::Space, 0.0);
     let mut assembly =
         Assembly { scene, options, arena, objects: scene.objects.to_vec(), materials: Vec::new() };
-    assembly.store(&resting, &surfaces, &placements)?;
-    assembly.finish(&resting, &surfaces, &white, &probe)
+    let unlit = assembly.store(&resting, &surfaces, &placements)?;
+    assembly.finish(unlit, (&resting, &surfaces), &white, &probe)
 }
 
 /// The scene without the objects that will move.
@@ -262,13 +263,15 @@ impl<'a> Assembly<'_, 'a> {
         self.scene.materials.get(usize::from(self.scene.objects[object].material.0))
     }
 
-    /// Stores the light of all surfaces. Other objects get their materials as they were.
+    /// Stores the light of all surfaces. Other objects get their materials as they were; those of them that
+    /// scatter light are returned.
     fn store(
         &mut self,
         resting: &Resting<'a>,
         surfaces: &Surfaces,
         placements: &[Placement],
-    ) -> Result<(), LightError> {
+    ) -> Result<Vec<usize>, LightError> {
+        let mut unlit = Vec::new();
         for object in 0..self.objects.len() {
             let Some(material) = self.material_of(object).copied() else { continue };
             let here = resting.positions.iter().position(|position| *position == object);
@@ -287,38 +290,32 @@ impl<'a> Assembly<'_, 'a> {
                 self.set_material(object, texture::lit(&material, map, self.options, self.arena))?;
             } else {
                 self.set_material(object, material)?;
+                unlit.extend(scatters(&material).then_some(object));
             }
         }
-        Ok(())
+        Ok(unlit)
     }
 
-    /// Finds the light of all objects that have none yet, and completes the scene.
+    /// Finds the light of the objects that have none yet, and completes the scene.
     fn finish(
         mut self,
-        resting: &Resting<'a>,
-        surfaces: &Surfaces,
+        unlit: Vec<usize>,
+        (resting, surfaces): (&Resting<'a>, &Surfaces),
         white: &Scene<'_>,
         probe: &LightProbe<'_>,
     ) -> Result<BakedLight<'a>, LightError> {
-        let is_lit = |object: usize| {
-            let here = resting.positions.iter().position(|position| *position == object);
-            let has_faces = surfaces.lattices.iter().any(|lattice| Some(lattice.face.object) == here);
-            has_faces || surfaces.meshes.iter().any(|(object, _)| Some(*object) == here)
-        };
-        let is_dark = |object: &usize| !is_lit(*object) && self.material_of(*object).is_some_and(scatters);
-        let dark: Vec<_> = (0..self.objects.len()).filter(is_dark).collect();
         let mut bytes = surfaces.lattices.iter().map(|lattice| lattice.texels.len()).sum::<usize>();
         bytes *= self.options.texels.bytes();
         let vertices: usize = surfaces.meshes.iter().map(|(_, texels)| texels.len()).sum();
         bytes += vertices * 3;
-        if !dark.is_empty() {
+        if !unlit.is_empty() {
             let still = resting.positions.iter().map(|position| self.objects[*position]);
             let still: Vec<_> = still.collect();
             let baked = Scene { objects: &still, materials: &self.materials, ..resting.scene };
             let grid = volume::Grid::around(surfaces.points(), self.options.grid);
             let lit = (!self.options.keep_lamps).then_some(white);
             let map = volume::map(&grid, &baked, lit, probe, self.arena)?;
-            for object in dark {
+            for object in unlit {
                 let Some(material) = self.material_of(object).copied() else { continue };
                 self.set_material(object, texture::lit(&material, map, self.options, self.arena))?;
             }
@@ -363,10 +360,6 @@ fn vector(vector: Vec3) -> Vector {
 fn one_texel(samples: u16) -> Settings {
     let sampling = Sampling::new(samples);
     Settings { bounces: 0, sampling, rays_per_pixel: 100_000, ..Settings::new(1, 1) }
-}
-
-fn memory(scene: &Scene<'_>) -> Vec<MaybeUninit<u8>> {
-    vec![MaybeUninit::uninit(); scene.bytes::<f64>()]
 }
 
 fn prepared<'m>(

@@ -41,7 +41,7 @@ impl LightProbe<'_> {
         match self.white.light_through(&Ray { origin: from, direction }, distance - self.short) {
             Through::All => Light::new(1.0, 1.0, 1.0),
             Through::Some(share) => share,
-            _ => Light::new(0.0, 0.0, 0.0),
+            _ => Light::BLACK,
         }
     }
 
@@ -55,24 +55,22 @@ impl LightProbe<'_> {
         self.glowing.light_along(&self.toward(place), (0, 0), 0)
     }
 
-    /// The light of lamps on a texel, of which these places can be seen: what a white surface would show.
-    pub(super) fn direct(&self, places: &[(Vector, Vector)], texel: usize) -> Light {
-        let dark = Light::new(0.0, 0.0, 0.0);
+    /// The light that a texel shows in white under its lamps, with the light that it emits. Light comes to
+    /// these places of it.
+    pub(super) fn shown(&self, places: &[(Vector, Vector)], texel: usize) -> Light {
         if places.is_empty() {
-            return dark;
+            return Light::BLACK;
         }
         let has_size = |lamp: &Lamp| matches!(lamp, Lamp::Object(_) | Lamp::Sky);
         let samples = if self.scene.lights.iter().any(has_size) { SAMPLES } else { 1 };
         let each = usize::from(samples).div_ceil(places.len());
-        let mut sum = dark;
+        let mut sum = Light::BLACK;
         for (index, place) in places.iter().enumerate() {
-            let emission = self.emission(*place);
             for sample in 0..each {
                 // Texels draw other numbers than their neighbors, as pixels do.
                 let drawn = ((texel & 0xFFFF) as u16, (texel >> 16) as u16);
                 let sample = (index * each + sample) as u16;
-                let shown = self.lit.light_along(&self.toward(*place), drawn, sample);
-                sum = sum + (shown + emission * -1.0);
+                sum = sum + self.lit.light_along(&self.toward(*place), drawn, sample);
             }
         }
         sum * (1.0 / (each * places.len()) as f64)

@@ -130,7 +130,7 @@ impl Surfaces {
         let sender = self.sender(patch, 0..patch.columns, 0..lines);
         let mut surfaces: Vec<_> = self.all().collect();
         for texel in &patch.texels {
-            surfaces[patch.surface][*texel].unshot = Light::new(0.0, 0.0, 0.0);
+            surfaces[patch.surface][*texel].unshot = Light::BLACK;
         }
         let is_flat = sender.outline.is_some();
         for (index, texels) in surfaces.into_iter().enumerate() {
@@ -193,20 +193,19 @@ impl Surfaces {
 impl Sender {
     /// The light that arrives at a texel.
     fn light_at(&self, texel: &Texel, probe: &LightProbe<'_>) -> Light {
-        let dark = Light::new(0.0, 0.0, 0.0);
         if !(self.area > 0.0) || (self.light.r + self.light.g + self.light.b) <= 0.0 {
-            return dark;
+            return Light::BLACK;
         }
         let place = (texel.point, texel.normal);
         let squared = (self.point - texel.point).length_squared();
         if self.area > squared * LARGE && !self.parts.is_empty() {
-            return self.parts.iter().fold(dark, |sum, part| sum + part.light_at(texel, probe));
+            return self.parts.iter().fold(Light::BLACK, |sum, part| sum + part.light_at(texel, probe));
         }
         let share = match &self.outline {
             Some((corners, area)) if self.area > squared * SMALL => {
                 // The side of the face that sends no light is dark.
                 if self.normal.dot(texel.point - corners[0]) <= 0.0 {
-                    return dark;
+                    return Light::BLACK;
                 }
                 form_factor::of_polygon(place, corners) * (self.area / area)
             }
@@ -219,7 +218,7 @@ impl Sender {
             }
         };
         if !(share > 0.0) {
-            return dark;
+            return Light::BLACK;
         }
         let from = texel.point + texel.normal * probe.short;
         probe.through(from, self.point + self.normal * probe.short) * self.light * share

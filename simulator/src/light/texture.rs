@@ -5,6 +5,7 @@ use rayline::shape::Mesh;
 use rayline::{
     Encoding, Ends, Figure, Filter, Image, Map, Material, Onto, Pixels, Placed, Placement, Texture,
 };
+use rayline_formats::srgb;
 
 use super::lattice::{Lattice, Texel};
 use super::{Light, LightOptions, LightTexels};
@@ -25,12 +26,12 @@ fn light(lattice: &Lattice, options: &LightOptions) -> Vec<Light> {
             });
             let known: Vec<_> = around.filter_map(|index| before[index]).collect();
             if !known.is_empty() {
-                let sum = known.iter().fold(Light::new(0.0, 0.0, 0.0), |sum, light| sum + *light);
+                let sum = known.iter().fold(Light::BLACK, |sum, light| sum + *light);
                 *texel = Some(sum * (1.0 / known.len() as f64));
             }
         }
     }
-    light.into_iter().map(|light| light.unwrap_or(Light::new(0.0, 0.0, 0.0))).collect()
+    light.into_iter().map(|light| light.unwrap_or(Light::BLACK)).collect()
 }
 
 /// The light that the device looks up.
@@ -42,10 +43,9 @@ fn brightest<'l>(light: impl IntoIterator<Item = &'l Light>) -> f64 {
     light.into_iter().fold(0.0, |most: f64, Light { r, g, b }| most.max(*r).max(*g).max(*b))
 }
 
-/// The code of sRGB for a share of light (IEC 61966-2-1).
-fn code(share: f64) -> u8 {
-    let encoded = if share <= 0.003_130_8 { share * 12.92 } else { 1.055 * share.powf(1.0 / 2.4) - 0.055 };
-    (encoded * 255.0).round() as u8
+/// The code of sRGB for light, as a share of the brightest.
+fn code_of(light: f64, most: f64) -> u8 {
+    if most > 0.0 { srgb::code((light / most) as f32) } else { 0 }
 }
 
 /// The map of an object's light, from the lattices of its faces.
@@ -60,8 +60,7 @@ pub(super) fn map<'a>(
     let image = |lattice: &Lattice, light: &[Light]| {
         // Images begin with the upper line.
         let lines = light.chunks(lattice.width).rev().flatten();
-        let codes =
-            lines.map(|Light { r, g, b }| [r, g, b].map(|c| code(if most > 0.0 { c / most } else { 0.0 })));
+        let codes = lines.map(|Light { r, g, b }| [r, g, b].map(|channel| code_of(*channel, most)));
         let pixels = match options.texels {
             LightTexels::Rgb888 => {
                 Pixels::Rgb888(arena.alloc_slice_copy(&codes.flatten().collect::<Vec<_>>()))
@@ -96,12 +95,7 @@ pub(super) fn lit_mesh<'a>(
     let most = brightest(&light);
     let colors = light.iter().enumerate().map(|(index, Light { r, g, b })| {
         let own = mesh.colors.and_then(|colors| colors.get(index)).copied().unwrap_or([255; 3]);
-        let share = |channel: f64, own: u8| {
-            let encoded = f64::from(own) / 255.0;
-            let own =
-                if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) };
-            code(if most > 0.0 { channel / most * own } else { 0.0 })
-        };
+        let share = |channel: f64, own: u8| code_of(channel * f64::from(srgb::light(own)), most);
         [share(*r, own[0]), share(*g, own[1]), share(*b, own[2])]
     });
     (Mesh { colors: Some(arena.alloc_slice_fill_iter(colors)), ..*mesh }, most as f32)

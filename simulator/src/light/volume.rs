@@ -10,7 +10,8 @@ use rayline::{
 use rayon::prelude::*;
 
 use super::probe::LightProbe;
-use super::{Light, LightError, Vector, memory, prepared};
+use super::{Light, LightError, Vector, prepared};
+use crate::picture::memory_for;
 
 /// The directions in which the light at a point is sampled.
 const DIRECTIONS: usize = 512;
@@ -64,7 +65,7 @@ pub(super) fn map<'a>(
     probe: &LightProbe<'_>,
     arena: &'a Bump,
 ) -> Result<Map<'a>, LightError> {
-    let mut room = memory(baked);
+    let mut room = memory_for::<f64>(baked);
     let surfaces = prepared(baked, &mut room)?;
     let settings = Settings { bounces: 4, rays_per_pixel: 1000, ..Settings::new(1, 1) };
     let renderer = Renderer::new(&surfaces, settings).map_err(LightError::Settings)?;
@@ -128,7 +129,7 @@ fn of_lamps(point: Vector, lit: &Scene<'_>, probe: &LightProbe<'_>) -> Result<Ha
     let white = Material::matte(LinearRgb::WHITE);
     let materials: Vec<_> = lit.materials.iter().copied().chain([white]).collect();
     let scene = Scene { objects: &objects, materials: &materials, ..*lit };
-    let mut room = memory(&scene);
+    let mut room = memory_for::<f64>(&scene);
     let prepared = prepared(&scene, &mut room)?;
     let renderer = Renderer::new(&prepared, super::one_texel(4)).map_err(LightError::Settings)?;
     let center = point.to_f32().to::<f64>();
@@ -136,7 +137,7 @@ fn of_lamps(point: Vector, lit: &Scene<'_>, probe: &LightProbe<'_>) -> Result<Ha
     for (index, normal) in directions(PLACES).enumerate() {
         let ray = Ray { origin: center + normal * (radius * 1.5), direction: -normal };
         let light = (0..4).map(|sample| renderer.light_along(&ray, (index as u16, 0), sample));
-        let light = light.fold(Light::new(0.0, 0.0, 0.0), |sum, light| sum + light) * 0.25;
+        let light = light.fold(Light::BLACK, |sum, light| sum + light) * 0.25;
         // The mean, and three times the mean of light times normal: the first harmonics of a function.
         add(&mut sum, light, normal, 3.0);
     }
