@@ -40,7 +40,7 @@ use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
 use crate::material::Material;
-use crate::math::{Ray, Real, Scale, Vec3};
+use crate::math::{Aabb, Ray, Real, Scale, Vec3};
 use crate::motion::Motion;
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
@@ -226,6 +226,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// Fixed point has little range, so the scene is scaled into it. Pictures show nothing of that.
     pub fn scale(&self) -> f32 {
         self.scale.to_f32()
+    }
+
+    /// A box that contains the object at this position at all times, in units of rays; `None` if the object
+    /// has no end, or if there is none.
+    pub fn bounds(&self, object: usize) -> Option<Aabb<R>> {
+        self.objects.get(object)?.bounds()
     }
 
     /// The ambient light, where it is not white.

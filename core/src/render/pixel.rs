@@ -197,10 +197,22 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     /// direction is a unit vector; a unit of the scene is [`PreparedScene::scale`] units of the ray. Things
     /// that move are where they are when the shutter opens.
     pub fn light_along(&self, ray: &Ray<R>, place: (u16, u16), sample: u16) -> LinearRgb<R> {
+        self.light_along_watched(ray, place, sample, &mut ())
+    }
+
+    /// [`light_along`](Self::light_along), with the events on the way told to a probe. Light goes either way:
+    /// the rays are also those of a photon that leaves the origin, and their throughput is its share.
+    pub fn light_along_watched(
+        &self,
+        ray: &Ray<R>,
+        place: (u16, u16),
+        sample: u16,
+        probe: &mut impl Probe<R>,
+    ) -> LinearRgb<R> {
         let (left, seen) = (RayBudget(self.settings.rays_per_pixel), Seen::NOTHING);
         let numbers = RayNumbers::of(self.sample(place, sample));
         let (sight, mut rays) = (Sight::among(self.scene.all()), SampleRays { left, seen });
-        radiance(self.scene, (*ray, numbers), sight, &self.limits, &mut rays, &mut ())
+        radiance(self.scene, (*ray, numbers), sight, &self.limits, &mut rays, probe)
     }
 
     /// Adds one sample to a pixel's sum, and at the beginning the first samples of adaptive sampling. Returns
