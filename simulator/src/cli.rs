@@ -53,7 +53,8 @@ pub(crate) enum Command {
     ///
     /// With --light, the light of the scene is computed once and stored in textures, which a device looks up:
     /// by radiosity on rectangles, triangles, polygons, boxes and meshes, and by an irradiance volume for all
-    /// other objects. The output may then be in any format of `convert`.
+    /// other objects. Photons find the light that mirrors and glass send onto these surfaces. The output may
+    /// then be in any format of `convert`.
     Bake(Bake),
     /// Check whether a scene can be drawn and fits boards: flash, RAM, rays and time
     ///
@@ -172,6 +173,11 @@ pub(crate) struct Bake {
     /// The most bytes of textures of light
     #[arg(long, value_name = "BYTES", default_value_t = 65_536, requires = "light")]
     pub(crate) budget: usize,
+    /// The photons that follow light of lamps over mirrors and through glass: caustics; 0 for none. Beside
+    /// lamps that stay, only mirrors make caustics, because the device's light goes straight through glass
+    #[arg(long, value_name = "NUMBER", default_value_t = 200_000, requires = "light")]
+    #[arg(value_parser = clap::value_parser!(u32).range(..=5_000_000))]
+    pub(crate) photons: u32,
     /// The texels of textures of light: 3 or 2 bytes each
     #[arg(long, value_name = "TEXELS", value_enum, default_value_t, requires = "light")]
     pub(crate) texels: LightTexels,

@@ -254,6 +254,7 @@ fn bake_light_of<'a>(
     let options = LightOptions {
         keep_lamps: arguments.light == Some(BakedPart::Indirect),
         budget: arguments.budget,
+        photons: arguments.photons,
         texels: arguments.texels,
         grid: arguments.grid,
         moving: arguments.moving.iter().map(object).collect::<Result<_, _>>()?,
@@ -262,6 +263,7 @@ fn bake_light_of<'a>(
     let bar = progress("part", PARTS, arguments.convert.quiet)?;
     let baked = bake_light(&scene.scene, &options, arena, &|step, part| {
         bar.set_message(match step {
+            LightStep::Photons => "light over mirrors and through glass",
             LightStep::Lamps => "light of lamps",
             LightStep::Surfaces => "light between surfaces",
             LightStep::Space => "light in space",

@@ -145,6 +145,23 @@
 //! [`IrradianceVolume`] holds the light in between, for balls and for things that move. No lamp is left: a
 //! pixel takes one ray and four texels, also on a processor that traces no paths in a lifetime.
 //!
+//! Radiosity knows no mirrors and no glass. Photons do (Jensen, "Global Illumination using Photon Maps", EGWR
+//! 1996): rays that leave the lamps toward such objects, each with a share of the lamp's flux Φ, and that are
+//! mirrored, refracted and absorbed as rays from the eye are. Where photons end on a matte surface,
+//!
+//! ```text
+//! E(x) = Σ ΔΦ k(|x - xₚ| / r) / A,   k(d) = 1 - d,   A = Σ k A_texel
+//! ```
+//!
+//! is the light that they bring: each spreads its flux over the texels around it by Jensen's cone filter,
+//! within the distance r of its 24th neighbor. So a caustic is sharp where photons gather, and smooth where
+//! they are few. Radiosity then scatters this light on. `--photons` says how many leave.
+//!
+//! No light may count twice. A shadow ray goes straight through glass; beside photons, glass ends it, as in
+//! path tracing. But with `--light indirect` the device sends shadow rays of its own, and so photons that
+//! meet glass are left out there: then only mirrors make caustics. Light of surfaces that are no lamps still
+//! goes straight through glass, and ends at mirrors.
+//!
 //! `cargo run --release -- bake docs/gallery/light-indirect.ron room.ron --light indirect`
 //!
 //! [`Onto::AmbientLight`]: crate::Onto::AmbientLight
@@ -152,7 +169,7 @@
 //! [`IrradianceVolume`]: crate::IrradianceVolume
 //!
 //! # Exercises
-//!//!
+//!
 //! 1. A closed white room has the albedo 0.9. How much brighter than its lamp alone would make it is it? *1 /
 //!    (1 - 0.9) = 10 times.*
 //! 2. Why does a path that survives roulette count more? *It stands for those that ended: with the
@@ -161,3 +178,5 @@
 //!    at a large lamp close by? *A scattered ray rarely meets a small lamp. Close to a large one, points of
 //!    equal area differ much in the light that they bring; directions by the cosine do not.*
 //! 4. Why is a mirror not baked? *Its light is another one from each side.*
+//! 5. A caustic of sunlight is a hundred times brighter than the floor around it. How much closer to each
+//!    other are photons there? *Ten times: there are a hundred times as many on the same area.*

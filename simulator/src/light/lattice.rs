@@ -5,6 +5,7 @@ use rayline::shape::Mesh;
 use rayon::prelude::*;
 
 use super::face::Face;
+use super::photon_map::Place as Receiver;
 use super::probe::LightProbe;
 use super::{Light, Vector, vector};
 
@@ -21,7 +22,9 @@ pub(super) struct Texel {
     pub(super) emission: Light,
     /// The light that arrives from lamps.
     pub(super) direct: Light,
-    /// The light that arrives from other surfaces.
+    /// The light of lamps that arrives over mirrors and through glass.
+    pub(super) caustic: Light,
+    /// The light that arrives from other surfaces, which scatter it.
     pub(super) scattered: Light,
     /// The light that leaves the texel, and was not sent on yet.
     pub(super) unshot: Light,
@@ -41,6 +44,8 @@ type Place = (Vector, Vector);
 
 /// The places on a texel, along each of its edges.
 const PLACES: usize = 2;
+/// A photon is spread at least so many times the length of a texel: over several, as a texture is smooth.
+const REACH: f64 = 1.25;
 
 impl Lattice {
     pub(super) fn new(face: Face, [width, height]: [usize; 2], probe: &LightProbe<'_>) -> Self {
@@ -62,7 +67,9 @@ impl Lattice {
             let center = [(column as f64 + 0.5) / width as f64, (line as f64 + 0.5) / height as f64];
             Texel::new((face.point(center), face.normal), &places, area * places.len() as f64, index, probe)
         };
-        let texels = (0..width * height).into_par_iter().map(texel).collect();
+        let mut texels: Vec<_> = (0..width * height).into_par_iter().map(texel).collect();
+        let longest = (face.right.length() / width as f64).max(face.up.length() / height as f64);
+        receive_photons(&mut texels, (face.object, Some(face.normal)), longest * REACH, probe);
         Self { face, width, height, texels }
     }
 
@@ -82,16 +89,17 @@ impl Lattice {
         ([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)], area)
     }
 
-    /// How much the direct light of texels differs from what texels of twice the size would show: summed over
-    /// their area.
+    /// How much the light of lamps on texels, also over mirrors and through glass, differs from what texels
+    /// of twice the size would show: summed over their area.
     pub(super) fn roughness(&self) -> f64 {
         let coarser = self.coarser();
         let seen = self.texels.iter().enumerate().filter(|(_, texel)| texel.area > 0.0);
         seen.map(|(index, texel)| {
             let x = ((index % self.width) as f64 + 0.5) / self.width as f64;
             let y = ((index / self.width) as f64 + 0.5) / self.height as f64;
-            let LinearRgb { r, g, b } = coarser.direct_at(x, y);
-            let apart = (r - texel.direct.r).abs() + (g - texel.direct.g).abs() + (b - texel.direct.b).abs();
+            let LinearRgb { r, g, b } = coarser.light_at(x, y);
+            let here = texel.arriving();
+            let apart = (r - here.r).abs() + (g - here.g).abs() + (b - here.b).abs();
             apart * texel.area
         })
         .sum()
@@ -105,15 +113,16 @@ impl Lattice {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
                 .map(|(right, up)| self.texels[(line + up) * self.width + column + right]);
             let area: f64 = four.iter().map(|texel| texel.area).sum();
-            let sum = four.iter().fold(Light::BLACK, |sum, texel| sum + texel.direct * texel.area);
-            Texel { area, direct: if area > 0.0 { sum * (1.0 / area) } else { sum }, ..four[0] }
+            let sum = four.iter().fold(Light::BLACK, |sum, texel| sum + texel.arriving() * texel.area);
+            let direct = if area > 0.0 { sum * (1.0 / area) } else { sum };
+            Texel { area, direct, caustic: Light::BLACK, ..four[0] }
         };
         let texels = (0..width * height).map(mean).collect();
         Self { face: self.face.clone(), width, height, texels }
     }
 
-    /// Direct light between the centers of texels, as a bilinear texture shows it.
-    fn direct_at(&self, x: f64, y: f64) -> Light {
+    /// The light between the centers of texels, as a bilinear texture shows it.
+    fn light_at(&self, x: f64, y: f64) -> Light {
         let between = |at: f64, count: usize| {
             let at = (at * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
             let first = (at as usize).min(count.saturating_sub(2));
@@ -129,15 +138,29 @@ impl Lattice {
         ] {
             let texel = &self.texels[line * self.width + column];
             if texel.area > 0.0 {
-                sum = (sum.0 + texel.direct * share, sum.1 + share);
+                sum = (sum.0 + texel.arriving() * share, sum.1 + share);
             }
         }
         if sum.1 > 0.0 { sum.0 * (1.0 / sum.1) } else { sum.0 }
     }
 }
 
-/// The vertices of a mesh as texels.
-pub(super) fn vertices(mesh: &Mesh<'_>, probe: &LightProbe<'_>) -> Vec<Texel> {
+/// Adds the light that photons bring to the texels of an object, or of its face with this normal, each
+/// photon spread over this distance at least.
+fn receive_photons(
+    texels: &mut [Texel],
+    surface: (usize, Option<Vector>),
+    least: f64,
+    probe: &LightProbe<'_>,
+) {
+    let place = |texel: &Texel| Receiver { point: texel.point, normal: texel.normal, area: texel.area };
+    let places: Vec<_> = texels.iter().map(place).collect();
+    let light = probe.photons.light(surface, &places, least);
+    texels.iter_mut().zip(light).for_each(|(texel, light)| texel.caustic = light);
+}
+
+/// The vertices of a mesh, which is this object, as texels.
+pub(super) fn vertices(mesh: &Mesh<'_>, object: usize, probe: &LightProbe<'_>) -> Vec<Texel> {
     let mut places: Vec<Vec<(Place, f64)>> = vec![Vec::new(); mesh.vertices.len()];
     for triangle in mesh.triangles {
         let corners = triangle.map(|corner| mesh.vertices.get(usize::from(corner)).copied());
@@ -162,10 +185,22 @@ pub(super) fn vertices(mesh: &Mesh<'_>, probe: &LightProbe<'_>) -> Vec<Texel> {
         let places: Vec<Place> = seen.into_iter().map(|(place, _)| *place).collect();
         Texel::new((corner, normal), &places, area, index, probe)
     };
-    places.par_iter().enumerate().map(texel).collect()
+    let mut texels: Vec<_> = places.par_iter().enumerate().map(texel).collect();
+    receive_photons(&mut texels, (object, None), 0.0, probe);
+    texels
 }
 
 impl Texel {
+    /// All light that arrives.
+    pub(super) fn arriving(&self) -> Light {
+        self.direct + self.sent_by_surfaces()
+    }
+
+    /// The light that arrives from other surfaces, which scatter it, mirror it or let it through.
+    pub(super) fn sent_by_surfaces(&self) -> Light {
+        self.caustic + self.scattered
+    }
+
     /// A texel with a middle, of which these places can be seen.
     fn new(
         (point, normal): Place,
@@ -191,6 +226,7 @@ impl Texel {
             reflectance: mean(&|place| probe.reflectance(*place)),
             emission,
             direct: probe.shown(places, index) + emission * -1.0,
+            caustic: Light::BLACK,
             scattered: Light::BLACK,
             unshot: Light::BLACK,
         }

@@ -3,16 +3,23 @@
 //! 1. [`face`] finds the flat faces of rectangles, triangles, polygons and boxes. [`lattice`] covers each
 //!    with texels, and meshes by their vertices; [`probe`] measures the light of lamps there by rays. Faces
 //!    on which the light changes fast get finer texels, until the budget of bytes is spent ([`refine`]).
-//! 2. [`radiosity`] lets all these surfaces scatter light onto each other.
-//! 3. [`volume`] finds the light in between, for all other objects and for things that move.
-//! 4. [`texture`] writes the light into images and materials.
+//! 2. [`photon`] follows light from lamps over mirrors and through glass, in directions that [`emission`]
+//!    draws; [`photon_map`] makes texels as bright as the photons that arrive say, with [`nearby`]. These
+//!    photons leave before step 1, so that texels are fine where they gather.
+//! 3. [`radiosity`] lets all these surfaces scatter light onto each other.
+//! 4. [`volume`] finds the light in between, for all other objects and for things that move.
+//! 5. [`texture`] writes the light into images and materials.
 
 // Positions come from the lengths of the lists that they index.
 #![allow(clippy::indexing_slicing)]
 
+mod emission;
 mod face;
 mod form_factor;
 mod lattice;
+mod nearby;
+mod photon;
+mod photon_map;
 mod probe;
 mod radiosity;
 mod refine;
@@ -32,6 +39,7 @@ use rayline::{
 
 use crate::picture::memory_for;
 use face::Face;
+use photon_map::PhotonMap;
 use probe::LightProbe;
 use radiosity::Surfaces;
 
@@ -46,6 +54,13 @@ pub struct LightOptions {
     pub keep_lamps: bool,
     /// The most bytes of all textures of light.
     pub budget: usize,
+    /// The photons that follow light from lamps over mirrors and through glass to the first matte surface:
+    /// caustics. With 0, glass is semitransparent to that light, and mirrors are opaque. More make them sharp
+    /// and smooth.
+    ///
+    /// Light of lamps that stay on the device ([`keep_lamps`](Self::keep_lamps)) goes straight through glass
+    /// there, so then only mirrors make caustics.
+    pub photons: u32,
     /// The texels of textures.
     pub texels: LightTexels,
     /// The points of the irradiance volume along x, y and z, each 1 or more.
@@ -60,6 +75,7 @@ impl Default for LightOptions {
         Self {
             keep_lamps: false,
             budget: 64 << 10,
+            photons: 200_000,
             texels: LightTexels::Rgb888,
             grid: [4; 3],
             moving: Vec::new(),
@@ -120,6 +136,8 @@ pub enum LightError {
 /// A part of the work, for its progress.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightStep {
+    /// The light of lamps over mirrors and through glass.
+    Photons,
     /// The light of lamps, and the sizes of textures.
     Lamps,
     /// The light that surfaces scatter onto each other.
@@ -145,17 +163,24 @@ pub fn bake_light<'a>(
     let resting = Resting::new(scene, options, arena)?;
     let still = &resting.scene;
     let white = probe::with_materials(still, arena, still.lights, probe::in_white);
+    let photons = photons(&resting, scene, options, &|share| progress(LightStep::Photons, share))?;
+    // Photons bring the light that glass lets through, unless the device shows it.
+    let is_closed = options.photons > 0 && !options.keep_lamps;
+    let close = |material: &Material<'a>| if is_closed { probe::closed(material) } else { *material };
+    let lit = probe::with_materials(&white, arena, white.lights, close);
     let colored = probe::with_materials(still, arena, &[], |material| probe::in_color(material, arena));
     let glowing = probe::with_materials(still, arena, &[], probe::in_black);
-    let [mut of_white, mut of_colored, mut of_glowing] = [&white, &colored, &glowing].map(memory_for::<f64>);
-    let in_white = prepared(&white, &mut of_white)?;
+    let [mut of_white, mut of_lit, mut of_colored, mut of_glowing] =
+        [&white, &lit, &colored, &glowing].map(memory_for::<f64>);
+    let (in_white, in_lit) = (prepared(&white, &mut of_white)?, prepared(&lit, &mut of_lit)?);
     let (in_color, in_black) = (prepared(&colored, &mut of_colored)?, prepared(&glowing, &mut of_glowing)?);
     let probe = LightProbe {
         scene: still,
-        lit: renderer(&in_white, probe::SAMPLES)?,
+        lit: renderer(&in_lit, probe::SAMPLES)?,
         colored: renderer(&in_color, 1)?,
         glowing: renderer(&in_black, 1)?,
         white: &in_white,
+        photons: &photons,
         short: short(still),
     };
     let (mut surfaces, placements) = surfaces(still, options, &probe, progress)?;
@@ -164,7 +189,35 @@ pub fn bake_light<'a>(
     let mut assembly =
         Assembly { scene, options, arena, objects: scene.objects.to_vec(), materials: Vec::new() };
     let unlit = assembly.store(&resting, &surfaces, &placements)?;
-    assembly.finish(unlit, (&resting, &surfaces), &white, &probe)
+    assembly.finish(unlit, (&resting, &surfaces), &lit, &probe)
+}
+
+/// The light of lamps that comes over mirrors and through glass of the scene at rest.
+fn photons(
+    resting: &Resting<'_>,
+    scene: &Scene<'_>,
+    options: &LightOptions,
+    progress: &dyn Fn(f64),
+) -> Result<PhotonMap, LightError> {
+    let sends_on = |material: &Material<'_>| material.reflectance > 0.0 || material.transmittance > 0.0;
+    if options.photons == 0 || !scene.materials.iter().any(sends_on) {
+        return Ok(PhotonMap::default());
+    }
+    let takes_from_space = |(index, object): (usize, &Object<Shape<'_>>)| {
+        let has_texels = match object.shape {
+            Shape::Mesh(_) => !options.keep_lamps,
+            _ => Face::of(&object.shape, index, Vector::ZERO).is_some(),
+        };
+        let is_matte = scene.materials.get(usize::from(object.material.0)).is_some_and(scatters);
+        is_matte && (!has_texels || !resting.positions.contains(&index))
+    };
+    let task = photon::Task {
+        photons: options.photons as usize,
+        without_glass: options.keep_lamps,
+        in_space: scene.objects.iter().enumerate().any(takes_from_space),
+        short: short(&resting.scene),
+    };
+    photon::traced(&resting.scene, task, progress)
 }
 
 /// The scene without the objects that will move.
@@ -213,7 +266,7 @@ fn surfaces(
         if let Shape::Mesh(mesh) = &object.shape {
             // Lamps that stay shine on colors of vertices, too.
             if !options.keep_lamps {
-                meshes.push((index, lattice::vertices(mesh, probe)));
+                meshes.push((index, lattice::vertices(mesh, index, probe)));
             }
         } else if let Some((of_object, placement)) = Face::of(&object.shape, index, eye) {
             placements.extend(of_object.iter().map(|_| placement));
@@ -301,7 +354,7 @@ impl<'a> Assembly<'_, 'a> {
         mut self,
         unlit: Vec<usize>,
         (resting, surfaces): (&Resting<'a>, &Surfaces),
-        white: &Scene<'_>,
+        lit: &Scene<'_>,
         probe: &LightProbe<'_>,
     ) -> Result<BakedLight<'a>, LightError> {
         let mut bytes = surfaces.lattices.iter().map(|lattice| lattice.texels.len()).sum::<usize>();
@@ -313,7 +366,8 @@ impl<'a> Assembly<'_, 'a> {
             let still: Vec<_> = still.collect();
             let baked = Scene { objects: &still, materials: &self.materials, ..resting.scene };
             let grid = volume::Grid::around(surfaces.points(), self.options.grid);
-            let lit = (!self.options.keep_lamps).then_some(white);
+            let lit = (!self.options.keep_lamps).then_some(lit);
+            let lit = volume::Lamps { lit, have_photons: self.options.photons > 0 };
             let map = volume::map(&grid, &baked, lit, probe, self.arena)?;
             for object in unlit {
                 let Some(material) = self.material_of(object).copied() else { continue };

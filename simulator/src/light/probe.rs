@@ -5,6 +5,7 @@ use rayline::math::{Interval, Ray};
 use rayline::{Light as Lamp, Map, Material, Onto, PreparedScene, Renderer, Scene, Texture, Through};
 
 use super::face::has_inside;
+use super::photon_map::PhotonMap;
 use super::{Light, Vector};
 
 /// The places where a lamp with a size, or the sky, is sampled for one texel.
@@ -20,6 +21,8 @@ pub(super) struct LightProbe<'p> {
     pub(super) colored: Renderer<'p, 'p, f64>,
     /// The scene in black, which shows what it emits.
     pub(super) glowing: Renderer<'p, 'p, f64>,
+    /// The light of lamps that comes over mirrors and through glass.
+    pub(super) photons: &'p PhotonMap,
     /// A distance that is short in this scene.
     pub(super) short: f64,
 }
@@ -29,8 +32,13 @@ impl LightProbe<'_> {
     pub(super) fn is_hidden(&self, (point, normal): (Vector, Vector), reach: f64) -> bool {
         let ray = Ray { origin: point + normal * self.short, direction: normal };
         self.white.closest_hit(&ray, Interval::AHEAD).is_some_and(|hit| {
-            let object = self.scene.objects.get(hit.object);
-            let is_body = object.is_some_and(|object| has_inside(&object.shape));
+            let Some(object) = self.scene.objects.get(hit.object) else { return false };
+            let material = self.scene.materials.get(usize::from(object.material.0));
+            // What is in water is seen.
+            if material.is_some_and(|material| material.transmittance > 0.0) {
+                return false;
+            }
+            let is_body = has_inside(&object.shape);
             hit.t < reach || (is_body && hit.surface.normal.dot(normal) > 0.0)
         })
     }
@@ -103,6 +111,11 @@ pub(super) fn in_white<'a>(material: &Material<'a>) -> Material<'a> {
         reflectance: 0.0,
         ..*material
     }
+}
+
+/// The material without light that it lets through.
+pub(super) fn closed<'a>(material: &Material<'a>) -> Material<'a> {
+    Material { transmittance: 0.0, ..*material }
 }
 
 /// A material that shows the light which it would scatter in even light of 1.

@@ -2,8 +2,8 @@
 //! Wallace and Greenberg, "A Progressive Refinement Approach to Fast Radiosity Image Generation", SIGGRAPH
 //! 1988).
 //!
-//! 1. Each texel scatters the light of lamps that it receives, and emits light of its own: its *unshot*
-//!    light.
+//! 1. Each texel scatters the light of lamps that it receives, also over mirrors and through glass, and emits
+//!    light of its own: its *unshot* light.
 //! 2. The patch with the most unshot light, a block of texels, sends it to all other texels. A texel receives
 //!    the light times the form factor of the patch ([`form_factor`](super::form_factor)), times the share of
 //!    the way that is free, which a ray finds; it scatters what it received, which is unshot again.
@@ -76,7 +76,7 @@ impl Surfaces {
     /// Lets the surfaces scatter light until all is in balance; `progress` is told the share that is done.
     pub(super) fn solve(&mut self, probe: &LightProbe<'_>, progress: &dyn Fn(f64)) {
         for texel in self.all().flatten() {
-            texel.unshot = texel.direct * texel.reflectance + texel.emission;
+            texel.unshot = texel.arriving() * texel.reflectance + texel.emission;
         }
         let patches = self.patches();
         let all: f64 = patches.iter().map(|patch| self.power(patch)).sum();

@@ -1,5 +1,6 @@
 //! The sizes of textures: faces on which the light of lamps changes fast get finer texels.
 
+use super::Light;
 use super::face::Face;
 use super::lattice::{Lattice, Texel};
 use super::probe::LightProbe;
@@ -33,7 +34,10 @@ pub(super) fn lattices(
         let lattice = Lattice::new(face, size, probe);
         lattices.push((lattice.roughness(), lattice));
     }
-    let light = |texel: &Texel| (texel.direct.r + texel.direct.g + texel.direct.b) * texel.area;
+    let light = |texel: &Texel| {
+        let Light { r, g, b } = texel.arriving();
+        (r + g + b) * texel.area
+    };
     let all: f64 = lattices.iter().flat_map(|(_, lattice)| &lattice.texels).map(light).sum();
     loop {
         progress(spent as f64 / most_texels as f64);

@@ -10,6 +10,9 @@ use rayline_formats::srgb;
 use super::lattice::{Lattice, Texel};
 use super::{Light, LightOptions, LightTexels};
 
+/// A surface of this light, before tone curves, is surely white on displays.
+const WHITEST: f64 = 4.0;
+
 /// The light at texels. Those that cannot be seen continue the ones beside them, so that interpolation
 /// brings no darkness from inside of bodies.
 fn light(lattice: &Lattice, options: &LightOptions) -> Vec<Light> {
@@ -36,16 +39,33 @@ fn light(lattice: &Lattice, options: &LightOptions) -> Vec<Light> {
 
 /// The light that the device looks up.
 fn arriving(texel: &Texel, options: &LightOptions) -> Light {
-    if options.keep_lamps { texel.scattered } else { texel.direct + texel.scattered }
+    if options.keep_lamps { texel.sent_by_surfaces() } else { texel.arriving() }
 }
 
 fn brightest<'l>(light: impl IntoIterator<Item = &'l Light>) -> f64 {
     light.into_iter().fold(0.0, |most: f64, Light { r, g, b }| most.max(*r).max(*g).max(*b))
 }
 
+/// The brightest light that is stored of texels with this light. Where they hold caustics, what is far beyond
+/// the white of a display is cut off, so that codes are left for dark places.
+fn most_stored<'t>(
+    light: f64,
+    texels: impl Iterator<Item = &'t Texel> + Clone,
+    options: &LightOptions,
+) -> f64 {
+    let caustic = brightest(texels.clone().map(|texel| &texel.caustic));
+    if !(caustic > 0.0) {
+        return light;
+    }
+    let reflectance = brightest(texels.clone().map(|texel| &texel.reflectance));
+    let others: Vec<_> = texels.map(|texel| arriving(texel, options) + texel.caustic * -1.0).collect();
+    let enough = if reflectance > 0.0 { WHITEST / reflectance } else { f64::INFINITY };
+    light.min(brightest(&others).max(enough))
+}
+
 /// The code of sRGB for light, as a share of the brightest.
 fn code_of(light: f64, most: f64) -> u8 {
-    if most > 0.0 { srgb::code((light / most) as f32) } else { 0 }
+    if most > 0.0 { srgb::code((light / most).min(1.0) as f32) } else { 0 }
 }
 
 /// The map of an object's light, from the lattices of its faces.
@@ -56,7 +76,8 @@ pub(super) fn map<'a>(
     arena: &'a Bump,
 ) -> Map<'a> {
     let light: Vec<_> = faces.iter().map(|lattice| light(lattice, options)).collect();
-    let most = brightest(light.iter().flatten());
+    let texels = faces.iter().flat_map(|lattice| &lattice.texels);
+    let most = most_stored(brightest(light.iter().flatten()), texels, options);
     let image = |lattice: &Lattice, light: &[Light]| {
         // Images begin with the upper line.
         let lines = light.chunks(lattice.width).rev().flatten();
@@ -92,7 +113,7 @@ pub(super) fn lit_mesh<'a>(
     arena: &'a Bump,
 ) -> (Mesh<'a>, f32) {
     let light: Vec<_> = texels.iter().map(|texel| arriving(texel, options)).collect();
-    let most = brightest(&light);
+    let most = most_stored(brightest(&light), texels.iter(), options);
     let colors = light.iter().enumerate().map(|(index, Light { r, g, b })| {
         let own = mesh.colors.and_then(|colors| colors.get(index)).copied().unwrap_or([255; 3]);
         let share = |channel: f64, own: u8| code_of(channel * f64::from(srgb::light(own)), most);

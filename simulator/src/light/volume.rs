@@ -4,11 +4,13 @@ use bumpalo::Bump;
 use rayline::math::{Interval, Ray};
 use rayline::shape::{Shape, Sphere};
 use rayline::{
-    Figure, IrradianceVolume, Light as Lamp, LinearRgb, Map, Material, MaterialId, Object, ObjectId, Onto,
-    Placed, Placement, PreparedScene, Renderer, Scene, Settings, Texture,
+    Event, Figure, IrradianceVolume, Light as Lamp, LinearRgb, Map, Material, MaterialId, Object, ObjectId,
+    Onto, Placed, Placement, PreparedScene, Probe, RayKind, Renderer, Scene, Settings, Texture,
 };
 use rayon::prelude::*;
 
+use super::emission::scaled;
+use super::photon_map::Flight;
 use super::probe::LightProbe;
 use super::{Light, LightError, Vector, prepared};
 use crate::picture::memory_for;
@@ -54,14 +56,58 @@ impl Grid {
         };
         (0..x * y * z).map(point).collect()
     }
+
+    /// Calls a function with the position of each point whose cell a photon crosses, and with the length of
+    /// the way in the cell over the cell's volume.
+    fn cross(&self, flight: &Flight, found: &mut impl FnMut(usize, f64)) {
+        let low = self.first - self.step * 0.5;
+        let axes = |Vector { x, y, z }: Vector| [x, y, z];
+        let (step, from, toward) = (axes(self.step), axes(flight.from - low), axes(flight.direction));
+        let mut ends = [0.0, flight.length];
+        let mut cuts = Vec::new();
+        for axis in 0..3 {
+            let count = f64::from(self.counts[axis]);
+            let at = |plane: f64| (plane * step[axis] - from[axis]) / toward[axis];
+            if toward[axis] == 0.0 {
+                if from[axis] < 0.0 || from[axis] > count * step[axis] {
+                    return;
+                }
+                continue;
+            }
+            let (near, far) = (at(0.0).min(at(count)), at(0.0).max(at(count)));
+            ends = [ends[0].max(near), ends[1].min(far)];
+            cuts.extend((1..self.counts[axis]).map(|plane| at(f64::from(plane))));
+        }
+        cuts.retain(|cut| *cut > ends[0] && *cut < ends[1]);
+        cuts.extend(ends);
+        cuts.sort_by(f64::total_cmp);
+        let volume = step.iter().product::<f64>();
+        for part in cuts.windows(2).filter(|part| ends[0] < ends[1] && part[1] > part[0]) {
+            let middle = 0.5 * (part[0] + part[1]);
+            let cell = |axis: usize| {
+                let place = (from[axis] + toward[axis] * middle) / step[axis];
+                (place as usize).min(usize::from(self.counts[axis]) - 1)
+            };
+            let [wide, deep, _] = self.counts.map(usize::from);
+            found(cell(0) + wide * (cell(1) + deep * cell(2)), (part[1] - part[0]) / volume);
+        }
+    }
 }
 
-/// A map of the light in space for a scene with baked surfaces. The light of lamps is part of it if
-/// `lit` is the scene in white.
+/// The light of lamps in space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lamps<'l, 's> {
+    /// The scene in white, if lamps shine here and not on the device.
+    pub(super) lit: Option<&'l Scene<'s>>,
+    /// Whether photons bring their light over mirrors and through glass.
+    pub(super) have_photons: bool,
+}
+
+/// A map of the light in space for a scene with baked surfaces.
 pub(super) fn map<'a>(
     grid: &Grid,
     baked: &Scene<'_>,
-    lit: Option<&Scene<'_>>,
+    lamps: Lamps<'_, '_>,
     probe: &LightProbe<'_>,
     arena: &'a Bump,
 ) -> Result<Map<'a>, LightError> {
@@ -78,14 +124,22 @@ pub(super) fn map<'a>(
         {
             return Ok(None);
         }
-        let mut sum = of_surfaces(*point, baked, &surfaces, &renderer);
-        if let Some(lit) = lit {
+        let mut sum = of_surfaces(*point, (baked, lamps.have_photons), &surfaces, &renderer);
+        if let Some(lit) = lamps.lit {
             let lamps = of_lamps(*point, lit, probe)?;
             sum.iter_mut().zip(lamps).for_each(|(sum, lamps)| *sum += lamps);
         }
         Ok(Some(sum))
     };
-    let light: Vec<_> = points.par_iter().map(light).collect::<Result<_, _>>()?;
+    let mut light: Vec<_> = points.par_iter().map(light).collect::<Result<_, _>>()?;
+    for flight in &probe.photons.flights {
+        grid.cross(flight, &mut |cell, part| {
+            if let Some(sum) = &mut light[cell] {
+                // The mean light from all directions is a quarter of the flux on a small ball.
+                add(sum, scaled(flight.flux, 0.25 * part), -flight.direction, 2.0);
+            }
+        });
+    }
     let light = filled(light, &points);
     let most = light.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
     let share = |value: f64| if most > 0.0 { (value / most * 32767.0).round() as i16 } else { 0 };
@@ -100,7 +154,7 @@ pub(super) fn map<'a>(
 /// The light that surfaces send to a point, without that of lamps and of the sky.
 fn of_surfaces(
     point: Vector,
-    scene: &Scene<'_>,
+    (scene, have_photons): (&Scene<'_>, bool),
     prepared: &PreparedScene<'_, f64>,
     renderer: &Renderer<'_, '_, f64>,
 ) -> Harmonics {
@@ -112,10 +166,44 @@ fn of_surfaces(
         if scene.lights.iter().any(is_lamp) {
             continue;
         }
+        let mut images = Images { lights: scene.lights, throughput: None, light: Light::BLACK };
+        let mut light = renderer.light_along_watched(&ray, (0, 0), 0, &mut images);
+        if have_photons {
+            light = light + images.light * -1.0;
+        }
         // The mean, and twice the mean of light times direction: see `IrradianceVolume`.
-        add(&mut sum, renderer.light_along(&ray, (0, 0), 0), direction, 2.0);
+        add(&mut sum, light, direction, 2.0);
     }
     sum.map(|sum| sum / DIRECTIONS as f64)
+}
+
+/// The light of lamps and of the sky that a ray sees in mirrors and through glass.
+struct Images<'l> {
+    lights: &'l [Lamp],
+    /// That of a lamp at hand.
+    throughput: Option<Light>,
+    light: Light,
+}
+
+impl Probe<f64> for Images<'_> {
+    fn record(&mut self, event: Event<f64>) {
+        match event {
+            Event::Hit { kind, hit, throughput, .. } => {
+                let lamp = Lamp::Object(ObjectId(hit.object as u16));
+                let is_image = kind != RayKind::Camera && self.lights.contains(&lamp);
+                self.throughput = is_image.then_some(throughput);
+            }
+            Event::Surface { shown } => {
+                if let Some(throughput) = self.throughput.take() {
+                    self.light = self.light + shown * throughput;
+                }
+            }
+            Event::Miss { color, throughput, .. } if self.lights.contains(&Lamp::Sky) => {
+                self.light = self.light + color * throughput;
+            }
+            _ => {}
+        }
+    }
 }
 
 /// The light of lamps at a point, as a small white ball shows it.

@@ -48,12 +48,12 @@ fn scene<'a>(
     Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights, motions: &[] }
 }
 
-fn baked<'a>(scene: &Scene<'a>, options: &LightOptions, arena: &'a Bump) -> BakedLight<'a> {
+pub(super) fn baked<'a>(scene: &Scene<'a>, options: &LightOptions, arena: &'a Bump) -> BakedLight<'a> {
     bake_light(scene, options, arena, &|_, _| ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The light that a baked texture holds, of each of an object's texels.
-fn light_on(scene: &Scene<'_>, object: usize) -> Vec<f32> {
+pub(super) fn light_on(scene: &Scene<'_>, object: usize) -> Vec<f32> {
     let material = scene.materials[usize::from(scene.objects[object].material.0)];
     let map = material.maps.iter().find(|map| matches!(map.onto, Onto::AmbientLight { .. })).unwrap();
     let Onto::AmbientLight { most } = map.onto else { unreachable!() };
@@ -66,9 +66,10 @@ fn mean(values: &[f32]) -> f32 {
     values.iter().sum::<f32>() / values.len() as f32
 }
 
-const SMALL: LightOptions = LightOptions {
+pub(super) const SMALL: LightOptions = LightOptions {
     keep_lamps: false,
     budget: 12_000,
+    photons: 20_000,
     texels: LightTexels::Rgb888,
     grid: [1, 1, 1],
     moving: Vec::new(),

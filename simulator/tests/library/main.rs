@@ -4,6 +4,7 @@
 // All of this is test code, but clippy counts only functions with `#[test]` as such.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+mod caustics;
 mod demands;
 mod light;
 mod pictures;
