@@ -23,8 +23,25 @@ impl PovrayPicture {
             println!("povray is not installed: nothing to compare {name} with");
             return None;
         };
+        Some(Self::new(report, settings))
+    }
+
+    /// [`render`](Self::render) with another scene file than Rayline writes: `change` gets that one.
+    pub fn render_changed(
+        scene: &Scene<'_>,
+        settings: Settings,
+        (directory, name): (&Path, &str),
+        change: impl Fn(String) -> String,
+    ) -> Option<Self> {
+        Self::render(scene, settings, directory, name)?;
+        let written = std::fs::read_to_string(directory.join(format!("{name}.pov"))).unwrap();
+        let report = povray::render_source(&change(written), &settings, directory, name).unwrap()?;
+        Some(Self::new(report, settings))
+    }
+
+    fn new(report: povray::PovrayPicture, settings: Settings) -> Self {
         let pixels = report.rgb.chunks_exact(3).map(|rgb| [rgb[0], rgb[1], rgb[2]]).collect();
-        Some(Self { picture: Picture { width: settings.width, pixels }, report })
+        Self { picture: Picture { width: settings.width, pixels }, report }
     }
 
     /// The first number in the line of POV-Ray's report that begins with `label`; 0 if there is none.

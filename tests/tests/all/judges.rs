@@ -8,7 +8,8 @@ use std::process::Command;
 
 use bumpalo::Bump;
 use rayline::math::Fixed;
-use rayline::{AreaLights, LinearRgb, Sampler, Sampling, Settings, Transfer};
+use rayline::shape::{Rectangle, Shape};
+use rayline::{AreaLights, LinearRgb, Sampler, Sampling, Scene, Settings, Transfer, Vec3};
 use rayline_simulator::{LightOptions, LoadedScene, bake_light};
 use rayline_tests::{PovrayPicture, core_picture};
 
@@ -115,6 +116,61 @@ fn baked_light_is_as_in_mitsuba() {
     }
 }
 
+/// The light that a glass ball gathers, in a texture of the floor, against paths by Mitsuba. The floor there
+/// has no end, and its far parts and the red ball have little of the light.
+#[test]
+fn baked_caustics_are_as_in_mitsuba() {
+    let arena = Bump::new();
+    let LoadedScene { scene, .. } = opened("caustic", &arena);
+    let corner = Vec3::new(-6.0, 0.0, -8.0);
+    let (right, up) = (Vec3::new(0.0, 0.0, 12.0), Vec3::new(12.0, 0.0, 0.0));
+    let floor = Shape::Rectangle(Rectangle { corner, right, up });
+    let mut objects = scene.objects.to_vec();
+    objects[0].shape = floor;
+    let scene = Scene { objects: &objects, ..scene };
+    let options = LightOptions { budget: 200_000, ..LightOptions::default() };
+    let baked = bake_light(&scene, &options, &arena, &|_, _| ()).expect("a scene that holds light");
+    let sampling = Sampling { sampler: Sampler::Sobol, ..Sampling::new(64) };
+    let settings = Settings { sampling, rays_per_pixel: 2000, bounces: 6, ..Settings::new(WIDTH, HEIGHT) };
+    let error = mean_error(&lights::<f32>(&baked.scene, settings, true), &reference("caustic"));
+    println!("caustic, baked: {:.2} % from Mitsuba", 100.0 * error);
+    assert!(error < 0.05, "{error}");
+}
+
+/// The caustic of a glass ball below a lamp without a size, against POV-Ray's photons.
+#[test]
+fn baked_caustics_are_as_in_povray() {
+    let arena = Bump::new();
+    let LoadedScene { scene, settings, .. } = opened("photons", &arena);
+    let settings = Settings { width: 160, height: 120, transfer: Transfer::Linear, ..settings };
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("povray-photons");
+    let with_photons = |source: String| {
+        let head = "global_settings { photons { count 300000 } ";
+        let glass = "interior { ior 1.5 } photons { target reflection on refraction on }";
+        assert!(source.contains("global_settings { ") && source.contains("interior { ior 1.5 }"));
+        source.replace("global_settings { ", head).replace("interior { ior 1.5 }", glass)
+    };
+    let place = (directory.as_path(), "photons");
+    let Some(povray) = PovrayPicture::render_changed(&scene, settings, place, with_photons) else { return };
+    let options = LightOptions { budget: 200_000, ..LightOptions::default() };
+    let baked = bake_light(&scene, &options, &arena, &|_, _| ()).expect("a scene that holds light");
+    let ours = core_picture::<f32>(&baked.scene, settings);
+    let (ours, theirs) = (to_light(&ours.pixels), to_light(&povray.picture.pixels));
+    let light = |picture: &[LinearRgb]| picture.iter().map(|light| f64::from(light.g)).sum::<f64>();
+    let (error, share) = (mean_error(&ours, &theirs), light(&ours) / light(&theirs));
+    println!("photons: {:.2} % from POV-Ray, with {share:.4} of its light", 100.0 * error);
+    assert!(error < 0.04 && (share - 1.0).abs() < 0.025, "{error}, {share}");
+}
+
+/// The linear light of a picture in 8 bits.
+fn to_light(picture: &[[u8; 3]]) -> Vec<LinearRgb> {
+    let light = |rgb: &[u8; 3]| {
+        let [r, g, b] = rgb.map(|code| f32::from(code) / 255.0);
+        LinearRgb::new(r, g, b)
+    };
+    picture.iter().map(light).collect()
+}
+
 /// POV-Ray's `area_light`, with `adaptive` and `jitter`.
 #[test]
 fn ball_lamps_are_as_in_povray() {
@@ -126,15 +182,6 @@ fn ball_lamps_are_as_in_povray() {
     let settings = Settings { transfer: Transfer::Linear, cutoff: 0.0, sampling, ..size };
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("povray-lamp");
     let Some(povray) = PovrayPicture::render(&scene, settings, &directory, "ball") else { return };
-    let to_light = |picture: &[[u8; 3]]| -> Vec<LinearRgb> {
-        picture
-            .iter()
-            .map(|rgb| {
-                let [r, g, b] = rgb.map(|code| f32::from(code) / 255.0);
-                LinearRgb::new(r, g, b)
-            })
-            .collect()
-    };
     let ours = core_picture::<f32>(&scene, settings);
     let error = mean_error(&to_light(&ours.pixels), &to_light(&povray.picture.pixels));
     println!("ball: {:.2} % from POV-Ray", 100.0 * error);

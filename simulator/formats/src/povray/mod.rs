@@ -14,5 +14,5 @@ mod shape;
 mod surface;
 
 pub use error::{Lack, PovrayError};
-pub use run::{PovrayPicture, RunError, render};
+pub use run::{PovrayPicture, RunError, render, render_source};
 pub use scene::to_povray;

@@ -51,7 +51,21 @@ pub fn render(
     let mut pictures = Pictures::beside(&path);
     let text = to_povray(scene, settings, &mut pictures).map_err(RunError::Scene)?;
     pictures.files().try_for_each(|(path, bytes)| std::fs::write(path, bytes)).map_err(RunError::Io)?;
-    std::fs::write(path, text).map_err(RunError::Io)?;
+    render_source(&text, settings, directory, name)
+}
+
+/// [`render`] for a scene that is given in POV-Ray's language: for what Rayline's scenes do not say, such as
+/// photons.
+///
+/// # Errors
+/// See [`RunError`].
+pub fn render_source(
+    source: &str,
+    settings: &Settings,
+    directory: &Path,
+    name: &str,
+) -> Result<Option<PovrayPicture>, RunError> {
+    std::fs::write(directory.join(format!("{name}.pov")), source).map_err(RunError::Io)?;
     let output = format!("{name}-povray.ppm");
     let mut command = Command::new("povray");
     command.current_dir(directory).args([
