@@ -19,6 +19,12 @@ pub const MAX_SHADOW_LAYERS: u8 = 8;
 /// that meets more of them passes the object.
 pub const MAX_BACKS: u8 = 32;
 
+/// The fewest sides of the polygon that takes the place of a circle in scan conversion.
+pub const MIN_SEGMENTS: u16 = 6;
+
+/// The most sides of the polygon that takes the place of a circle in scan conversion.
+pub const MAX_SEGMENTS: u16 = 64;
+
 /// The rays toward each lamp with a size and into the sky, from each hit of one of several samples.
 ///
 /// In a pixel of one sample, a lamp takes as many first, and [`MAX_AREA_RAYS`] in its penumbra.

@@ -230,6 +230,18 @@ macro_rules! shape_set {
                     }),+
                 }
             }
+
+            fn each_facet(
+                &self,
+                tessellation: &$crate::shape::Tessellation<R>,
+                visit: &mut impl FnMut(&$crate::shape::Facet<R>),
+            ) {
+                match self {
+                    $(Self::$Variant(shape) => {
+                        $crate::shape::Silhouette::each_facet(shape, tessellation, visit)
+                    }),+
+                }
+            }
         }
     };
 }

@@ -4,7 +4,7 @@
 //! fall between its pixels, so the renderer looks up in advance where a shape is thin: by its [hulls](Hull),
 //! [tips](Tip) and [rims](Rim). Exact quality uses none of this.
 
-use super::{Form, Intersect};
+use super::{Facet, Form, Intersect, Tessellation};
 use crate::math::{Aabb, Product, Real, Vec3};
 use crate::surface::Surface;
 
@@ -56,6 +56,10 @@ pub trait Silhouette<R: Real>: Intersect<R> {
     fn normal_beside(&self, surface: &Surface<R>, _step: Vec3<R>) -> Vec3<R> {
         surface.shading_normal
     }
+
+    /// Calls `visit` with the facets of the shape, or of an approximation, for scan conversion: neighbors one
+    /// after the other, so that what was computed for a corner can be used again. By default there are none.
+    fn each_facet(&self, _tessellation: &Tessellation<R>, _visit: &mut impl FnMut(&Facet<R>)) {}
 }
 
 /// A solid that encloses a shape, or a part of it: a parallelepiped and all points within `radius` of it.
