@@ -21,7 +21,11 @@
 //! tested first, by the distance between two lines: for half the products of an intersection. In fixed point
 //! coefficients must not overflow, so the first test is whether the ray comes near the base at all.
 
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, Tip, normal_after_step, reach_across, uv};
+use super::tessellate::{Directions, Grid, Ring};
+use super::{
+    Facet, Geometry, Hull, Intersect, Silhouette, Spans, Tessellation, Tip, normal_after_step, reach_across,
+    uv,
+};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, choose, each};
@@ -583,6 +587,32 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
             surface.normal
         } else {
             normal_after_step(&Self { capped: false, ..*self }, surface, step)
+        }
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let (columns, is_closed) = (tessellation.sides(), self.capped);
+        let directions = Directions::<R>::new(columns);
+        let (first, second) = self.axis.around();
+        // An apex has no radius, not even by rounding.
+        let pointed = |radius: R| if radius > R::offset(self.magnitude) { radius } else { R::ZERO };
+        let (base, base_radius) = (self.base, pointed(self.base_radius));
+        let (top, top_radius) = (self.base + self.axis * self.length, pointed(self.top_radius()));
+        let side = |column: u16, row: u16| {
+            let (along, across) = directions.at(column);
+            let outward = first * along + second * across;
+            let normal = (outward - self.axis * self.slope).normalized().unwrap_or(outward);
+            let (center, radius) = if row == 0 { (base, base_radius) } else { (top, top_radius) };
+            (center + outward * radius, normal)
+        };
+        if is_closed {
+            let (axes, radii) = ([first, second, -self.axis], [base_radius, R::ZERO]);
+            Ring { center: base, axes, radii, is_closed }.each_facet(&directions, true, visit);
+        }
+        Grid { columns, rows: 1, is_closed }.each_facet(side, visit);
+        if is_closed {
+            let (axes, radii) = ([first, second, self.axis], [top_radius, R::ZERO]);
+            Ring { center: top, axes, radii, is_closed }.each_facet(&directions, false, visit);
         }
     }
 }

@@ -2,7 +2,8 @@
 //! 1986).
 
 use super::chord::Chord;
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, uv};
+use super::tessellate::face;
+use super::{Facet, Geometry, Hull, Intersect, Silhouette, Spans, Tessellation, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -217,6 +218,33 @@ impl<R: Real> Silhouette<R> for PreparedCuboid<'_, R> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         let ([a, b, c], Vec3 { x, y, z }) = (self.unit_axes(), self.half);
         (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
+    }
+
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let [a, b, c] = self.unit_axes();
+        let Vec3 { x, y, z } = self.half;
+        let shift = |axis: Vec3<R>, is_upper: bool| if is_upper { axis } else { -axis };
+        // The axes may be those of a mirror.
+        let is_mirrored = a.cross(b).dot(c) < R::ZERO;
+        for part in 0..6u8 {
+            let (number, is_upper) = (part / 2, part % 2 != 0);
+            let corners = [(false, false), (true, false), (true, true), (false, true)].map(|(next, last)| {
+                // Exchange two corners to see the face from the other side.
+                let (next, last) = if is_upper == is_mirrored { (last, next) } else { (next, last) };
+                let (on_a, on_b, on_c) = match number {
+                    0 => (is_upper, next, last),
+                    1 => (last, is_upper, next),
+                    _ => (next, last, is_upper),
+                };
+                self.center + shift(a * x, on_a) + shift(b * y, on_b) + shift(c * z, on_c)
+            });
+            let axis = match number {
+                0 => a,
+                1 => b,
+                _ => c,
+            };
+            face(&corners, shift(axis, is_upper), part.into(), true, visit);
+        }
     }
 }
 

@@ -2,7 +2,11 @@
 //! (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
 use super::circle::Circle;
-use super::{Form, Geometry, Hull, Intersect, Luminaire, PreparedPlane, Silhouette, reach_across, uv};
+use super::tessellate::{Directions, Ring};
+use super::{
+    Facet, Form, Geometry, Hull, Intersect, Luminaire, PreparedPlane, Silhouette, Tessellation, reach_across,
+    uv,
+};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -122,6 +126,14 @@ impl<R: Real> Silhouette<R> for PreparedDisc<R> {
             return None;
         };
         circle.hull(part, distance)
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let (first, second) = self.plane.normal.around();
+        let (axes, radii) = ([first, second, self.plane.normal], [self.radius, self.hole_squared.sqrt()]);
+        let directions = Directions::new(tessellation.sides());
+        let ring = Ring { center: self.center, axes, radii, is_closed: false };
+        ring.each_facet(&directions, false, visit);
     }
 }
 

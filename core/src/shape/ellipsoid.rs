@@ -1,7 +1,8 @@
 //! An ellipsoid: the image of a ball under a linear map. Rays are mapped back, and meet a ball by the steps
 //! of [`Sphere`](super::Sphere) (Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 2).
 
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, normal_after_step, uv};
+use super::tessellate::globe;
+use super::{Facet, Geometry, Hull, Intersect, Silhouette, Spans, Tessellation, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_held, check_point, check_size, unit};
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3};
@@ -215,6 +216,24 @@ impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let MappedBall { center, rows, radius, .. } = *self.0;
+        // The columns of the inverse matrix, times the radius, are the three axes.
+        let [x, y, z] = rows.map(Vec3::to_setup);
+        let volume = x.cross(y).dot(z);
+        let scale = radius.to_setup() / volume;
+        let [a, b, c] =
+            [y.cross(z), z.cross(x), x.cross(y)].map(|column| Vec3::<R>::from_setup(column * scale));
+        let is_mirrored = volume < R::Setup::ZERO;
+        let [x, y, z] = rows;
+        let corner = |outward: Vec3<R>| {
+            let gradient = x * outward.x + y * outward.y + z * outward.z;
+            let point = center + a * outward.x + b * outward.y + c * outward.z;
+            (point, gradient.normalized().unwrap_or(outward))
+        };
+        globe(tessellation, is_mirrored, corner, visit);
     }
 }
 

@@ -42,6 +42,7 @@ mod silhouette;
 mod solid;
 mod spans;
 mod sphere;
+mod tessellate;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! A rectangle or parallelogram: the part of a [`Patch`] whose two coordinates are both from 0 to 1.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, Luminaire, Silhouette, bounds_of};
+use super::tessellate::face;
+use super::{Facet, Form, Geometry, Hull, Intersect, Luminaire, Silhouette, Tessellation, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -86,6 +87,12 @@ impl<R: Real> Intersect<R> for PreparedRectangle<R> {
 impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
     fn hull(&self, part: usize) -> Option<Hull<R>> {
         (part == 0).then(|| self.patch.hull())
+    }
+
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let [corner, right, up] = self.patch.edges();
+        let corners = Rectangle::corners(corner, right, up).map(Vec3::from_setup);
+        face(&corners, self.patch.plane.normal, 0, false, visit);
     }
 }
 

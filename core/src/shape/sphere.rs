@@ -1,7 +1,8 @@
 //! A sphere, after Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, 2019, ch. 7.
 
-use super::{Form, Geometry, Intersect, Luminaire, Silhouette, Spans, uv};
+use super::tessellate::globe;
+use super::{Facet, Form, Geometry, Intersect, Luminaire, Silhouette, Spans, Tessellation, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_radius, check_size};
 use crate::math::{Aabb, Extent, FourRays, Interval, Product, Ray, Real, Scale, Vec3, each};
@@ -158,6 +159,10 @@ impl<R: Real> Intersect<R> for PreparedSphere<R> {
 impl<R: Real> Silhouette<R> for PreparedSphere<R> {
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         (surface.normal * self.radius + step).unit()
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        globe(tessellation, false, |normal| (self.center + normal * self.radius, normal), visit);
     }
 }
 

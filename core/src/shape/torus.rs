@@ -6,9 +6,13 @@
 //! sign, and keeps the digits of a thin tube.
 
 use super::circle::Circle;
-use super::{Geometry, Hull, Intersect, Silhouette, Spans, normal_after_step, reach_across, uv};
+use super::tessellate::{Directions, Grid};
+use super::{
+    Facet, Geometry, Hull, Intersect, Silhouette, Spans, Tessellation, normal_after_step, reach_across, uv,
+};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point, check_radius, check_size};
+use crate::limits::MIN_SEGMENTS;
 use crate::math::{Aabb, Extent, Interval, Product, Ray, Real, Scale, Vec3, cubic_roots, root_between};
 use crate::surface::Surface;
 
@@ -224,6 +228,20 @@ impl<R: Real> Silhouette<R> for PreparedTorus<R> {
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let columns = tessellation.sides();
+        let rows = (columns / 2).max(MIN_SEGMENTS);
+        let (around, about_tube) = (Directions::<R>::new(columns), Directions::<R>::new(rows));
+        let (first, second) = self.axis.around();
+        let corner = |column: u16, row: u16| {
+            let ((along, across), (out, up)) = (around.at(column), about_tube.at(row));
+            let outward = first * along + second * across;
+            let normal = outward * out + self.axis * up;
+            (self.center + outward * self.major + normal * self.minor, normal)
+        };
+        Grid { columns, rows, is_closed: true }.each_facet(corner, visit);
     }
 }
 

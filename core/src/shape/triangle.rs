@@ -2,7 +2,7 @@
 //! are the barycentric coordinates of the second and the third corner.
 
 use super::patch::Patch;
-use super::{Form, Geometry, Hull, Intersect, Silhouette, Tip, bounds_of};
+use super::{Facet, Form, Geometry, Hull, Intersect, Silhouette, Tessellation, Tip, bounds_of};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FourRays, Interval, Ray, Real, Scale, Vec3, each};
@@ -139,6 +139,12 @@ impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         self.normal_at(surface.point + step).unwrap_or(surface.normal)
+    }
+
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let [a, ab, ac] = self.patch.edges();
+        let flat = Facet::flat([a, a + ab, a + ac].map(Vec3::from_setup), self.patch.plane.normal);
+        visit(&Facet { normals: self.normals.copied().unwrap_or(flat.normals), ..flat });
     }
 }
 
