@@ -18,6 +18,7 @@
 
 mod chord;
 mod circle;
+mod clip;
 mod cone;
 mod csg;
 mod cuboid;
@@ -30,6 +31,7 @@ pub mod guide;
 mod implicit;
 mod instances;
 mod luminaire;
+mod marching;
 mod mesh;
 mod patch;
 mod plane;
@@ -48,6 +50,7 @@ pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 mod torus;
+mod trapezoids;
 mod triangle;
 mod uv;
 

@@ -1,6 +1,7 @@
 //! An infinite plane; as a solid, the half of space behind it.
 
-use super::{Form, Geometry, Intersect, Silhouette, Spans, project_onto_plane, uv};
+use super::tessellate::{Directions, Ring};
+use super::{Facet, Form, Geometry, Intersect, Silhouette, Spans, Tessellation, project_onto_plane, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_direction, check_point};
 use crate::math::{Aabb, Extent, FOUR_AT_ONCE, Interval, Ray, Real, Scale, Vec3};
@@ -168,7 +169,34 @@ impl<R: Real> Intersect<R> for PreparedPlane<R> {
     }
 }
 
-impl<R: Real> Silhouette<R> for PreparedPlane<R> {}
+/// The least radius of the rings around the foot of the eye, and the largest, in heights of the eye.
+const RINGS: (f32, u16) = (0.5, 4096);
+
+impl<R: Real> Silhouette<R> for PreparedPlane<R> {
+    /// Rings around the point below the eye, each four times as wide as the one before. They end where the
+    /// horizon is less than a pixel away: at 4096 heights of the eye, or where numbers end.
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let center = project_onto_plane(tessellation.eye, self.normal, self.distance);
+        let height = (self.normal.dot(tessellation.eye) - self.distance).abs();
+        if !(height > R::offset(tessellation.eye.magnitude())) {
+            return;
+        }
+        let (four, (least, most)) = (R::from_u16(4), RINGS);
+        // No ray meets the plane beyond. Compare quotients: products may be out of range.
+        let end = R::FARTHEST - center.magnitude();
+        let heights = R::from_u16(most);
+        let end = if end / heights > height { height * heights } else { end };
+        let (first, second) = self.normal.around();
+        let directions = Directions::new(tessellation.sides());
+        let (mut inner, mut outer) = (R::ZERO, height * R::from_f32(least));
+        while inner < end {
+            outer = if end / four < outer { end } else { outer };
+            let (axes, radii) = ([first, second, self.normal], [outer, inner]);
+            Ring { center, axes, radii, is_closed: false }.each_facet(&directions, false, visit);
+            (inner, outer) = (outer, outer * four);
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {

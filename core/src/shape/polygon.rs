@@ -1,7 +1,11 @@
 //! A planar polygon, convex or concave: a hit of its plane counts if a half-line in the plane crosses the
 //! outline an odd number of times (Haines, "Point in Polygon Strategies", Graphics Gems IV, 1994).
 
-use super::{Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, Tip, bounds_of};
+use super::tessellate::face;
+use super::trapezoids::each_trapezoid;
+use super::{
+    Facet, Form, Geometry, Hull, Intersect, PreparedPlane, Silhouette, Tessellation, Tip, bounds_of,
+};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -168,6 +172,15 @@ impl Projection {
         }
     }
 
+    /// The coordinate of a vector that is left out.
+    fn height<R>(self, vector: Vec3<R>) -> R {
+        match self {
+            Self::X => vector.x,
+            Self::Y => vector.y,
+            Self::Z => vector.z,
+        }
+    }
+
     /// The point of the plane with the coordinates (u, v).
     // Not inlined: see `Hull::edges`.
     #[inline(never)]
@@ -301,6 +314,18 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
         };
         let ends = [vertex(number + count - 1)?, vertex(number + 1)?];
         Some(Tip { apex: vertex(number)?, ends, radius: R::ZERO })
+    }
+
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let normal = self.plane.normal;
+        // Whether u and v are counterclockwise as seen from the front.
+        let is_front = self.dropped.height(normal) > R::ZERO;
+        each_trapezoid(self.edges, |corners| {
+            let [a, b, c, d] =
+                corners.map(|(u, v)| self.dropped.unflatten(R::from_setup(u), R::from_setup(v), &self.plane));
+            let corners = if is_front { [a, b, c, d] } else { [d, c, b, a] };
+            face(&corners, normal, 0, false, visit);
+        });
     }
 }
 

@@ -8,7 +8,11 @@
 //! cube of the number of planes: 130,000 for [`MAX_FACES`].
 
 use super::chord::Chord;
-use super::{Geometry, Intersect, Plane, PreparedPlane, Silhouette, Spans, uv};
+use super::clip::Outline;
+use super::tessellate::face;
+use super::{
+    Facet, Geometry, Intersect, Plane, PreparedPlane, Silhouette, Spans, Tessellation, project_onto_plane, uv,
+};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_coordinate, check_direction, check_point, check_size};
 use crate::limits::{MAX_COORDINATE, MAX_FACES};
@@ -206,6 +210,27 @@ impl<R: Real> PreparedPolyhedron<'_, R> {
         }
         chord
     }
+
+    /// The outline of a face. `None` if another plane in the list is the same: the face belongs to the first.
+    fn face(&self, number: usize, plane: &PreparedPlane<R>) -> Option<Outline<R::Setup>> {
+        let in_setup = |plane: &PreparedPlane<R>| (plane.normal.to_setup(), plane.distance.to_setup());
+        let bounds = self.bounds.to_setup();
+        let (normal, distance) = in_setup(plane);
+        let middle = project_onto_plane(bounds.center(), normal, distance);
+        let mut outline = Outline::square(middle, normal, (bounds.max - bounds.min).length());
+        let tolerance = R::offset(self.bounds.magnitude()).to_setup();
+        for (other_number, other) in self.planes.iter().enumerate() {
+            let (normal, distance) = in_setup(other);
+            if other_number < number && outline.is_in_plane(normal, distance, tolerance) {
+                return None;
+            }
+            if other_number != number {
+                outline.clip(normal, distance);
+            }
+        }
+        outline.join(tolerance);
+        Some(outline)
+    }
 }
 
 impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
@@ -242,7 +267,15 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
     }
 }
 
-impl<R: Real> Silhouette<R> for PreparedPolyhedron<'_, R> {}
+impl<R: Real> Silhouette<R> for PreparedPolyhedron<'_, R> {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        for (part, plane) in (0..).zip(self.planes) {
+            if let Some(outline) = self.face(part, plane) {
+                face(&outline.rounded(), plane.normal, part as u32, true, visit);
+            }
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {

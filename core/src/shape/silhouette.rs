@@ -4,6 +4,7 @@
 //! fall between its pixels, so the renderer looks up in advance where a shape is thin: by its [hulls](Hull),
 //! [tips](Tip) and [rims](Rim). Exact quality uses none of this.
 
+use super::marching::each_facet_of_solid;
 use super::{Facet, Form, Intersect, Tessellation};
 use crate::math::{Aabb, Product, Real, Vec3};
 use crate::surface::Surface;
@@ -58,8 +59,16 @@ pub trait Silhouette<R: Real>: Intersect<R> {
     }
 
     /// Calls `visit` with the facets of the shape, or of an approximation, for scan conversion: neighbors one
-    /// after the other, so that what was computed for a corner can be used again. By default there are none.
-    fn each_facet(&self, _tessellation: &Tessellation<R>, _visit: &mut impl FnMut(&Facet<R>)) {}
+    /// after the other, so that what was computed for a corner can be used again.
+    ///
+    /// By default they are found by the [`spans`](Intersect::spans) of rays through the
+    /// [`bounds`](Intersect::bounds), at a distance of twice the longest side divided by
+    /// [`segments`](Tessellation::segments), but at least a 24th of that side. Edges are cut off by up to
+    /// that distance, and parts that are thinner may be lost. A shape without spans or without bounds has no
+    /// facets.
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        each_facet_of_solid(self, tessellation, visit);
+    }
 }
 
 /// A solid that encloses a shape, or a part of it: a parallelepiped and all points within `radius` of it.

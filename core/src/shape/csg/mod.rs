@@ -22,7 +22,8 @@ mod tests;
 use boundaries::{Boundaries, Surfaces, with_room};
 use program::{Program, fold};
 
-use super::{Form, Geometry, Hull, Intersect, Silhouette, Solid, Tip};
+use super::marching::Lattice;
+use super::{Facet, Form, Geometry, Hull, Intersect, Silhouette, Solid, Tessellation, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
 use crate::limits::MAX_CSG_SOLIDS;
@@ -344,6 +345,11 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
     /// The tips of all solids, which may also be tips of the combined solid.
     fn tip(&self, number: usize) -> Option<Tip<R>> {
         self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let Some(bounds) = self.tree.bounds else { return };
+        Lattice::around(bounds, tessellation).each_facet(self, true, |row| row.inside_hits(self), visit);
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {

@@ -8,7 +8,8 @@ mod metaballs;
 mod tests;
 mod trace;
 
-use super::{Geometry, Intersect, Silhouette, normal_after_step, uv};
+use super::marching::Lattice;
+use super::{Facet, Geometry, Intersect, Silhouette, Tessellation, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -162,6 +163,13 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
 }
 
 impl<D: Distance<R>, R: Real> Silhouette<R> for PreparedImplicit<D, R> {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let is_inside = |point: Vec3<R>| self.field.distance(point) < R::ZERO;
+        // The box may cut the surface open.
+        let lattice = Lattice::within(self.room.bounds(), tessellation);
+        lattice.each_facet(self, false, |row| row.each(is_inside), visit);
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
     }

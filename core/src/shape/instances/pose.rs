@@ -1,6 +1,6 @@
 //! The place and the rotation of an instance.
 
-use super::super::{Bend, Hull, Rim, Tip, bounds_of};
+use super::super::{Bend, Facet, Hull, Rim, Tip, bounds_of};
 use crate::fault::{Fault, check_numbers, check_point};
 use crate::math::{Aabb, Ray, Real, Rotation, Scale, Vec3};
 use crate::surface::Surface;
@@ -130,6 +130,15 @@ impl<R: Real> PreparedPose<R> {
             sharp => sharp,
         };
         Rim { ends: rim.ends.map(|end| self.point(end)), bend }
+    }
+
+    /// Transforms a facet from the model to the scene.
+    pub(super) fn facet(&self, facet: &Facet<R>) -> Facet<R> {
+        Facet {
+            corners: facet.corners.map(|corner| self.point(corner)),
+            normals: facet.normals.map(|normal| self.rotation.turn(normal)),
+            ..*facet
+        }
     }
 
     /// Transforms a tip from the model to the scene.

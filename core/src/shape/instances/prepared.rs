@@ -1,6 +1,6 @@
 //! Instances, prepared: a ray is transformed to the model, and its hit is transformed back.
 
-use super::super::{Hull, Intersect, Rim, Silhouette, Spans, Tip};
+use super::super::{Facet, Hull, Intersect, Rim, Silhouette, Spans, Tessellation, Tip};
 use super::pose::PreparedPose;
 use crate::color::LinearRgb;
 use crate::hierarchy::Hierarchy;
@@ -29,6 +29,11 @@ pub(super) struct Places<'m, R> {
 /// A part of the surface is numbered by the model's part, in so many lower bits, and by the index of the
 /// place, above them.
 const PART_BITS: u32 = 16;
+
+/// The number of a part of the surface.
+fn part_of(index: u32, part: u32) -> u32 {
+    index << PART_BITS | part & ((1 << PART_BITS) - 1)
+}
 
 impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
     pub(super) fn new(model: P, places: &'m Places<'m, R>) -> Self {
@@ -120,8 +125,7 @@ impl<R: Real, P: Intersect<R>> Intersect<R> for PreparedInstances<'_, R, P> {
             return Surface { point, normal, shading_normal: normal, magnitude: point.magnitude(), part: 0 };
         };
         let surface = pose.outward(self.model.surface(&pose.inward(ray), t));
-        let part = (index as u32) << PART_BITS | surface.part & ((1 << PART_BITS) - 1);
-        Surface { part, ..surface }
+        Surface { part: part_of(index as u32, surface.part), ..surface }
     }
 
     fn uv(&self, surface: &Surface<R>, _: Scale) -> [R; 2] {
@@ -177,6 +181,17 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
         let poses = if self.places.poses.len() > MOST_TAPERING { &[] } else { self.places.poses };
         for pose in poses {
             self.model.each_rim(|rim| visit(pose.rim(rim)));
+        }
+    }
+
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        for (index, pose) in (0u32..).zip(self.places.poses) {
+            let Ray { origin: eye, .. } =
+                pose.inward(&Ray { origin: tessellation.eye, direction: Vec3::ZERO });
+            let seen = Tessellation { eye, ..*tessellation };
+            self.model.each_facet(&seen, &mut |facet| {
+                visit(&Facet { part: part_of(index, facet.part), ..pose.facet(facet) });
+            });
         }
     }
 

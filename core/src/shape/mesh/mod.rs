@@ -37,7 +37,7 @@ mod tests;
 pub use baked::{BakedMesh, BakedParts};
 pub use smooth::SmallNormal;
 
-use super::{Bend, Geometry, Intersect, Rim, Silhouette, bounds_of};
+use super::{Bend, Facet, Geometry, Intersect, Rim, Silhouette, Tessellation, bounds_of};
 use crate::arena::Arena;
 use crate::color::LinearRgb;
 use crate::fault::{Fault, check_held, check_number, check_point, check_size};
@@ -471,6 +471,19 @@ impl<R: Real> Silhouette<R> for PreparedMesh<'_, R> {
 
     fn each_rim(&self, visit: impl FnMut(Rim<R>)) {
         (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
+    }
+
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        for triangle in 0..=u16::MAX {
+            let Some(corners) = self.0.corners(triangle) else { break };
+            let Some(normal) = normal(corners) else { continue };
+            // A vertex without a normal is shaded as if the triangle were flat.
+            let normals = self
+                .0
+                .half_normals(triangle)
+                .map_or([normal; 3], |halves| halves.map(|half| half.normalized().unwrap_or(normal)));
+            visit(&Facet { corners, normals, part: triangle.into(), is_closed: false });
+        }
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {

@@ -6,7 +6,8 @@ mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::{Geometry, Intersect, Silhouette, Spans, normal_after_step, uv};
+use super::marching::{Lattice, each_facet_of_solid};
+use super::{Facet, Geometry, Intersect, Silhouette, Spans, Tessellation, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
 use crate::math::{Aabb, Extent, Interval, Ray, Real, Scale, Vec3};
@@ -269,6 +270,16 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        if self.0.capped {
+            return each_facet_of_solid(self, tessellation, visit);
+        }
+        let body = self.0;
+        let is_inside = |point: Vec3<R>| body.polynomial.at(body.in_units(point - body.middle)) < R::ZERO;
+        let lattice = Lattice::within(Aabb::around(body.middle, body.reach), tessellation);
+        lattice.each_facet(self, false, |row| row.each(is_inside), visit);
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
     }

@@ -7,7 +7,8 @@ mod sum;
 #[cfg(test)]
 mod tests;
 
-use super::super::{Geometry, Intersect, Silhouette, normal_after_step, uv};
+use super::super::marching::Lattice;
+use super::super::{Facet, Geometry, Intersect, Silhouette, Tessellation, normal_after_step, uv};
 use super::FieldBox;
 use super::trace::TracedLine;
 use kernel::{LEVEL, STEEPEST, reach_of};
@@ -207,6 +208,13 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedMetaballs<'_, R> {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+        let Self(sum) = self;
+        let is_inside = |point: Vec3<R>| sum.slope(point - sum.room.middle).0 < R::ZERO;
+        let lattice = Lattice::around(sum.room.bounds(), tessellation);
+        lattice.each_facet(self, true, |row| row.each(is_inside), visit);
+    }
+
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {
         normal_after_step(self, surface, step)
     }
