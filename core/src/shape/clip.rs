@@ -51,11 +51,6 @@ impl<R: Real> Outline<R> {
         });
     }
 
-    /// Whether all corners are no farther than `tolerance` from the plane `normal · p = distance`.
-    pub(super) fn is_in_plane(&self, normal: Vec3<R>, distance: R, tolerance: R) -> bool {
-        self.0.iter().all(|corner| (normal.dot(*corner) - distance).abs() <= tolerance)
-    }
-
     /// The corners in another number system.
     pub(super) fn rounded<T: Real<Setup = R>>(&self) -> Vec<Vec3<T>, { MAX_FACES + 4 }> {
         self.0.iter().map(|corner| Vec3::from_setup(*corner)).collect()

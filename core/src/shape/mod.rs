@@ -26,6 +26,8 @@ mod cylinder;
 mod disc;
 mod ellipsoid;
 mod facet;
+#[cfg(test)]
+mod facet_tests;
 mod form;
 pub mod guide;
 mod implicit;

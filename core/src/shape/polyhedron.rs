@@ -217,15 +217,18 @@ impl<R: Real> PreparedPolyhedron<'_, R> {
         let bounds = self.bounds.to_setup();
         let (normal, distance) = in_setup(plane);
         let middle = project_onto_plane(bounds.center(), normal, distance);
-        let mut outline = Outline::square(middle, normal, (bounds.max - bounds.min).length());
+        let size = (bounds.max - bounds.min).length();
         let tolerance = R::offset(self.bounds.magnitude()).to_setup();
+        let mut outline = Outline::square(middle, normal, size);
         for (other_number, other) in self.planes.iter().enumerate() {
-            let (normal, distance) = in_setup(other);
-            if other_number < number && outline.is_in_plane(normal, distance, tolerance) {
+            let (other_normal, other_distance) = in_setup(other);
+            let height = (other_normal.dot(middle) - other_distance).abs();
+            let is_same = height + (normal - other_normal).length() * size <= tolerance;
+            if is_same && other_number < number {
                 return None;
             }
-            if other_number != number {
-                outline.clip(normal, distance);
+            if !is_same {
+                outline.clip(other_normal, other_distance);
             }
         }
         outline.join(tolerance);

@@ -1,0 +1,479 @@
+//! Tests of the facets of all shapes.
+
+use std::collections::HashMap;
+
+use super::testing::Random;
+use super::*;
+use crate::arena::Workspace;
+use crate::math::Fixed;
+
+/// Memory for any of the shapes below.
+type ShapeMemory = Workspace<32768>;
+
+/// From where planes are seen.
+const EYE: Vec3 = Vec3::new(1.5, 2.0, 4.0);
+const SEGMENTS: u16 = 32;
+const PRINTS: bool = true;
+
+/// What is expected of the facets of a shape.
+#[derive(Clone, Copy)]
+struct Expected {
+    /// The volume that they enclose, if they are closed.
+    volume: Option<f64>,
+    /// How many hundredths of the volume they may be off.
+    percent: f64,
+}
+
+const OPEN: Expected = Expected { volume: None, percent: 0.0 };
+
+const fn closed(volume: f64, percent: f64) -> Expected {
+    Expected { volume: Some(volume), percent }
+}
+
+const fn vec(x: f32, y: f32, z: f32) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+const CENTER: Vec3 = vec(0.3, 0.2, -0.4);
+const CONE: Cone = Cone {
+    base: vec(0.2, -0.8, 0.1),
+    base_radius: 0.9,
+    top: vec(-0.1, 0.9, 0.3),
+    top_radius: 0.0,
+    capped: true,
+};
+const CYLINDER: Cylinder =
+    Cylinder { base: vec(-0.5, -0.6, 0.2), top: vec(0.7, 0.5, 0.1), radius: 0.5, capped: true };
+/// An arrow head with a notch; a star whose edges cross each other; and a square whose hole touches it.
+const ARROW: [Vec3; 4] = [vec(0.0, 0.0, 0.5), vec(2.0, -2.0, 0.5), vec(0.0, 3.0, 0.5), vec(-2.0, -2.0, 0.5)];
+const STAR: [Vec3; 5] = [
+    vec(0.3, 0.0, 1.0),
+    vec(0.3, -0.809, -0.588),
+    vec(0.3, 0.951, 0.309 - 0.4),
+    vec(0.3, -0.951, 0.309),
+    vec(0.3, 0.588, -0.809),
+];
+const NOTCHED: [Vec3; 8] = [
+    vec(-1.0, 0.2, 1.0),
+    vec(1.0, 0.2, 1.0),
+    vec(1.0, 0.2, -1.0),
+    vec(-1.0, 0.2, -1.0),
+    vec(-1.0, 0.2, 1.0),
+    vec(-0.2, 0.2, -0.4),
+    vec(0.6, 0.2, -0.4),
+    vec(0.3, 0.2, 0.5),
+];
+const OCTAHEDRON: [Plane; 9] = {
+    const fn plane(x: f32, y: f32, z: f32) -> Plane {
+        Plane::new(vec(x, 0.0, 0.0), vec(x, y, z))
+    }
+    [
+        plane(1.0, 1.0, 1.0),
+        plane(1.0, 1.0, -1.0),
+        plane(1.0, -1.0, 1.0),
+        plane(1.0, -1.0, -1.0),
+        plane(-1.0, 1.0, 1.0),
+        plane(-1.0, 1.0, -1.0),
+        plane(-1.0, -1.0, 1.0),
+        plane(-1.0, -1.0, -1.0),
+        // Twice the same.
+        plane(1.0, 1.0, 1.0),
+    ]
+};
+const GEM: [Plane; 8] = [
+    Plane::new(vec(1.0, 0.0, 0.0), vec(1.0, 0.0, 0.1)),
+    Plane::new(vec(-0.7, 0.0, 0.0), vec(-1.0, 0.2, 0.0)),
+    Plane::new(vec(0.0, 0.8, 0.0), vec(0.1, 1.0, 0.2)),
+    Plane::new(vec(0.0, -0.5, 0.0), vec(0.0, -1.0, -0.3)),
+    Plane::new(vec(0.0, 0.0, 0.6), vec(0.2, 0.1, 1.0)),
+    Plane::new(vec(0.0, 0.0, -0.9), vec(0.0, 0.1, -1.0)),
+    Plane::new(vec(0.6, 0.4, 0.2), vec(1.0, 1.0, 0.5)),
+    // Cuts off nothing.
+    Plane::new(vec(5.0, 5.0, 5.0), vec(1.0, 1.0, 1.0)),
+];
+const TETRAHEDRON: Mesh = Mesh::new(
+    &[vec(1.0, 1.0, 1.0), vec(1.0, -1.0, -1.0), vec(-1.0, 1.0, -1.0), vec(-1.0, -1.0, 1.0)],
+    &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2], [1, 1, 2]],
+);
+const BEAD: Csg = Csg::new(&[
+    CsgStep::Solid(Solid::Sphere(Sphere::new(CENTER, 1.0))),
+    CsgStep::Solid(Solid::Cylinder(Cylinder {
+        base: vec(0.3, -2.0, -0.4),
+        top: vec(0.3, 2.0, -0.4),
+        radius: 0.5,
+        capped: true,
+    })),
+    CsgStep::Difference,
+]);
+const DROPS: Metaballs =
+    Metaballs::new(&[Blob::new(vec(0.0, 0.0, 0.0), 1.4), Blob::new(vec(0.8, 0.2, 0.0), 1.1)]);
+const BALL: [f32; 10] = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0];
+const SADDLE: Quadric = Quadric {
+    center: CENTER,
+    coefficients: [1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0],
+    min: vec(-1.0, -0.8, -1.0),
+    max: vec(1.0, 0.9, 1.0),
+    capped: false,
+};
+const MODELS: [Model; 2] = [Model::Csg(BEAD), Model::Mesh(TETRAHEDRON)];
+const POSES: [Pose; 2] =
+    [Pose::at(vec(-1.2, 0.1, 0.0)), Pose::at(vec(1.3, 0.0, 0.4)).turned(vec(0.3, 0.8, 0.1))];
+
+/// One or several of each kind.
+fn shapes() -> Vec<(Shape<'static>, Expected)> {
+    let pi = core::f64::consts::PI;
+    let ball = 4.0 / 3.0 * pi;
+    let axes = [vec(0.5, 0.1, 0.0), vec(0.0, 0.9, -0.2), vec(0.2, 0.0, 0.7)];
+    let mirrored = [vec(0.9, 0.0, 0.0), vec(0.0, 0.0, 0.6), vec(0.0, 0.4, 0.0)];
+    let [a, b, c] = axes.map(|axis| axis.to::<f64>());
+    let cone_height = f64::from((CONE.top - CONE.base).length());
+    let cylinder = pi * 0.25 * f64::from((CYLINDER.top - CYLINDER.base).length());
+    // Of a ball of radius 1 with a hole of radius 1/2: 4/3 π (1 - 1/4)^(3/2).
+    let bead = ball * 0.75f64.powf(1.5);
+    let quadric =
+        Quadric { coefficients: BALL, min: vec(-2.0, -0.5, -2.0), max: vec(2.0, 2.0, 2.0), ..SADDLE };
+    let smooth = Some([vec(0.1, 0.2, 1.0), vec(0.0, -0.3, 1.0), vec(0.3, 0.0, 1.0)]);
+    let flat = Triangle::flat(vec(-1.0, -0.8, 0.3), vec(1.0, -0.6, -0.5), vec(0.1, 1.0, 0.9));
+    let turned = [vec(0.5, 0.5, 0.0), vec(-0.3, 0.3, 0.0), vec(0.0, 0.0, 0.75)];
+    vec![
+        (Shape::Sphere(Sphere::new(CENTER, 1.0)), closed(ball, 2.5)),
+        (Shape::Plane(Plane::new(vec(0.0, -0.5, 0.0), vec(0.1, 1.0, -0.2))), OPEN),
+        (Shape::Disc(Disc::new(CENTER, vec(0.2, 1.0, 0.4), 1.2)), OPEN),
+        (Shape::Disc(Disc::ring(CENTER, vec(-0.2, -1.0, 0.4), 0.5, 1.2)), OPEN),
+        (Shape::Rectangle(Rectangle::new(CENTER, vec(1.0, 0.2, 0.0), vec(0.3, 0.9, -0.5))), OPEN),
+        (Shape::Triangle(flat), OPEN),
+        (Shape::Triangle(Triangle { normals: smooth.map(|normals| normals.map(|n| n * 2.0)), ..flat }), OPEN),
+        (Shape::Polygon(Polygon::new(&ARROW)), OPEN),
+        (Shape::Polygon(Polygon::new(&STAR)), OPEN),
+        (Shape::Polygon(Polygon::new(&NOTCHED)), OPEN),
+        (Shape::Cylinder(CYLINDER), closed(cylinder, 1.0)),
+        (Shape::Cylinder(Cylinder { capped: false, ..CYLINDER }), OPEN),
+        (Shape::Cone(CONE), closed(pi * 0.27 * cone_height, 1.0)),
+        (Shape::Cone(Cone { base_radius: 0.3, top_radius: 0.8, capped: false, ..CONE }), OPEN),
+        (Shape::Ellipsoid(Ellipsoid { center: CENTER, axes }), closed(ball * a.cross(b).dot(c), 2.5)),
+        (Shape::Ellipsoid(Ellipsoid { center: CENTER, axes: mirrored }), closed(ball * 0.216, 2.5)),
+        (Shape::Quadric(SADDLE), OPEN),
+        (Shape::Quadric(quadric), OPEN),
+        // Half a ball, and a part of the other half.
+        (
+            Shape::Quadric(Quadric { capped: true, ..quadric }),
+            closed(pi * (2.0 / 3.0 + 0.5 - 0.125 / 3.0), 3.0),
+        ),
+        (
+            Shape::Torus(Torus {
+                center: CENTER,
+                axis: vec(0.2, 1.0, 0.3),
+                major_radius: 0.8,
+                minor_radius: 0.3,
+            }),
+            closed(2.0 * pi * pi * 0.8 * 0.09, 4.0),
+        ),
+        (Shape::Cuboid(Cuboid::aligned(vec(-0.5, -0.7, -1.0), vec(0.6, 0.4, 1.0))), closed(2.42, 0.01)),
+        (Shape::Cuboid(Cuboid::oriented(CENTER, turned)), closed(8.0 * 0.3 * 0.75, 0.01)),
+        (Shape::Cuboid(Cuboid::oriented(CENTER, [turned[0], turned[2], turned[1]])), closed(1.8, 0.01)),
+        (Shape::ConvexPolyhedron(ConvexPolyhedron::new(&OCTAHEDRON)), closed(4.0 / 3.0, 0.01)),
+        (Shape::ConvexPolyhedron(ConvexPolyhedron::new(&GEM)), closed(f64::NAN, f64::INFINITY)),
+        (Shape::Mesh(TETRAHEDRON), OPEN),
+        (Shape::Csg(BEAD), closed(bead, 3.0)),
+        (Shape::Metaballs(DROPS), closed(f64::NAN, f64::INFINITY)),
+        (Shape::Instances(Instances::new(&MODELS[0], &POSES)), closed(2.0 * bead, 3.0)),
+        (Shape::Instances(Instances::new(&MODELS[1], &POSES).sized(0.6)), OPEN),
+    ]
+}
+
+#[test]
+fn there_is_a_shape_of_each_kind() {
+    for name in Shape::NAMES {
+        assert!(
+            shapes().iter().any(|(shape, _)| format!("{shape:?}").starts_with(&format!("{name}("))),
+            "{name}"
+        );
+    }
+}
+
+/// A facet, in `f64`.
+struct TestFacet {
+    corners: [Vec3<f64>; 3],
+    normals: [Vec3<f64>; 3],
+    is_closed: bool,
+    part: u32,
+}
+
+impl TestFacet {
+    /// The vector at a right angle, whose length is twice the area.
+    fn area(&self) -> Vec3<f64> {
+        let [a, b, c] = self.corners;
+        (b - a).cross(c - a)
+    }
+
+    /// The distance at which a ray meets the facet (Möller and Trumbore 1997).
+    fn meet(&self, ray: &Ray<f64>) -> Option<f64> {
+        let [a, b, c] = self.corners;
+        let (ab, ac, from_a) = (b - a, c - a, ray.origin - a);
+        let across = ray.direction.cross(ac);
+        let volume = ab.dot(across);
+        let u = from_a.dot(across) / volume;
+        let v = ray.direction.dot(from_a.cross(ab)) / volume;
+        let t = ac.dot(from_a.cross(ab)) / volume;
+        (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0).then_some(t)
+    }
+}
+
+/// A shape that is prepared alone, and its facets.
+struct Tested<P> {
+    name: String,
+    prepared: P,
+    facets: Vec<TestFacet>,
+    scale: f32,
+    /// The length of the diagonal of the bounds; for a plane, the height of the eye above it.
+    size: f64,
+}
+
+fn double<R: Real>(v: Vec3<R>) -> Vec3<f64> {
+    v.to_f32().to()
+}
+
+impl<P> Tested<P> {
+    fn new<'m, R: Real>(
+        shape: Shape<'static>,
+        segments: u16,
+        room: &'m mut ShapeMemory,
+    ) -> Tested<PreparedShape<'static, 'm, R>>
+    where
+        'static: 'm,
+    {
+        let scale = Scale::new::<R>(shape.extent(), EYE);
+        let prepared = shape.prepare::<R>(scale, &mut Arena::new(room.lend())).expect("a legal shape");
+        let tessellation = Tessellation { segments, eye: scale.point(EYE.to()) };
+        let mut facets = vec![];
+        prepared.each_facet(&tessellation, &mut |facet: &Facet<R>| {
+            let Facet { corners, normals, part, is_closed } = *facet;
+            facets.push(TestFacet {
+                corners: corners.map(double),
+                normals: normals.map(double),
+                is_closed,
+                part,
+            });
+        });
+        let size = prepared
+            .bounds()
+            .map_or(2.5 * f64::from(scale.to_f32()), |bounds| double(bounds.max - bounds.min).length());
+        Tested {
+            name: format!("{shape:?} in {}", core::any::type_name::<R>()),
+            prepared,
+            facets,
+            scale: scale.to_f32(),
+            size,
+        }
+    }
+}
+
+/// Checks each shape in two number systems. A check returns a complaint, or nothing.
+macro_rules! assert_for_each_shape {
+    (|$tested:ident, $expected:ident| $check:block) => {
+        let mut complaints = vec![];
+        for (shape, $expected) in shapes() {
+            let mut room = ShapeMemory::new();
+            {
+                let $tested = Tested::<()>::new::<f32>(shape, SEGMENTS, &mut room);
+                let complaint: Option<String> = $check;
+                complaints.extend(complaint.map(|complaint| format!("{}: {complaint}", $tested.name)));
+            }
+            let $tested = Tested::<()>::new::<Fixed>(shape, SEGMENTS, &mut room);
+            let complaint: Option<String> = $check;
+            complaints.extend(complaint.map(|complaint| format!("{}: {complaint}", $tested.name)));
+        }
+        assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    };
+}
+
+fn converted<R: Real>(ray: Ray<f64>) -> Ray<R> {
+    let [origin, direction] = [ray.origin, ray.direction].map(|vector| vector.to_f32().to());
+    Ray { origin, direction }
+}
+
+/// The distances of all hits of a ray.
+fn hits<R: Real>(shape: &impl Intersect<R>, ray: Ray<f64>) -> Vec<f64> {
+    let ray = converted::<R>(ray);
+    let (mut range, mut hits) = (Interval::AHEAD, vec![]);
+    while let Some(t) = shape.intersect(&ray, range)
+        && hits.len() < 32
+    {
+        hits.push(f64::from(t.to_f32()));
+        range.min = t;
+    }
+    hits
+}
+
+/// The distance between a facet's corner and the surface, by rays near it: rays at the very border of a shape
+/// may miss it.
+fn distance_from_surface<R: Real>(
+    shape: &impl Intersect<R>,
+    facet: &TestFacet,
+    corner: usize,
+    size: f64,
+) -> f64 {
+    let [a, b, c] = facet.corners;
+    let middle = (a + b + c) * (1.0 / 3.0);
+    let (point, normal) = (facet.corners[corner], facet.normals[corner]);
+    let height = 0.05 * size;
+    let mut least = f64::INFINITY;
+    let flat = facet.area().normalized().unwrap_or(normal);
+    for toward in [normal, flat, (normal + flat).normalized().unwrap_or(normal)] {
+        for share in [0.0, 1e-3, 1e-2] {
+            for sign in [1.0, -1.0] {
+                let direction = toward * sign;
+                let aim = point + (middle - point) * share;
+                let ray = Ray { origin: aim - direction * height, direction };
+                for t in hits(shape, ray) {
+                    least = least.min((ray.at(t) - point).length());
+                }
+            }
+        }
+    }
+    least
+}
+
+#[test]
+fn corners_lie_on_the_surface() {
+    assert_for_each_shape!(|tested, _expected| {
+        let Tested { prepared, facets, size, .. } = &tested;
+        let mut most = 0f64;
+        for facet in facets.iter().step_by(1 + facets.len() / 2000) {
+            // Rays may miss a sliver. Far away on a plane, they do not have the digits.
+            if facet.area().length() < 1e-5 * size * size || facet.corners[0].length() > 30.0 * size {
+                continue;
+            }
+            for corner in 0..3 {
+                most = most.max(distance_from_surface(prepared, facet, corner, *size));
+            }
+        }
+        // The distance of the rays from the corner, not of the corner from the surface.
+        (facets.is_empty() || most > 1e-3 * size).then(|| format!("{most:e} off, the size is {size}"))
+    });
+}
+
+#[test]
+fn winding_agrees_with_unit_normals() {
+    assert_for_each_shape!(|tested, _expected| {
+        let (mut right, mut all, mut off) = (0.0, 0.0, 0f64);
+        for facet in &tested.facets {
+            let area = facet.area();
+            for normal in facet.normals {
+                off = off.max((normal.length() - 1.0).abs());
+                all += area.length();
+                right += if area.dot(normal) > 0.0 { area.length() } else { 0.0 };
+            }
+        }
+        // Cells cut the edges of combined solids: the normals of such a facet are those of both faces.
+        let least = if tested.name.contains("Csg") { 0.98 } else { 0.999_999 };
+        (right < least * all || off > 1e-5).then(|| format!("{} of the area, {off:e} off", right / all))
+    });
+}
+
+/// Numbers the corners: those within `tolerance` of each other have one number.
+fn numbered(facets: &[TestFacet], tolerance: f64) -> Vec<[usize; 3]> {
+    let mut known = HashMap::<[i64; 3], Vec<usize>>::new();
+    let mut places: Vec<Vec3<f64>> = vec![];
+    let mut number = |corner: Vec3<f64>| {
+        let [x, y, z] = [corner.x, corner.y, corner.z].map(|x| (x / tolerance).floor() as i64);
+        for (i, j, k) in (0..27).map(|n| (n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1)) {
+            for place in known.get(&[x + i, y + j, z + k]).into_iter().flatten() {
+                if (places[*place] - corner).length() < tolerance {
+                    return *place;
+                }
+            }
+        }
+        places.push(corner);
+        known.entry([x, y, z]).or_default().push(places.len() - 1);
+        places.len() - 1
+    };
+    facets.iter().map(|facet| facet.corners.map(&mut number)).collect()
+}
+
+/// Each edge is shared by two facets, which pass it in opposite directions.
+#[test]
+fn closed_shapes_are_watertight() {
+    assert_for_each_shape!(|tested, expected| {
+        let Tested { facets, size, .. } = &tested;
+        let is_closed = expected.volume.is_some();
+        // For each edge, how often it is passed in each direction.
+        let mut edges = HashMap::<(usize, usize), [u32; 2]>::new();
+        for [a, b, c] in numbered(facets, 1e-6 * size) {
+            for (from, to) in [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to) {
+                edges.entry((from.min(to), from.max(to))).or_default()[usize::from(from < to)] += 1;
+            }
+        }
+        let open = edges.values().filter(|[one, other]| one != other).count();
+        let joined = edges.values().filter(|[one, _]| *one != 1).count();
+        let is_wrong =
+            facets.iter().any(|facet| facet.is_closed != is_closed) || is_closed && (open > 0 || joined > 0);
+        is_wrong.then(|| format!("of {} edges, {open} are open, {joined} not shared by two", edges.len()))
+    });
+}
+
+#[test]
+fn closed_shapes_have_their_volume() {
+    assert_for_each_shape!(|tested, expected| {
+        let Tested { facets, scale, .. } = &tested;
+        // The divergence theorem.
+        let sum: f64 = facets.iter().map(|facet| facet.corners[0].dot(facet.area())).sum();
+        let volume = sum / 6.0 / f64::from(*scale).powi(3);
+        let off = expected.volume.map_or(0.0, |expected| (volume / expected - 1.0).abs() * 100.0);
+        (off > expected.percent).then(|| format!("the volume is {volume}, not {:?}", expected.volume))
+    });
+}
+
+#[test]
+fn rays_that_meet_a_shape_meet_its_facets() {
+    assert_for_each_shape!(|tested, _expected| {
+        let Tested { prepared, facets, size, .. } = &tested;
+        let mut random = Random(17);
+        let (mut shape, mut by_facets, mut both) = (0.0, 0.0, 0.0);
+        let middle = prepared.bounds().map_or(Vec3::ZERO, |bounds| double(bounds.center()));
+        for _ in 0..1500 {
+            let origin = middle + random.direction().to::<f64>() * *size;
+            let aim = middle + random.vector().to::<f64>() * (*size * 0.4);
+            let ray = Ray { origin, direction: (aim - origin).normalized().expect("a direction") };
+            let meets_shape = !hits(prepared, ray).is_empty();
+            let meets_facets = facets.iter().any(|facet| facet.meet(&ray).is_some());
+            shape += f64::from(u8::from(meets_shape));
+            by_facets += f64::from(u8::from(meets_facets));
+            both += f64::from(u8::from(meets_shape && meets_facets));
+        }
+        let is_wrong = shape < 100.0 || both < 0.97 * shape || both < 0.97 * by_facets;
+        if PRINTS {
+            println!("{:.4} {:.4} {} {:.30}", both / shape, both / by_facets, facets.len(), tested.name);
+        }
+        is_wrong.then(|| format!("{shape} rays meet the shape, {by_facets} the facets, {both} both"))
+    });
+}
+
+#[test]
+fn parts_are_those_of_surfaces() {
+    assert_for_each_shape!(|tested, _expected| {
+        let Tested { prepared, facets, size, .. } = &tested;
+        let (mut same, mut all) = (0, 0);
+        for facet in facets.iter().step_by(1 + facets.len() / 2000) {
+            let [a, b, c] = facet.corners;
+            let Some(normal) = facet.area().normalized() else { continue };
+            let height = size * 0.02;
+            let origin = (a + b + c) * (1.0 / 3.0) + normal * height;
+            if let Some(part) = part_near(prepared, Ray { origin, direction: -normal }, height) {
+                all += 1;
+                same += u32::from(part == facet.part);
+            }
+        }
+        // Where a cell is cut by several faces, a facet is of one of them.
+        let least = if tested.name.contains("Csg") { 0.9 } else { 1.0 };
+        (f64::from(same) < least * f64::from(all)).then(|| format!("{same} of {all}"))
+    });
+}
+
+/// The part of the shape that the ray meets near this distance.
+fn part_near<R: Real>(shape: &impl Intersect<R>, ray: Ray<f64>, distance: f64) -> Option<u32> {
+    let near = |share: f64| R::from_f32((distance * share) as f32);
+    let ray = converted(ray);
+    let t = shape.intersect(&ray, Interval { min: near(0.5), max: near(1.5) })?;
+    Some(shape.surface(&ray, t).part)
+}
