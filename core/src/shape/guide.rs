@@ -69,7 +69,8 @@
 //!     }
 //! }
 //!
-//! // The defaults will do.
+//! // The defaults will do. For scan conversion, `each_facet` then finds triangles by rays in a grid: if you
+//! // know them, visit them yourself.
 //! impl<R: Real> Silhouette<R> for PreparedBowl<R> {}
 //!
 //! rayline::shape_set! {

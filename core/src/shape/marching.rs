@@ -155,6 +155,18 @@ impl<R: Real> Lattice<R> {
             lower = upper;
         }
     }
+
+    /// Calls `visit` with the facets of a shape that has no inside.
+    fn each_open_facet<S: Intersect<R> + ?Sized>(&self, shape: &S, visit: &mut impl FnMut(&Facet<R>)) {
+        let [columns, rows, layers] = self.counts.map(|count| count.saturating_sub(1));
+        for z in 0..layers {
+            for y in 0..rows {
+                for x in 0..columns {
+                    Cell::new(self, shape, [x, y, z], [0; 4]).each_open_facet(visit);
+                }
+            }
+        }
+    }
 }
 
 /// A point of the surface on an edge.
@@ -162,6 +174,12 @@ impl<R: Real> Lattice<R> {
 struct Crossing<R> {
     corner: Corner<R>,
     part: u32,
+}
+
+impl<R: Real> Crossing<R> {
+    fn new(surface: &Surface<R>) -> Self {
+        Self { corner: (surface.point, surface.shading_normal), part: surface.part }
+    }
 }
 
 /// The edges of the tetrahedra in a cell: the edges of the cell, the diagonals of its faces, and its own.
@@ -201,20 +219,48 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
             return;
         }
         for corners in TETRAHEDRA {
-            let (part, [a, b, c, d]) = self.sorted(corners);
-            let mut facet = |edges: [[u8; 2]; 3]| {
-                let crossings = edges.map(|edge| self.crossing(edge));
-                let [Crossing { part, .. }, ..] = crossings;
-                triangle(crossings.map(|crossing| crossing.corner), part, is_closed, visit);
-            };
-            match part {
-                Part::None => {}
-                Part::One => facet([[a, b], [a, c], [a, d]]),
-                Part::Three => facet([[a, b], [a, d], [a, c]]),
-                Part::Two => {
-                    facet([[a, c], [a, d], [b, d]]);
-                    facet([[a, c], [b, d], [b, c]]);
+            self.cut(corners, is_closed, visit);
+        }
+    }
+
+    /// Calls `visit` with the facets of a shape that has no inside. In each tetrahedron, corners lie behind
+    /// the surface or in front of it. At the border of the shape the edges do not agree on that, and there is
+    /// no facet.
+    fn each_open_facet(&mut self, visit: &mut impl FnMut(&Facet<R>)) {
+        let mut crossed = CrossedEdges::default();
+        for from in 0..8u8 {
+            for to in (from.saturating_add(1)..8).filter(|to| from & to == from) {
+                let (ray, length) = self.edge([from, to]);
+                if let Some((surface, leaves)) = meet_once(self.shape, &ray, length) {
+                    crossed.add([from, to], leaves);
+                    // There is room for all edges.
+                    let _ = self.known.push(([from, to], Crossing::new(&surface)));
                 }
+            }
+        }
+        for corners in TETRAHEDRA {
+            if let Some(behind) = crossed.behind(corners) {
+                self.inside = behind;
+                self.cut(corners, false, visit);
+            }
+        }
+    }
+
+    /// Calls `visit` with the facets in a tetrahedron.
+    fn cut(&mut self, corners: [u8; 4], is_closed: bool, visit: &mut impl FnMut(&Facet<R>)) {
+        let (part, [a, b, c, d]) = self.sorted(corners);
+        let mut facet = |edges: [[u8; 2]; 3]| {
+            let crossings = edges.map(|edge| self.crossing(edge));
+            let [Crossing { part, .. }, ..] = crossings;
+            triangle(crossings.map(|crossing| crossing.corner), part, is_closed, visit);
+        };
+        match part {
+            Part::None => {}
+            Part::One => facet([[a, b], [a, c], [a, d]]),
+            Part::Three => facet([[a, b], [a, d], [a, c]]),
+            Part::Two => {
+                facet([[a, c], [a, d], [b, d]]);
+                facet([[a, c], [b, d], [b, c]]);
             }
         }
     }
@@ -254,22 +300,76 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
         crossing
     }
 
-    fn meet(&self, edge: [u8; 2]) -> Crossing<R> {
-        let [from, to] = edge.map(|corner| {
+    /// The ray from the first corner of an edge to the second, and the length of the edge.
+    fn edge(&self, edge: [u8; 2]) -> (Ray<R>, R) {
+        let [origin, to] = edge.map(|corner| {
             let [x, y, z] = self.place;
             let bit = |number: u32| u16::from(corner.wrapping_shr(number) & 1);
             self.lattice.at([x.wrapping_add(bit(0)), y.wrapping_add(bit(1)), z.wrapping_add(bit(2))])
         });
-        let (direction, length) = (to - from).unit_and_length();
-        let ray = Ray { origin: from, direction };
+        let (direction, length) = (to - origin).unit_and_length();
+        (Ray { origin, direction }, length)
+    }
+
+    fn meet(&self, edge: [u8; 2]) -> Crossing<R> {
+        let (ray, length) = self.edge(edge);
         let [leaves, _] = edge.map(|corner| self.is_inside(corner));
         if let Some(surface) = meet_between(self.shape, &ray, length, leaves) {
-            return Crossing { corner: (surface.point, surface.shading_normal), part: surface.part };
+            return Crossing::new(&surface);
         }
         // A corner is as good as on the surface, and the two rays disagree on its side. Then the surface is
         // where the corner inside is.
-        let corner = if leaves { (from, direction) } else { (to, -direction) };
+        let Ray { origin, direction } = ray;
+        let corner = if leaves { (origin, direction) } else { (ray.at(length), -direction) };
         Crossing { corner, part: 0 }
+    }
+}
+
+/// The edges in a cell that cross the surface of a shape without an inside.
+#[derive(Default)]
+struct CrossedEdges {
+    /// For each corner a bit for each corner of a larger number: whether the edge to it crosses the surface.
+    crossed: [u8; 8],
+    /// The same: whether the edge crosses the surface from behind.
+    leaves: [u8; 8],
+}
+
+impl CrossedEdges {
+    fn add(&mut self, [from, to]: [u8; 2], leaves: bool) {
+        let bit = 1u8.wrapping_shl(to.into());
+        for (list, value) in [(&mut self.crossed, true), (&mut self.leaves, leaves)] {
+            if let Some(bits) = list.get_mut(usize::from(from))
+                && value
+            {
+                *bits |= bit;
+            }
+        }
+    }
+
+    /// Whether the edge between two corners crosses the surface, and whether it does so from behind as seen
+    /// from the first.
+    fn between(&self, one: u8, other: u8) -> (bool, bool) {
+        let (from, to) = (one.min(other), one.max(other));
+        let is_in = |list: &[u8; 8]| {
+            list.get(usize::from(from)).is_some_and(|bits| bits.wrapping_shr(to.into()) & 1 != 0)
+        };
+        (is_in(&self.crossed), is_in(&self.leaves) == (from == one))
+    }
+
+    /// A bit for each corner of a tetrahedron that lies behind the surface; `None` if the surface does not
+    /// divide the corners into two groups.
+    fn behind(&self, [a, b, c, d]: [u8; 4]) -> Option<u8> {
+        // Whether a corner lies on the other side of the surface than the first one.
+        let is_beyond = |corner: u8| self.between(a, corner).0;
+        let agrees = |one: u8, other: u8| self.between(one, other).0 == (is_beyond(one) != is_beyond(other));
+        let beyond = [b, c, d].into_iter().find(|corner| is_beyond(*corner))?;
+        if !(agrees(b, c) && agrees(c, d) && agrees(d, b)) {
+            return None;
+        }
+        let (_, first_is_behind) = self.between(a, beyond);
+        let bit = |corner: u8, is_behind: bool| u8::from(is_behind).wrapping_shl(corner.into());
+        let rest = [b, c, d].into_iter().map(|corner| bit(corner, is_beyond(corner) != first_is_behind));
+        Some(rest.fold(bit(a, first_is_behind), |bits, bit| bits | bit))
     }
 }
 
@@ -305,14 +405,40 @@ fn meet_between<R: Real, S: Intersect<R> + ?Sized>(
     None
 }
 
-/// [`Silhouette::each_facet`](super::Silhouette::each_facet) of a solid, by the parts of rays inside it.
+/// The first place where a part of a ray crosses the shape, and whether it does so from behind; `None` if it
+/// ends on the side where it began.
+fn meet_once<R: Real, S: Intersect<R> + ?Sized>(
+    shape: &S,
+    ray: &Ray<R>,
+    length: R,
+) -> Option<(Surface<R>, bool)> {
+    let mut range = Interval { min: R::ZERO, max: length };
+    let t = shape.intersect(ray, range)?;
+    range.min = t;
+    if shape.intersect(ray, range).is_some() {
+        return None;
+    }
+    let surface = shape.surface(ray, t);
+    Some((surface, surface.normal.dot(ray.direction) > R::ZERO))
+}
+
+/// [`Silhouette::each_facet`](super::Silhouette::each_facet) of any shape: by the parts of rays inside it, or,
+/// if there are none, by where the edges of the cells meet it.
 // Not inlined: it is the default for all shapes.
 #[inline(never)]
-pub(super) fn each_facet_of_solid<R: Real, S: Intersect<R> + ?Sized>(
-    solid: &S,
+pub(super) fn each_facet_of_any<R: Real, S: Intersect<R> + ?Sized>(
+    shape: &S,
     tessellation: &Tessellation<R>,
     visit: &mut impl FnMut(&Facet<R>),
 ) {
-    let Some(bounds) = solid.bounds() else { return };
-    Lattice::around(bounds, tessellation).each_facet(solid, true, |row| row.inside_spans(solid), visit);
+    let Some(bounds) = shape.bounds() else { return };
+    let lattice = Lattice::around(bounds, tessellation);
+    let mut has_spans = false;
+    lattice.each_facet(shape, true, |row| row.inside_spans(shape), &mut |facet| {
+        has_spans = true;
+        visit(facet);
+    });
+    if !has_spans {
+        lattice.each_open_facet(shape, visit);
+    }
 }

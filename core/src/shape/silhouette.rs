@@ -4,7 +4,7 @@
 //! fall between its pixels, so the renderer looks up in advance where a shape is thin: by its [hulls](Hull),
 //! [tips](Tip) and [rims](Rim). Exact quality uses none of this.
 
-use super::marching::each_facet_of_solid;
+use super::marching::each_facet_of_any;
 use super::{Facet, Form, Intersect, Tessellation};
 use crate::math::{Aabb, Product, Real, Vec3};
 use crate::surface::Surface;
@@ -61,13 +61,13 @@ pub trait Silhouette<R: Real>: Intersect<R> {
     /// Calls `visit` with the facets of the shape, or of an approximation, for scan conversion: neighbors one
     /// after the other, so that what was computed for a corner can be used again.
     ///
-    /// By default they are found by the [`spans`](Intersect::spans) of rays through the
-    /// [`bounds`](Intersect::bounds), at a distance of twice the longest side divided by
-    /// [`segments`](Tessellation::segments), but at least a 24th of that side. Edges are cut off by up to
-    /// that distance, and parts that are thinner may be lost. A shape without spans or without bounds has no
-    /// facets.
+    /// By default rays in a grid through the [`bounds`](Intersect::bounds) find them. Along the longest side
+    /// of the bounds, the grid has half as many cells as there are [`segments`](Tessellation::segments), but
+    /// at most 24. Edges are cut off by up to a cell, and parts that are thinner may be lost. A shape without
+    /// [`spans`](Intersect::spans) takes several times as long, and may end up to a cell before its border.
+    /// A shape without bounds has no facets.
     fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
-        each_facet_of_solid(self, tessellation, visit);
+        each_facet_of_any(self, tessellation, visit);
     }
 }
 

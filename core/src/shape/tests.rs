@@ -229,6 +229,42 @@ fn hulls_are_as_many_as_are_listed() {
     assert!(most > 17, "no instances of tori");
 }
 
+/// Also of the smallest, the longest and the thinnest shapes: nothing overflows.
+#[test]
+fn facets_lie_in_the_bounds() {
+    fn check<R: Real>(shape: &Shape<'static>, segments: u16) -> usize {
+        let mut room = ShapeMemory::new();
+        let eye = Vec3::new(1.0, 5.0, 3.0);
+        let scale = Scale::new::<R>(shape.extent(), eye);
+        let Ok(prepared) = shape.prepare::<R>(scale, &mut Arena::new(room.lend())) else { return 0 };
+        let bounds = prepared.bounds().map(|bounds| {
+            let size = (bounds.max - bounds.min).magnitude();
+            bounds.padded(R::offset(bounds.magnitude()) + R::offset(size))
+        });
+        let mut count = 0;
+        prepared.each_facet(&Tessellation { segments, eye: scale.point(eye.to()) }, &mut |facet| {
+            count += 1;
+            for corner in facet.corners {
+                let is_inside = match bounds {
+                    Some(bounds) => bounds.contains(corner),
+                    None => corner.magnitude() < R::FARTHEST + R::from_f32(1e-3),
+                };
+                assert!(is_inside, "{shape:?}: {corner:?} lies outside {bounds:?}");
+            }
+        });
+        count
+    }
+    let mut shapes = Shapes(Random(9));
+    let mut counts = [0; 17];
+    for number in 0..510 {
+        let shape = shapes.shape(number);
+        let segments = shapes.of(&[6, 7, 13]);
+        counts[number % 17] += usize::from(check::<f32>(&shape, segments) > 0);
+        counts[number % 17] += usize::from(check::<Fixed>(&shape, segments) > 0);
+    }
+    assert!(counts.iter().all(|count| *count > 5), "{counts:?}");
+}
+
 /// The rule of [`Intersect::bounds`].
 #[test]
 fn no_ray_meets_a_shape_outside_its_bounds() {

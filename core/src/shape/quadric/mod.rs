@@ -6,7 +6,7 @@ mod polynomial;
 
 use polynomial::{Polynomial, Roots, power_of_two_above};
 
-use super::marching::{Lattice, each_facet_of_solid};
+use super::marching::{Lattice, each_facet_of_any};
 use super::{Facet, Geometry, Intersect, Silhouette, Spans, Tessellation, normal_after_step, uv};
 use crate::arena::Arena;
 use crate::fault::{Fault, check_point, check_size};
@@ -272,7 +272,7 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
 impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
     fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
         if self.0.capped {
-            return each_facet_of_solid(self, tessellation, visit);
+            return each_facet_of_any(self, tessellation, visit);
         }
         let body = self.0;
         let is_inside = |point: Vec3<R>| body.polynomial.at(body.in_units(point - body.middle)) < R::ZERO;
