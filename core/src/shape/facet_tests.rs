@@ -13,7 +13,6 @@ type ShapeMemory = Workspace<32768>;
 /// From where planes are seen.
 const EYE: Vec3 = Vec3::new(1.5, 2.0, 4.0);
 const SEGMENTS: u16 = 32;
-const PRINTS: bool = true;
 
 /// What is expected of the facets of a shape.
 #[derive(Clone, Copy)]
@@ -234,14 +233,11 @@ fn double<R: Real>(v: Vec3<R>) -> Vec3<f64> {
 }
 
 impl<P> Tested<P> {
-    fn new<'m, R: Real>(
-        shape: Shape<'static>,
+    fn new<'m, R: Real, G: Geometry + 'm>(
+        shape: G,
         segments: u16,
         room: &'m mut ShapeMemory,
-    ) -> Tested<PreparedShape<'static, 'm, R>>
-    where
-        'static: 'm,
-    {
+    ) -> Tested<G::Prepared<'m, R>> {
         let scale = Scale::new::<R>(shape.extent(), EYE);
         let prepared = shape.prepare::<R>(scale, &mut Arena::new(room.lend())).expect("a legal shape");
         let tessellation = Tessellation { segments, eye: scale.point(EYE.to()) };
@@ -275,11 +271,11 @@ macro_rules! assert_for_each_shape {
         for (shape, $expected) in shapes() {
             let mut room = ShapeMemory::new();
             {
-                let $tested = Tested::<()>::new::<f32>(shape, SEGMENTS, &mut room);
+                let $tested = Tested::<()>::new::<f32, _>(shape, SEGMENTS, &mut room);
                 let complaint: Option<String> = $check;
                 complaints.extend(complaint.map(|complaint| format!("{}: {complaint}", $tested.name)));
             }
-            let $tested = Tested::<()>::new::<Fixed>(shape, SEGMENTS, &mut room);
+            let $tested = Tested::<()>::new::<Fixed, _>(shape, SEGMENTS, &mut room);
             let complaint: Option<String> = $check;
             complaints.extend(complaint.map(|complaint| format!("{}: {complaint}", $tested.name)));
         }
@@ -424,29 +420,108 @@ fn closed_shapes_have_their_volume() {
     });
 }
 
+/// Of many rays, how many meet a shape, how many its facets, and how many both.
+fn met<R: Real, P: Intersect<R>>(tested: &Tested<P>) -> [f64; 3] {
+    let Tested { prepared, facets, size, .. } = tested;
+    let mut random = Random(17);
+    let (mut shape, mut by_facets, mut both) = (0.0, 0.0, 0.0);
+    let middle = prepared.bounds().map_or(Vec3::ZERO, |bounds| double(bounds.center()));
+    for _ in 0..1500 {
+        let origin = middle + random.direction().to::<f64>() * *size;
+        let aim = middle + random.vector().to::<f64>() * (*size * 0.4);
+        let ray = Ray { origin, direction: (aim - origin).normalized().expect("a direction") };
+        let meets_shape = !hits(prepared, ray).is_empty();
+        let meets_facets = facets.iter().any(|facet| facet.meet(&ray).is_some());
+        shape += f64::from(u8::from(meets_shape));
+        by_facets += f64::from(u8::from(meets_facets));
+        both += f64::from(u8::from(meets_shape && meets_facets));
+    }
+    [shape, by_facets, both]
+}
+
 #[test]
 fn rays_that_meet_a_shape_meet_its_facets() {
     assert_for_each_shape!(|tested, _expected| {
-        let Tested { prepared, facets, size, .. } = &tested;
-        let mut random = Random(17);
-        let (mut shape, mut by_facets, mut both) = (0.0, 0.0, 0.0);
-        let middle = prepared.bounds().map_or(Vec3::ZERO, |bounds| double(bounds.center()));
-        for _ in 0..1500 {
-            let origin = middle + random.direction().to::<f64>() * *size;
-            let aim = middle + random.vector().to::<f64>() * (*size * 0.4);
-            let ray = Ray { origin, direction: (aim - origin).normalized().expect("a direction") };
-            let meets_shape = !hits(prepared, ray).is_empty();
-            let meets_facets = facets.iter().any(|facet| facet.meet(&ray).is_some());
-            shape += f64::from(u8::from(meets_shape));
-            by_facets += f64::from(u8::from(meets_facets));
-            both += f64::from(u8::from(meets_shape && meets_facets));
-        }
-        let is_wrong = shape < 100.0 || both < 0.97 * shape || both < 0.97 * by_facets;
-        if PRINTS {
-            println!("{:.4} {:.4} {} {:.30}", both / shape, both / by_facets, facets.len(), tested.name);
-        }
-        is_wrong.then(|| format!("{shape} rays meet the shape, {by_facets} the facets, {both} both"))
+        let [shape, facets, both] = met(&tested);
+        let is_wrong = shape < 100.0 || both < 0.97 * shape || both < 0.97 * facets;
+        is_wrong.then(|| format!("{shape} rays meet the shape, {facets} the facets, {both} both"))
     });
+}
+
+/// A ball or its lower half, as somebody else may describe it.
+#[derive(Clone, Copy, Debug)]
+struct Own {
+    is_solid: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct PreparedOwn<R: Real> {
+    sphere: PreparedSphere<R>,
+    rim: R,
+    is_solid: bool,
+}
+
+impl Geometry for Own {
+    type Prepared<'m, R: Real> = PreparedOwn<R>;
+
+    fn extent(&self) -> Extent {
+        Extent::solid(2.0)
+    }
+
+    fn prepare<'m, R: Real>(&self, scale: Scale, memory: &mut Arena<'m>) -> Result<PreparedOwn<R>, Fault>
+    where
+        Self: 'm,
+    {
+        let sphere = Sphere::new(CENTER, 1.0).prepare(scale, memory)?;
+        Ok(PreparedOwn { sphere, rim: scale.length(R::Setup::from_f32(0.4)), is_solid: self.is_solid })
+    }
+}
+
+impl<R: Real> Intersect<R> for PreparedOwn<R> {
+    fn intersect(&self, ray: &Ray<R>, range: Interval<R>) -> Option<R> {
+        let inside = self.sphere.spans(ray);
+        let mut ends = inside.as_slice().iter().flat_map(|part| [part.min, part.max]);
+        ends.find(|t| range.contains(*t) && (self.is_solid || ray.at(*t).y < self.rim))
+    }
+
+    fn bounds(&self) -> Option<Aabb<R>> {
+        self.sphere.bounds()
+    }
+
+    fn spans(&self, ray: &Ray<R>) -> Spans<R> {
+        if self.is_solid { self.sphere.spans(ray) } else { Spans::NONE }
+    }
+
+    fn surface(&self, ray: &Ray<R>, t: R) -> Surface<R> {
+        self.sphere.surface(ray, t)
+    }
+
+    fn uv(&self, surface: &Surface<R>, scale: Scale) -> [R; 2] {
+        self.sphere.uv(surface, scale)
+    }
+}
+
+impl<R: Real> Silhouette<R> for PreparedOwn<R> {}
+
+/// By the default of [`Silhouette::each_facet`].
+#[test]
+fn shapes_of_ones_own_have_facets() {
+    fn check<R: Real>(is_solid: bool) {
+        let mut room = ShapeMemory::new();
+        let tested = Tested::<()>::new::<R, _>(Own { is_solid }, SEGMENTS, &mut room);
+        let [shape, facets, both] = met(&tested);
+        let least = if is_solid { 0.98 } else { 0.93 };
+        assert!(both > least * shape && both > 0.99 * facets, "{shape}, {facets}, {both}");
+        for facet in &tested.facets {
+            assert_eq!(facet.is_closed, is_solid);
+            assert!(facet.normals.iter().all(|normal| normal.dot(facet.area()) >= 0.0));
+        }
+    }
+    for is_solid in [true, false] {
+        check::<f32>(is_solid);
+        check::<f64>(is_solid);
+        check::<Fixed>(is_solid);
+    }
 }
 
 #[test]

@@ -145,9 +145,10 @@ impl<R: Real> Lattice<R> {
                 let low = lower.iter().zip(lower.iter().skip(1));
                 let high = upper.iter().zip(upper.iter().skip(1));
                 for (y, ((a, b), (c, d))) in (0..rows.saturating_sub(1)).zip(low.zip(high)) {
+                    let mut cell = Cell::new(self, shape, [0, y, z]);
                     for x in 0..count.saturating_sub(1) {
                         let inside = [*a, *b, *c, *d].map(|row| row.wrapping_shr(x.into()) as u8 & 3);
-                        let mut cell = Cell::new(self, shape, [x, y, z], inside);
+                        cell.move_to(x, inside);
                         cell.each_facet(is_closed, visit);
                     }
                 }
@@ -162,7 +163,7 @@ impl<R: Real> Lattice<R> {
         for z in 0..layers {
             for y in 0..rows {
                 for x in 0..columns {
-                    Cell::new(self, shape, [x, y, z], [0; 4]).each_open_facet(visit);
+                    Cell::new(self, shape, [x, y, z]).each_open_facet(visit);
                 }
             }
         }
@@ -203,10 +204,20 @@ struct Cell<'a, R, S: ?Sized> {
 }
 
 impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
-    /// `inside` has two bits for each of the four edges along x.
-    fn new(lattice: &'a Lattice<R>, shape: &'a S, place: [u16; 3], inside: [u8; 4]) -> Self {
-        let [a, b, c, d] = inside;
-        Self { lattice, shape, place, inside: a | b << 2 | c << 4 | d << 6, known: Vec::new() }
+    fn new(lattice: &'a Lattice<R>, shape: &'a S, place: [u16; 3]) -> Self {
+        Self { lattice, shape, place, inside: 0, known: Vec::new() }
+    }
+
+    /// Goes on to the next cell along x. `inside` has two bits for each of its four edges along x.
+    fn move_to(&mut self, x: u16, [a, b, c, d]: [u8; 4]) {
+        let [_, y, z] = self.place;
+        (self.place, self.inside) = ([x, y, z], a | b << 2 | c << 4 | d << 6);
+        // The two cells share a face, and what is known of its edges.
+        self.known.retain_mut(|([from, to], _)| {
+            let is_shared = *from & *to & 1 != 0;
+            (*from, *to) = (*from & !1, *to & !1);
+            is_shared
+        });
     }
 
     /// Whether a corner lies inside.

@@ -31,6 +31,37 @@ impl<R: Real> Distance<R> for PreparedBallField<R> {
     }
 }
 
+/// Of a whole ball, and of one that the box cuts open.
+#[test]
+fn corners_of_facets_lie_on_the_surface() {
+    fn check<R: Real>(half: f32) -> usize {
+        let field = BallField { center: Vec3::new(0.1, 0.2, 0.3), radius: 1.0 };
+        let corner = Vec3::new(half, 1.5, 1.5);
+        let ball = Implicit { field, min: -corner, max: corner };
+        let mut memory = Memory::new();
+        let scale = Scale::new::<R>(ball.extent(), Vec3::ZERO);
+        let prepared: PreparedImplicit<_, R> = ball.prepare(scale, &mut Arena::new(memory.lend())).unwrap();
+        let tessellation = Tessellation { segments: 32, eye: Vec3::ZERO };
+        let mut count = 0;
+        prepared.each_facet(&tessellation, &mut |facet| {
+            count += 1;
+            for (corner, normal) in facet.corners.into_iter().zip(facet.normals) {
+                let outward = corner.to_f32() * (1.0 / scale.to_f32()) - field.center;
+                assert!((outward.length() - 1.0).abs() < 1e-4, "{corner:?}");
+                assert!((outward - normal.to_f32()).length() < 1e-3, "{corner:?}: {normal:?}");
+            }
+        });
+        count
+    }
+    for (whole, cut) in [
+        (check::<f32>(1.5), check::<f32>(0.5)),
+        (check::<f64>(1.5), check::<f64>(0.5)),
+        (check::<Fixed>(1.5), check::<Fixed>(0.5)),
+    ] {
+        assert!(whole > 1000 && cut > 500, "{whole}, {cut}");
+    }
+}
+
 /// The distance field of a box with round edges: all points no farther than `rounding` from the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct BlockField {
