@@ -54,41 +54,21 @@ impl<R: Real> Row<R> {
     }
 
     /// A bit for each corner whose distance along the row lies in a part of its line.
-    fn within(&self, part: Interval<R>) -> u32 {
+    pub(super) fn within(&self, part: Interval<R>) -> u32 {
         let place = |number: u16| self.step * R::from_u16(number);
         let bit = |number: u16| u32::from(part.contains(place(number))).wrapping_shl(number.into());
         (0..self.count).fold(0, |bits, number| bits | bit(number))
     }
 
     /// The ray from the first corner to the others.
-    fn ray(&self) -> Ray<R> {
+    pub(super) fn ray(&self) -> Ray<R> {
         Ray { origin: self.start, direction: Vec3::new(R::ONE, R::ZERO, R::ZERO) }
     }
 
     /// A bit for each corner inside a solid, by the parts of the ray inside it.
-    pub(super) fn inside_spans<S: Intersect<R> + ?Sized>(&self, solid: &S) -> u32 {
+    fn inside_spans<S: Intersect<R> + ?Sized>(&self, solid: &S) -> u32 {
         let spans = solid.spans(&self.ray());
         spans.as_slice().iter().fold(0, |bits, part| bits | self.within(*part))
-    }
-
-    /// A bit for each corner inside a closed shape, by the sides from which the ray meets it. The first corner
-    /// lies outside.
-    pub(super) fn inside_hits<S: Intersect<R> + ?Sized>(&self, shape: &S) -> u32 {
-        /// No ray has more hits: those of two parts of each solid in a combined one.
-        const MOST_HITS: usize = 4 * crate::limits::MAX_CSG_SOLIDS;
-        let ray = self.ray();
-        let (mut bits, mut range, mut entered) = (0, Interval::AHEAD, None);
-        for _ in 0..MOST_HITS {
-            let Some(t) = shape.intersect(&ray, range) else { break };
-            entered = if shape.is_front(&ray, t) {
-                entered.or(Some(t))
-            } else {
-                bits |= entered.map_or(0, |from| self.within(Interval { min: from, max: t }));
-                None
-            };
-            range.min = t;
-        }
-        bits
     }
 }
 

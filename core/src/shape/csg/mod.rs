@@ -19,10 +19,10 @@ mod program;
 #[cfg(test)]
 mod tests;
 
-use boundaries::{Boundaries, Surfaces, with_room};
-use program::{Program, fold};
+use boundaries::{Boundaries, Boundary, Surfaces, with_room};
+use program::{Bits, Program, fold};
 
-use super::marching::Lattice;
+use super::marching::{Lattice, Row};
 use super::{Facet, Form, Geometry, Hull, Intersect, Silhouette, Solid, Tessellation, Tip};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner};
@@ -263,6 +263,28 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
         (solid, self.turned(solid, Surface { part, ..*surface }))
     }
 
+    /// A bit for each place in a row that lies inside the combined solid.
+    // Not inlined: see `intersect`.
+    #[inline(never)]
+    fn insides(&self, row: &Row<R>) -> u32 {
+        with_room(self.solids.len(), |room| {
+            let boundaries = Boundaries::new(room, self.solids, &row.ray());
+            let (places, mut around) = boundaries.parts();
+            let (mut bits, mut min) = (0, -R::FARTHEST);
+            let mut part = |around: Bits, max: R| {
+                bits |=
+                    if self.tree.program.is_inside(around) { row.within(Interval { min, max }) } else { 0 };
+                min = max;
+            };
+            for Boundary { t, solid } in places {
+                part(around, *t);
+                around ^= (1 as Bits).wrapping_shl(u32::from(*solid));
+            }
+            part(around, R::FARTHEST);
+            bits
+        })
+    }
+
     /// The surfaces of the combined solid along a ray.
     fn surfaces<'b>(&'b self, boundaries: &'b Boundaries<'_, R>, ray: &'b Ray<R>) -> Surfaces<'b, R, P> {
         Surfaces::new(boundaries, self.tree.program, self.solids, ray, self.tree.tolerance)
@@ -348,8 +370,16 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
     }
 
     fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
-        let Some(bounds) = self.tree.bounds else { return };
-        Lattice::around(bounds, tessellation).each_facet(self, true, |row| row.inside_hits(self), visit);
+        let insides = |row: &Row<R>| self.insides(row);
+        if let Some(bounds) = self.tree.bounds {
+            return Lattice::around(bounds, tessellation).each_facet(self, true, insides, visit);
+        }
+        // The solid has no end: show what is near the solids that have one.
+        let bounds = self.solids.iter().filter_map(Intersect::bounds).reduce(Aabb::union);
+        let Some(bounds) = bounds.map(|bounds| bounds.padded((bounds.max - bounds.min).magnitude())) else {
+            return;
+        };
+        Lattice::within(bounds, tessellation).each_facet(self, false, insides, visit);
     }
 
     fn normal_beside(&self, surface: &Surface<R>, step: Vec3<R>) -> Vec3<R> {

@@ -449,3 +449,30 @@ fn bytes_are_the_same_in_constants() {
     assert_eq!(csg.const_bytes::<f32>(), Geometry::bytes::<f32>(&csg));
     assert_eq!(csg.const_bytes::<f64>(), Geometry::bytes::<f64>(&csg));
 }
+
+#[test]
+fn facets_of_a_solid_without_end_are_those_near_the_others() {
+    fn check<R: Real>() {
+        // A floor with a hollow.
+        let steps = [behind(Vec3::ZERO, UP), ball(0.5, 1.0), CsgStep::Difference];
+        let csg = Csg::new(&steps);
+        let mut memory = Memory::new();
+        let scale = Scale::new::<R>(csg.extent(), UP);
+        let prepared: PreparedCsg<'_, R, _> = csg.prepare(scale, &mut Arena::new(memory.lend())).unwrap();
+        let mut counts = [0, 0];
+        prepared.each_facet(&Tessellation { segments: 32, eye: scale.point(UP.to()) }, &mut |facet| {
+            assert!(!facet.is_closed);
+            counts[(facet.part >> PART_BITS) as usize] += 1;
+            for corner in facet.corners {
+                let corner = corner.to_f32() * (1.0 / scale.to_f32());
+                let from_ball = (corner - RIGHT * 0.5).length() - 1.0;
+                let is_on_floor = corner.y.abs() < 1e-4 && from_ball > -1e-4;
+                assert!(is_on_floor || from_ball.abs() < 1e-4 && corner.y < 1e-4, "{corner:?}");
+            }
+        });
+        assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<Fixed>();
+}
