@@ -233,6 +233,25 @@ impl<R: Real> Viewport<R> {
         self.camera.right_and_up()
     }
 
+    /// Unit vectors to the right and up in the picture, and along the line of sight.
+    pub(crate) fn axes(&self) -> [Vec3<R>; 3] {
+        let [right, up] = self.right_and_up();
+        [right, up, Vec3::from_setup(self.camera.forward)]
+    }
+
+    /// Half the width and height of the picture at depth 1.
+    pub(crate) fn half_at_one(&self) -> [R; 2] {
+        let (half_width, half_height) = self.middle;
+        let half = self.camera.half_height;
+        [half * half_width / half_height, half].map(R::from_setup)
+    }
+
+    /// The point at a place in the picture that lies at a depth along this line of sight.
+    pub(crate) fn at_depth(&self, across: R, row: RayRow<R>, forward: Vec3<R>, depth: R) -> Vec3<R> {
+        let direction = self.corner + self.right * across + row.0;
+        self.camera.eye + direction * (depth / direction.dot(forward))
+    }
+
     /// The largest power of two, at most 16, that scales a direction of this length to at most 16; and that
     /// power times `2^shift`.
     fn unit(length: R::Setup, shift: u32) -> (R::Setup, R::Setup) {

@@ -162,8 +162,9 @@ pub use probe::{Cut, Event, Probe, RayCounts, RayKind};
 pub use render::{Contours, Look, Palette, Tones};
 pub use render::{
     Digest, DisplayColor, Dither, DrawError, Edges, Frame, Grid, Interleave, Light16, LineError, Pattern,
-    PixelSum, Progress, Progressive, Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer,
-    Sample, Settings, SettingsError, Tone, Transfer,
+    PixelSum, Preview, PreviewBuffer, PreviewError, PreviewFacet, PreviewPixel, Progress, Progressive,
+    Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer, Sample, Settings, SettingsError,
+    Tone, Transfer,
 };
 pub use sampling::{Adaptive, Reconstruction, Sampler, Sampling};
 #[cfg(feature = "serde")]

@@ -25,6 +25,9 @@ pub const MIN_SEGMENTS: u16 = 6;
 /// The most sides of the polygon that takes the place of a circle in scan conversion.
 pub const MAX_SEGMENTS: u16 = 64;
 
+/// The longest side of a picture that [`Preview`](crate::Preview) draws, in pixels.
+pub const MAX_PREVIEW_SIDE: u16 = 4095;
+
 /// The rays toward each lamp with a size and into the sky, from each hit of one of several samples.
 ///
 /// In a pixel of one sample, a lamp takes as many first, and [`MAX_AREA_RAYS`] in its penumbra.

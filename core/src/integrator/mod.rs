@@ -13,7 +13,8 @@
 //!    each bounce, and [`MAX_BOUNCES`](crate::limits::MAX_BOUNCES) places are enough. The order of rays, and
 //!    so of sums, is fixed.
 //!
-//! [`group`] traces several neighboring pixels through the same steps at once.
+//! [`group`] traces several neighboring pixels through the same steps at once. [`unshadowed`](mod@unshadowed)
+//! is the light of step 3 without rays, for scan conversion.
 
 #[cfg(feature = "distributed")]
 mod area_light;
@@ -29,12 +30,14 @@ mod shaded_hit;
 mod shadow_rays;
 #[cfg(feature = "distributed")]
 mod sky_light;
+mod unshadowed;
 
 #[cfg(feature = "looks")]
 pub use gooch::Gooch;
 pub(crate) use group::{Lane, Lanes, PixelGroup, WIDTH};
 pub(crate) use seen::{Seen, fold};
 pub(crate) use shadow_rays::{Blockers, OUTLINED_LIGHTS};
+pub(crate) use unshadowed::{UnshadowedLight, unshadowed};
 
 use path::{Path, Waiting};
 

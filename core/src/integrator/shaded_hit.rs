@@ -203,7 +203,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 
     /// Ambient light that the surface shows, and light of its own.
     #[inline(always)]
-    fn ambient_light<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> LinearRgb<R> {
+    pub(super) fn ambient_light<S: Geometry>(&self, scene: &PreparedScene<'_, R, S>) -> LinearRgb<R> {
         let mut ambient = LinearRgb::BLACK;
         // Products are slow in fixed point.
         if !R::IS_FIXED_POINT || self.material.ambient > R::ZERO {
@@ -263,7 +263,12 @@ impl<'s, R: Real> ShadedHit<'s, R> {
 
     /// A light that the surface faces and that it would show; `None` if no shadow ray is needed.
     #[inline(always)]
-    fn facing(&self, light: &PreparedLight<'_, R>, diffuses: bool, shines: bool) -> Option<FacingLight<R>> {
+    pub(super) fn facing(
+        &self,
+        light: &PreparedLight<'_, R>,
+        diffuses: bool,
+        shines: bool,
+    ) -> Option<FacingLight<R>> {
         let (toward, distance, cosine) = light.seen_from(self.hit.surface.point, self.normal)?;
         let highlight_cosine = if shines { self.highlight_cosine(toward) } else { None };
         if !diffuses && highlight_cosine.is_none() {

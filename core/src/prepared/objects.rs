@@ -11,7 +11,7 @@ use crate::material::PreparedMaterial;
 use crate::math::{Aabb, FOUR_AT_ONCE, Interval, Ray, Real, Vec3};
 #[cfg(feature = "distributed")]
 use crate::motion::{Moved, PreparedMotion};
-use crate::shape::{Form, Geometry, Hull, Intersect, Rim, Silhouette, Tip};
+use crate::shape::{Facet, Form, Geometry, Hull, Intersect, Rim, Silhouette, Tessellation, Tip};
 use crate::surface::Surface;
 use crate::throughput::Throughput;
 
@@ -306,6 +306,28 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     pub(crate) fn tips(&self, object: usize) -> impl Iterator<Item = Tip<R>> {
         let shape = self.still_shape(object);
         (0..).map_while(move |number| shape?.tip(number))
+    }
+
+    /// Visits the facets of all objects, with the object's position. Moving ones are where they were
+    /// described.
+    pub(crate) fn each_facet(
+        &self,
+        tessellation: &Tessellation<R>,
+        visit: &mut impl FnMut(usize, &Facet<R>),
+    ) {
+        for (index, object) in self.objects.iter().enumerate() {
+            object.shape.each_facet(tessellation, &mut |facet: &Facet<R>| visit(index, facet));
+        }
+    }
+
+    /// The boxes of all objects that have one.
+    pub(crate) fn boxes(&self) -> impl Iterator<Item = Aabb<R>> {
+        self.objects.iter().filter_map(PreparedObject::bounds)
+    }
+
+    /// Whether a point lies in the box of an object, or the object has none.
+    pub(crate) fn may_be_inside(&self, object: usize, point: Vec3<R>) -> bool {
+        self.bounds(object).is_none_or(|bounds| bounds.contains(point))
     }
 
     /// Visits the rims of all objects that do not move.

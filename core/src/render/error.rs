@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::limits::{MAX_PREVIEW_SIDE, MAX_SEGMENTS, MIN_SEGMENTS};
+
 /// A setting is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -156,6 +158,8 @@ pub enum LineError {
         /// The number of lines of the picture.
         height: u32,
     },
+    /// The preview is that of a picture of another size. Make one with this renderer.
+    OtherPicture,
 }
 
 impl fmt::Display for LineError {
@@ -194,11 +198,60 @@ impl fmt::Display for LineError {
                     "there is no line {line}: the picture has {height}, counted from 0; ask for one below {height}"
                 )
             }
+            Self::OtherPicture => f.write_str(
+                "the preview is that of a picture of another size; make one with the renderer that draws it",
+            ),
         }
     }
 }
 
 impl core::error::Error for LineError {}
+
+/// A scene has no preview.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum PreviewError {
+    /// The polygons that take the place of circles cannot have so many sides.
+    Segments {
+        /// The number of sides.
+        given: u16,
+    },
+    /// The picture is too wide or too high.
+    Size {
+        /// The longer side in pixels.
+        side: u16,
+    },
+    /// There are more facets than the lent memory holds.
+    Facets {
+        /// The facets that can be seen.
+        needed: usize,
+        /// The facets that the memory holds.
+        lent: usize,
+    },
+}
+
+impl fmt::Display for PreviewError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Segments { given } => write!(
+                f,
+                "circles cannot become polygons of {given} sides; use {MIN_SEGMENTS} to {MAX_SEGMENTS}, \
+                 16 is usual"
+            ),
+            Self::Size { side } => {
+                write!(f, "a preview cannot have a side of {side} pixels; use at most {MAX_PREVIEW_SIDE}")
+            }
+            Self::Facets { needed, lent } => write!(
+                f,
+                "memory for {lent} facets does not hold the {needed} that are seen; lend more, at most \
+                 65535, or use fewer segments"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for PreviewError {}
 
 /// Drawing stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 //! A [`Renderer`] is one picture: scene, settings and size. [`pixel`] traces the samples of one pixel.
 //! [`line`] traces the pixels of a line in exact quality, each by itself; [`groups`] traces neighboring
 //! pixels of large scenes together; [`progressive`] adds one sample of each pixel after the other;
-//! [`realtime`] traces few pixels and interpolates the rest. Pixels leave the tracer as [`LinearRgb`], become
-//! [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
+//! [`realtime`] traces few pixels and interpolates the rest; [`preview`] traces none. Pixels leave the tracer
+//! as [`LinearRgb`], become [`Light16`] and then a [`DisplayColor`], by a [`Quantizer`].
 //!
 //! A [`Frame`] sends complete bands of lines to the display. The tracing is done by a [`painter`] of one
 //! [`Quality`].
@@ -35,6 +35,7 @@ mod palette;
 mod pattern;
 mod pixel;
 mod pixel_sum;
+mod preview;
 mod progressive;
 mod quality;
 mod quantize;
@@ -51,7 +52,7 @@ mod unchanged;
 
 pub use digest::Digest;
 pub use display_color::DisplayColor;
-pub use error::{DrawError, LineError, SettingsError};
+pub use error::{DrawError, LineError, PreviewError, SettingsError};
 pub use frame::{Frame, Progress};
 pub use image::RenderedImage;
 pub use interleave::Interleave;
@@ -61,6 +62,7 @@ pub use look::{Contours, Look, Tones};
 pub use palette::Palette;
 pub use pattern::Pattern;
 pub use pixel_sum::PixelSum;
+pub use preview::{Preview, PreviewBuffer, PreviewFacet, PreviewPixel};
 pub use progressive::Progressive;
 pub use quality::Quality;
 pub use quantize::{Light16, Quantizer};
