@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, value_parser};
-use rayline::limits::{MAX_BOUNCES, MAX_SIDE};
+use rayline::limits::{MAX_BOUNCES, MAX_SEGMENTS, MAX_SIDE, MIN_SEGMENTS};
 use rayline::{
     Adaptive, AreaLights, Contours, Dither, Edges, Gooch, Integrator, Look, Reconstruction, Sampler,
     Sampling, Settings, Tones, Transfer,
@@ -62,6 +62,12 @@ pub(crate) enum Command {
     /// instructions and cycles that were counted on emulated boards; `cargo boards --scene FILE.rayline`
     /// measures them exactly.
     Check(CheckArgs),
+    /// Draw a scene by ray tracing and by scan conversion, side by side
+    ///
+    /// Scan conversion cuts all objects into facets and keeps the nearest of each pixel of a line. It is
+    /// fast, but knows of no shadows, mirrors and glass: --mode preview. The table tells time and memory of
+    /// both, on one thread, and how they grow with the pixels and with the objects of the scene.
+    Compare(CompareArgs),
     /// Render all .ron scenes of a directory, and write a page that shows them
     ///
     /// Each scene gets a .png beside it. README.md shows all pictures, and how well they agree with the
@@ -222,6 +228,39 @@ pub(crate) struct CheckArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The picture to write: traced on the left, scan-converted on the right [default: the scene's name with
+    /// -compare.png]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write the times as a plot
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) segments: SegmentsArg,
+    #[command(flatten)]
+    pub(crate) look: Appearance,
+    /// Print nothing but the table and errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// How round scan conversion draws.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct SegmentsArg {
+    /// Draw circles as polygons of N sides in a preview, 6 to 64
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 32,
+        value_parser = value_parser!(u16).range(i64::from(MIN_SEGMENTS)..=i64::from(MAX_SEGMENTS)),
+    )]
+    pub(crate) segments: u16,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct GalleryArgs {
     /// The directory with the scenes
     #[arg(value_name = "DIR")]
@@ -376,13 +415,16 @@ pub(crate) struct Appearance {
 pub(crate) struct PictureArgs {
     #[command(flatten)]
     look: Appearance,
-    /// Trace every pixel, or interpolate pixels whose neighbors hit the same
+    /// Trace every pixel, interpolate pixels whose neighbors hit the same, or trace none: a preview has no
+    /// shadows, and its mirrors and glass show the background
     #[arg(long, value_name = "MODE", default_value_t, value_enum)]
     mode: Mode,
     /// Draw edges in realtime mode in steps of a pixel, or smooth without samples; with --samples, those
     /// edges that are not known take them
     #[arg(long, value_name = "HOW", default_value = "stepped", value_parser = named(&EDGES))]
     edges: Edges,
+    #[command(flatten)]
+    segments: SegmentsArg,
     #[command(flatten)]
     panel: PanelArgs,
 }
@@ -392,7 +434,8 @@ impl PictureArgs {
     pub(crate) fn options(&self, scene: &LoadedScene<'_>) -> RenderOptions {
         let options = self.look.options(scene);
         let color = if self.panel.theme.is_some() { Display::Mono } else { options.display };
-        RenderOptions { mode: self.mode, edges: self.edges, display: color, ..options }
+        let segments = self.segments.segments;
+        RenderOptions { mode: self.mode, edges: self.edges, segments, display: color, ..options }
     }
 
     /// The look of the panel that shows the picture, if any is asked for.

@@ -10,16 +10,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayline::{Integrator, Scene, Settings, builtin};
 use rayline_simulator::animation::{Animation, Length};
 use rayline_simulator::{
-    BOARDS, BakedLight, Bench, Convergence, Demand, Demands, FilmFile, Gallery, LightError, LightOptions,
-    LightStep, LoadedScene, Number, Orbit, OutputSettings, Pass, PassError, Picture, PictureFile,
-    RenderError, RenderOptions, ReportError, SceneFile, Stats, bake_light, check, check_apart,
+    BOARDS, BakedLight, Bench, Comparison, Convergence, Demand, Demands, FilmFile, Gallery, LightError,
+    LightOptions, LightStep, LoadedScene, Number, Orbit, OutputSettings, Pass, PassError, Picture,
+    PictureFile, RenderError, RenderOptions, ReportError, SceneFile, Stats, bake_light, check, check_apart,
     check_writable, half_blocks, is_standard_output, on_panel, render_in_passes, render_watched,
     report_pixel, rounding_notes, write_file,
 };
 
 use crate::cli::{
-    Bake, BakedPart, BenchArgs, CheckArgs, Cli, Command, Convert, GalleryArgs, Pixel, Record, Render,
-    SceneArgs, Window,
+    Bake, BakedPart, BenchArgs, CheckArgs, Cli, Command, CompareArgs, Convert, GalleryArgs, Pixel, Record,
+    Render, SceneArgs, Window,
 };
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -34,6 +34,7 @@ pub(crate) fn run(cli: Cli) -> Outcome {
         Some(Command::Convert(arguments)) => convert(&arguments),
         Some(Command::Bake(arguments)) => bake(&arguments),
         Some(Command::Check(arguments)) => fit(&arguments),
+        Some(Command::Compare(arguments)) => compare(&arguments),
         Some(Command::Gallery(arguments)) => gallery(&arguments),
         Some(Command::Window(arguments)) => window(&arguments),
         Some(Command::Bench(arguments)) => bench(&arguments),
@@ -331,6 +332,29 @@ fn shown_part((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
         of(shown, width, height),
         of(shown, wide, high),
     )
+}
+
+fn compare(arguments: &CompareArgs) -> Outcome {
+    let arena = Bump::new();
+    let scene = open(&arguments.scene, &arena, arguments.quiet)?;
+    let own_name = || PathBuf::from(format!("{}-compare.png", scene.name));
+    let file = PictureFile::new(&arguments.output.clone().unwrap_or_else(own_name))?;
+    if let Some(plot) = &arguments.plot {
+        check_writable(plot)?;
+    }
+    let segments = arguments.segments.segments;
+    let options = RenderOptions { segments, ..arguments.look.options(&scene) };
+    let bar = progress("picture", Comparison::STEPS, arguments.quiet)?;
+    bar.set_message(scene.name.clone());
+    let comparison = Comparison::measure(&scene.scene, &options, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let comparison = comparison.map_err(|error| explain(&scene, error))?;
+    file.write(&comparison.picture)?;
+    if let Some(plot) = &arguments.plot {
+        write_file(plot, comparison.plot().as_bytes())?;
+    }
+    write!(io::stdout(), "{comparison}")?;
+    Ok(())
 }
 
 fn gallery(arguments: &GalleryArgs) -> Outcome {

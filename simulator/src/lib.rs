@@ -6,6 +6,7 @@
 //!   [`LoadedScene`] opens a scene by name or file;
 //! - [`SceneFile`] writes scenes in several formats, among them Rust source and POV-Ray's language;
 //! - [`bake_light`] computes the light of a scene and stores it in textures;
+//! - [`Comparison`] draws a scene by ray tracing and by scan conversion;
 //! - [`Demands`] estimates whether a scene fits boards;
 //! - [`PictureFile`] writes PNG and PPM files, [`FilmFile`] GIF and animated PNG files, and [`raster`] reads
 //!   image files;
@@ -21,6 +22,7 @@
 mod accuracy;
 mod bench;
 mod check;
+mod compare;
 mod convert;
 mod display;
 mod distinct;
@@ -33,6 +35,8 @@ mod orbit;
 mod panel;
 mod passes;
 mod picture;
+mod plot;
+mod preview;
 mod realtime;
 mod report;
 mod stats;
@@ -44,6 +48,7 @@ mod window;
 pub use accuracy::rounding_notes;
 pub use bench::{Bench, BenchError, Convergence};
 pub use check::{BOARDS, Board, Demand, Demands, check, most_rays};
+pub use compare::{Comparison, Cost, Costs, Visibility};
 pub use convert::{ConvertError, SceneContents, SceneFile};
 pub use display::Display;
 pub use embedded_graphics_simulator::{BinaryColorTheme, OutputSettings, OutputSettingsBuilder};

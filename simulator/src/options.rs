@@ -25,6 +25,8 @@ pub struct RenderOptions {
     pub mode: Mode,
     /// The edges of pictures in [`Mode::Realtime`].
     pub edges: Edges,
+    /// The sides of the polygons that take the place of circles in [`Mode::Preview`].
+    pub segments: u16,
     /// The contents of the picture.
     pub show: Show,
     /// The lines to render; `None` for all.
@@ -41,6 +43,8 @@ pub enum Mode {
     Exact,
     /// Pixels are interpolated where the rays of their neighbors hit the same.
     Realtime,
+    /// Scan conversion in place of rays: no shadows, and mirrors and glass show the background.
+    Preview,
 }
 
 /// The contents of a picture.
@@ -84,6 +88,7 @@ impl RenderOptions {
             display: Display::Rgb888,
             mode: Mode::Exact,
             edges: Edges::Stepped,
+            segments: 32,
             show: Show::Colors,
             lines: None,
             threads: 0,
@@ -96,6 +101,7 @@ impl core::fmt::Display for Mode {
         f.write_str(match self {
             Self::Exact => "exact",
             Self::Realtime => "realtime",
+            Self::Preview => "preview",
         })
     }
 }

@@ -11,13 +11,14 @@ use rayline::limits::LINES_AT_ONCE;
 use rayline::math::Fixed;
 use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Light16, LineError, Object, PreparedScene, Quantizer, RayCounts, Real, Renderer, Scene,
-    SceneError, Settings, SettingsError,
+    DisplayColor, Light16, LineError, Object, PreparedScene, PreviewError, Quantizer, RayCounts, Real,
+    Renderer, Scene, SceneError, Settings, SettingsError,
 };
 use rayon::prelude::*;
 
 use crate::display::ForColor;
 use crate::distinct::distinct;
+use crate::preview::{Facets, draw_lines};
 use crate::realtime::Bands;
 use crate::{Mode, Number, RenderOptions, Show};
 
@@ -64,6 +65,8 @@ pub enum RenderError {
     Settings(SettingsError),
     /// The picture does not have these lines. Use lines that it has.
     Line(LineError),
+    /// The scene has no preview: it has too many facets, or the picture is too large.
+    Preview(PreviewError),
     /// The picture is too large for this machine's memory. Render fewer lines at a time.
     Memory {
         /// The memory that the picture takes, in bytes.
@@ -127,11 +130,24 @@ fn render_in<R: Real>(
     let rays = pool.install(|| match options.mode {
         Mode::Realtime if options.show == Show::Colors => {
             let edges = options.edges;
-            options.display.color(Bands { renderer, lines, edges, rgb: rgb_lines, line_done })
+            let bands = Bands { renderer, lines, edges, rgb: rgb_lines, line_done };
+            options.display.color(bands).map_err(RenderError::Line)
         }
-        _ => Lines { renderer, options, first: lines.start, line_done }.render(rgb_lines),
-    });
-    let rays = rays.map_err(RenderError::Line)?;
+        Mode::Preview if options.show == Show::Colors => {
+            let mut facets = Facets::new();
+            let mut preview = facets.preview(renderer, options.segments).map_err(RenderError::Preview)?;
+            let (first, pixels) = (lines.start, u64::from(width) * u64::from(height));
+            let mut lights = many(pixels, Light16::BLACK)?;
+            draw_lines(&mut preview, renderer, lines, &mut lights, line_done).map_err(RenderError::Line)?;
+            let RenderOptions { display, settings, .. } = options;
+            display.color(Lights { lights: &lights, settings, first, rgb: rgb_lines });
+            Ok(RayCounts::default())
+        }
+        _ => {
+            let picture = Lines { renderer, options, first: lines.start, line_done };
+            picture.render(rgb_lines).map_err(RenderError::Line)
+        }
+    })?;
     Ok(Picture { width, height, rgb, rays, prepared_bytes })
 }
 
@@ -261,6 +277,7 @@ impl fmt::Display for RenderError {
             Self::Scene(error) => error.fmt(f),
             Self::Settings(error) => error.fmt(f),
             Self::Line(error) => error.fmt(f),
+            Self::Preview(error) => error.fmt(f),
             Self::Memory { needed } => {
                 write!(f, "a picture of {needed} bytes does not fit in memory; render fewer lines at a time")
             }
@@ -275,6 +292,7 @@ impl core::error::Error for RenderError {
             Self::Scene(error) => Some(error),
             Self::Settings(error) => Some(error),
             Self::Line(error) => Some(error),
+            Self::Preview(error) => Some(error),
             Self::Memory { .. } => None,
             Self::Threads(error) => Some(error),
         }

@@ -1,11 +1,10 @@
 //! The error of a picture against the number of its samples, for each sampler.
 
-use core::fmt::Write as _;
-
 use rayline::{PreparedScene, RayCounts, Renderer, Sampler, Sampling, Scene, Settings};
 use rayon::prelude::*;
 
 use crate::picture::memory_for;
+use crate::plot::{Curve, Plot, svg};
 use crate::table::Table;
 use crate::{RenderError, SAMPLERS};
 
@@ -77,65 +76,16 @@ impl Convergence {
 
     /// The errors as a plot with logarithmic axes, in the format SVG.
     pub fn plot(&self) -> String {
-        let (width, height, margin) = (560.0, 360.0, 56.0);
-        let all = || self.errors.iter().flat_map(|(_, errors)| errors).copied();
-        let (least, most) = (all().fold(f64::MAX, f64::min), all().fold(0.0, f64::max));
-        let (low, high) = (least.log10().floor(), most.log10().ceil());
-        let last = (SAMPLES.len() - 1) as f64;
-        let across = |index: usize| margin + index as f64 / last * (width - 2.5 * margin);
-        let down =
-            |error: f64| margin / 2.0 + (high - error.log10()) / (high - low) * (height - 1.5 * margin);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
-             font-family=\"sans-serif\" font-size=\"12\">\n\
-             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-        );
-        // Writing into a string cannot fail.
-        for (index, count) in SAMPLES.iter().enumerate() {
-            let (x, y) = (across(index), height - margin);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x:.1} {:.1}V{y:.1}\" stroke=\"#ddd\"/><text x=\"{x:.1}\" y=\"{:.1}\" \
-                 text-anchor=\"middle\">{count}</text>",
-                margin / 2.0,
-                y + 16.0
-            );
-        }
-        for power in low as i32..=high as i32 {
-            let y = down(10f64.powi(power));
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{margin} {y:.1}H{:.1}\" stroke=\"#ddd\"/><text x=\"{:.1}\" y=\"{:.1}\" \
-                 text-anchor=\"end\">{} %</text>",
-                width - 1.5 * margin,
-                margin - 6.0,
-                y + 4.0,
-                10f64.powi(power + 2)
-            );
-        }
-        for ((_, errors), color) in self.errors.iter().zip(COLORS) {
-            let points: Vec<String> = errors
-                .iter()
-                .enumerate()
-                .map(|(index, error)| format!("{:.1},{:.1}", across(index), down(*error)))
-                .collect();
-            let _ = writeln!(
-                svg,
-                "<polyline points=\"{}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>",
-                points.join(" ")
-            );
-        }
-        for (number, ((name, _), color)) in SAMPLERS.iter().zip(COLORS).enumerate() {
-            let (x, y) = (width - 1.3 * margin, margin + 18.0 * number as f64);
-            let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{color}\">{name}</text>");
-        }
-        let _ = writeln!(
-            svg,
-            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">samples of a pixel</text>\n</svg>",
-            width / 2.0 - margin / 4.0,
-            height - 14.0
-        );
-        svg
+        let names = SAMPLERS.iter().map(|(name, _)| *name);
+        let values = self.errors.iter().map(|(_, errors)| errors.to_vec());
+        svg(&[Plot {
+            across: "samples of a pixel",
+            ticks: SAMPLES.map(|count| (f64::from(count), count.to_string())).to_vec(),
+            power: &|power| format!("{} %", 10f64.powi(power + 2)),
+            curves: (names.zip(COLORS).zip(values))
+                .map(|((name, color), values)| Curve { name, color, values })
+                .collect(),
+        }])
     }
 }
 

@@ -18,7 +18,7 @@ use std::time::SystemTime;
 
 use bumpalo::Bump;
 use embedded_graphics_simulator::OutputSettings;
-use rayline::{DrawError, Scene, SceneError, SettingsError};
+use rayline::{DrawError, PreviewError, Scene, SceneError, SettingsError};
 
 use crate::{LoadError, LoadedScene, OpenOptions, RenderOptions};
 use screen::Screen;
@@ -45,6 +45,8 @@ pub enum WindowError {
     Settings(SettingsError),
     /// A line could not be drawn.
     Draw(DrawError<Infallible>),
+    /// The scene has no preview.
+    Preview(PreviewError),
     /// The picture could not be saved.
     Save(Box<dyn Error>),
 }

@@ -10,8 +10,8 @@ use embedded_graphics_simulator::{OutputSettings, OutputSettingsBuilder, Simulat
 use rayline::math::Fixed;
 use rayline::shape::Shape;
 use rayline::{
-    Camera, DisplayColor, Frame, LineError, PixelSum, PreparedScene, Progressive, Quality, RayCounts, Real,
-    Renderer, Sample, Scene, Settings,
+    Camera, DisplayColor, Frame, LineError, PixelSum, PreparedScene, PreviewPixel, Progressive, Quality,
+    RayCounts, Real, Renderer, Sample, Scene, Settings,
 };
 
 use super::request::Request;
@@ -19,6 +19,7 @@ use super::screen::Screen;
 use super::{Save, Watched, WindowError};
 use crate::display::ForColor;
 use crate::picture::memory_for;
+use crate::preview::Facets;
 use crate::realtime::quality_for;
 use crate::{LoadedScene, Mode, Number, Orbit, RenderOptions};
 
@@ -236,7 +237,7 @@ impl<'v, 'w, 's, R: Real> Drawing<'v, 'w, 's, R> {
         renderer: &Renderer<'_, '_, R>,
         canvas: &mut Canvas<C>,
     ) -> Result<Next, WindowError> {
-        let RenderOptions { settings, mode, edges, .. } = self.view.options;
+        let RenderOptions { settings, mode, edges, segments, .. } = self.view.options;
         let (lines, width) = (0..settings.height, settings.width as usize);
         let failed = |error: LineError| WindowError::Draw(error.into());
         let black = C::from(BinaryColor::Off);
@@ -246,6 +247,14 @@ impl<'v, 'w, 's, R: Real> Drawing<'v, 'w, 's, R> {
                 let mut colors = vec![black; quality.colors(settings.width as u16)];
                 let mut samples = vec![Sample::BLANK; quality.samples(settings.width as u16)];
                 let lent = quality.lend(&mut colors, &mut samples);
+                let mut frame = renderer.frame(lines, lent).map_err(failed)?;
+                self.show(&mut frame, |_| Ok(false), canvas)
+            }
+            Mode::Preview => {
+                let mut facets = Facets::new();
+                let mut preview = facets.preview(renderer, segments).map_err(WindowError::Preview)?;
+                let (mut buffer, mut pixels) = (vec![black; width], vec![PreviewPixel::BLANK; width]);
+                let lent = preview.lend(&mut buffer, &mut pixels);
                 let mut frame = renderer.frame(lines, lent).map_err(failed)?;
                 self.show(&mut frame, |_| Ok(false), canvas)
             }

@@ -164,6 +164,8 @@ fn each_option_changes_the_picture() {
         &["--rays-per-pixel", "3"],
         &["--cutoff", "0.5"],
         &["--dither", "ordered"],
+        &["--mode", "realtime"],
+        &["--mode", "preview"],
     ] {
         assert!(small(&bench, arguments) != plain, "{arguments:?}");
     }
