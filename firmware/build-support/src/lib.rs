@@ -9,7 +9,7 @@
 //! | `RAYLINE_BOUNCES` | how often a ray may be mirrored or refracted | the scene's own; 6 for a file |
 //! | `RAYLINE_AREA_LIGHTS` | `sampled` or `closed-form` | `sampled` |
 //! | `RAYLINE_NUMBER` | `f32` or `fixed`, see [`write_number`] | `f32` |
-//! | `RAYLINE_MODE` | `exact`, `realtime` or `smooth`, see [`write_mode`] | `exact` |
+//! | `RAYLINE_MODE` | `exact`, `realtime`, `smooth` or `preview`, see [`write_mode`] | `exact` |
 
 use core::mem::MaybeUninit;
 use std::env;
@@ -19,10 +19,13 @@ use std::path::Path;
 
 use rayline::bake::{self, BakeError};
 use rayline::math::Fixed;
-use rayline::{Scene, builtin};
+use rayline::{PreparedScene, Preview, PreviewFacet, Real, Renderer, Scene, Settings, builtin};
 
 /// Bounces of scenes from files, which do not say how many they need.
 pub const BOUNCES_OF_FILES: u8 = 6;
+
+/// The sides of the polygons that take the place of circles in previews.
+pub const SEGMENTS: u16 = 16;
 
 /// The number system of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +60,10 @@ pub fn write_picture(default_size: &str, number: Number) -> Result<(), Box<dyn E
             return Err(format!("RAYLINE_AREA_LIGHTS={other}: set it to sampled or closed-form").into());
         }
     };
+    let facets = match variable("RAYLINE_MODE").as_deref() {
+        Some("preview") => facets(&name, number, (width, height))?,
+        _ => 0,
+    };
     let picture = format!(
         "{source}
 /// Bytes of memory for the prepared scene.
@@ -67,11 +74,39 @@ pub const WIDTH: usize = {width};
 pub const HEIGHT: usize = {height};
 /// How often a ray may be mirrored or refracted.
 pub const BOUNCES: u8 = {bounces};
+/// The sides of the polygons that take the place of circles in a preview.
+pub const SEGMENTS: u16 = {SEGMENTS};
+/// The facets of a preview; 0 for other pictures.
+pub const FACETS: usize = {facets};
 /// How lamps with a size light.
 pub const AREA_LIGHTS: rayline::AreaLights = rayline::AreaLights::{area_lights};
 "
     );
     write("picture.rs", &picture)
+}
+
+/// How many facets are seen in the preview of a scene.
+fn facets(name: &str, number: Number, size: (u16, u16)) -> Result<usize, Box<dyn Error>> {
+    if !name.ends_with(".rayline") {
+        let builtin = builtin::all().find(|builtin| builtin.name == name);
+        return facets_of(builtin.ok_or("the scene is unknown")?.scene, number, size);
+    }
+    let bytes = fs::read(name)?;
+    facets_of(&Scene::from_bytes(&bytes, &mut memory_for(&bytes))?, number, size)
+}
+
+fn facets_of(scene: &Scene<'_>, number: Number, size: (u16, u16)) -> Result<usize, Box<dyn Error>> {
+    match number {
+        Number::F32 => facets_in::<f32>(scene, size),
+        Number::Fixed => facets_in::<Fixed>(scene, size),
+    }
+}
+
+fn facets_in<R: Real>(scene: &Scene<'_>, (width, height): (u16, u16)) -> Result<usize, Box<dyn Error>> {
+    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
+    let prepared = PreparedScene::<R, _>::new(scene, &mut memory)?;
+    let renderer = Renderer::new(&prepared, Settings::new(width.into(), height.into()))?;
+    Ok(Preview::new(&renderer, SEGMENTS, &mut vec![PreviewFacet::BLANK; 65_535])?.facets())
 }
 
 /// Width and height from a text such as `320x240`.
@@ -140,17 +175,21 @@ pub const IS_FLOAT: bool = {is_float};
 /// # Errors
 /// A variable that names no mode; or an output folder that cannot be written to.
 pub fn write_mode() -> Result<(), Box<dyn Error>> {
-    let quality = match variable("RAYLINE_MODE").as_deref() {
-        None | Some("exact") => "None",
+    let mode = variable("RAYLINE_MODE");
+    let is_preview = mode.as_deref() == Some("preview");
+    let quality = match mode.as_deref() {
+        None | Some("exact" | "preview") => "None",
         Some("realtime") => "Some(rayline::Realtime::new())",
         Some("smooth") => "Some(rayline::Realtime::new().smooth())",
         Some(other) => {
-            return Err(format!("RAYLINE_MODE={other}: set it to exact, realtime or smooth").into());
+            return Err(format!("RAYLINE_MODE={other}: set it to exact, realtime, smooth or preview").into());
         }
     };
     let text = format!(
-        "/// The realtime quality that the picture is drawn in; `None` for an exact picture.\n\
-         pub const QUALITY: Option<rayline::Realtime> = {quality};\n"
+        "/// The realtime quality that the picture is drawn in; `None` for other pictures.\n\
+         pub const QUALITY: Option<rayline::Realtime> = {quality};\n\
+         /// Whether the picture is a preview.\n\
+         pub const IS_PREVIEW: bool = {is_preview};\n"
     );
     write("mode.rs", &text)
 }

@@ -5,11 +5,13 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::primitives::Rectangle;
 use rayline::shape::Geometry;
-use rayline::{DisplayColor, DrawError, PreparedScene, Renderer};
+use rayline::{DisplayColor, DrawError, PreparedScene, Preview, Renderer};
 
 use crate::fpu;
 use crate::meter::Meter;
-use crate::picture::{Buffer, HEIGHT, LINES, Memory, Number, QUALITY, SCENE, SETTINGS, WIDTH};
+use crate::picture::{
+    Buffer, HEIGHT, IS_PREVIEW, LINES, Memory, Number, QUALITY, SCENE, SEGMENTS, SETTINGS, WIDTH,
+};
 use crate::report::Figures;
 use crate::stack::PaintedStack;
 use crate::{Counter, Fault};
@@ -55,12 +57,18 @@ pub(crate) fn draw<S: Geometry, D: DrawTarget<Color: DisplayColor>>(
     display: &mut D,
     buffer: &mut Buffer<D::Color>,
 ) -> Result<(), Fault> {
-    let Some(quality) = QUALITY else { return draw_exact(renderer, display, &mut buffer.colors) };
-    let quality = quality.lend(&mut buffer.colors, &mut buffer.samples);
-    renderer.draw(display, quality).map_err(|error| match error {
+    let failed = |error| match error {
         DrawError::Display { .. } => Fault::Output,
         _ => Fault::Buffer,
-    })
+    };
+    if IS_PREVIEW {
+        let Buffer { colors, facets, pixels, .. } = buffer;
+        let mut preview = Preview::new(renderer, SEGMENTS, facets).map_err(|_| Fault::Buffer)?;
+        return renderer.draw(display, preview.lend(colors, pixels)).map_err(failed);
+    }
+    let Some(quality) = QUALITY else { return draw_exact(renderer, display, &mut buffer.colors) };
+    let quality = quality.lend(&mut buffer.colors, &mut buffer.samples);
+    renderer.draw(display, quality).map_err(failed)
 }
 
 /// Draws an exact picture, a few lines at a time.

@@ -110,7 +110,7 @@ const fn bare_metal(binary: &'static str, layout: &'static str) -> ProgramSource
         binary,
         features: &[],
         has_hal: false,
-        modes: &[Mode::Exact, Mode::Realtime, Mode::Smooth],
+        modes: &[Mode::Exact, Mode::Realtime, Mode::Smooth, Mode::Preview],
         layout,
     }
 }

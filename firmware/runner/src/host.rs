@@ -8,11 +8,14 @@ use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
 use rayline::math::Fixed;
-use rayline::{Digest, DisplayColor, PreparedScene, RayCounts, Real, Renderer, Sample};
+use rayline::{
+    Digest, DisplayColor, PreparedScene, Preview, PreviewFacet, PreviewPixel, RayCounts, Real, Renderer,
+    Sample,
+};
 use rayline_orbit::Orbit;
 
 use crate::board::{Board, EmulatorKind, Output};
-use crate::picture::{Number, Picture, Size};
+use crate::picture::{Mode, Number, Picture, Size};
 
 /// The bytes of a picture's pixels, line by line, as the board's emulator writes them.
 pub(crate) fn render(board: &Board, picture: &Picture) -> Result<Vec<u8>> {
@@ -69,6 +72,14 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
     let mut canvas = Canvas { size: picture.size, colors: Vec::new(), rays: 0 };
     let mut counts = RayCounts::default();
     match picture.quality() {
+        None if picture.mode == Mode::Preview => {
+            let mut facets = vec![PreviewFacet::BLANK; 65_535];
+            let mut preview = Preview::new(&renderer, rayline_build_support::SEGMENTS, &mut facets)?;
+            let width = usize::from(picture.size.width);
+            let (mut line, mut pixels) = (vec![black; width], vec![PreviewPixel::BLANK; width]);
+            let drawn = renderer.draw(&mut canvas, preview.lend(&mut line, &mut pixels));
+            drawn.ok().context("the preview")?;
+        }
         None => {
             let mut line = vec![black; usize::from(picture.size.width)];
             for y in 0..renderer.height() {

@@ -68,6 +68,8 @@ pub(crate) enum Mode {
     Realtime,
     /// As `realtime`, with smooth edges
     Smooth,
+    /// Scan conversion in place of rays
+    Preview,
 }
 
 impl Mode {
@@ -76,6 +78,7 @@ impl Mode {
             Self::Exact => "exact",
             Self::Realtime => "realtime",
             Self::Smooth => "smooth",
+            Self::Preview => "preview",
         }
     }
 }
@@ -151,10 +154,10 @@ impl fmt::Display for Picture {
 }
 
 impl Picture {
-    /// The realtime quality that it is drawn in; `None` for an exact picture.
+    /// The realtime quality that it is drawn in; `None` for other pictures.
     pub(crate) fn quality(&self) -> Option<Realtime> {
         match self.mode {
-            Mode::Exact => None,
+            Mode::Exact | Mode::Preview => None,
             Mode::Realtime => Some(Realtime::new()),
             Mode::Smooth => Some(Realtime::new().smooth()),
         }

@@ -27,7 +27,7 @@ impl Quality {
         let reference = match (picture.mode, picture.number) {
             (Mode::Exact, Number::F32) => None,
             (Mode::Exact, Number::Fixed) => Some(render_frame::<f64, _>(&exact, 0, Rgb888::BLACK)?),
-            (Mode::Realtime | Mode::Smooth, _) => Some(in_number(&exact)?),
+            (Mode::Realtime | Mode::Smooth | Mode::Preview, _) => Some(in_number(&exact)?),
         };
         let psnr_db = reference.map(|reference| psnr_db(&shown.colors, &reference.colors));
         Ok(Self { rays: shown.rays, psnr_db })

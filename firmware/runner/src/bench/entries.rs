@@ -58,7 +58,7 @@ const fn own_size(board: &'static str, number: Number, mode: Mode) -> Entry {
 }
 
 /// The programs beside those of [`FIXED_SCENES`] and those of all boards.
-const ENTRIES: [Entry; 21] = [
+const ENTRIES: [Entry; 26] = [
     entry(M4F, "classic", Number::F32, Mode::Exact),
     // The same program, which is not built again.
     entry(M7, "classic", Number::F32, Mode::Exact),
@@ -81,6 +81,11 @@ const ENTRIES: [Entry; 21] = [
     small(M4F, "spheres", Number::F32),
     small(M4F, "classic", Number::F32),
     small(M0, "classic", Number::Fixed),
+    entry(M4F, "classic", Number::F32, Mode::Preview),
+    entry(M4F, "mesh", Number::F32, Mode::Preview),
+    entry(M4F, "flake-10", Number::F32, Mode::Preview),
+    entry(M4F, "flake-91", Number::F32, Mode::Preview),
+    entry(LARGE_M0, "classic", Number::Fixed, Mode::Preview),
 ];
 
 /// All programs. Those of all boards stand last, because `rayline check` reads the first picture of a scene

@@ -20,12 +20,22 @@ const SHAPES: [(&str, &str, Build); 5] = [
     ("mesh", "80 smooth triangles", Build::Fast),
 ];
 
+/// Boards, scenes and number systems that are traced and previewed: the board of the traced picture, and that
+/// of the preview, which takes more RAM.
+const PREVIEWS: [([&str; 2], &str, &str); 5] = [
+    ([M4F, M4F], "classic", "f32"),
+    ([M4F, M4F], "mesh", "f32"),
+    ([M4F, M4F], "flake-10", "f32"),
+    ([M4F, M4F], "flake-91", "f32"),
+    ([M0, LARGE_M0], "classic", "fixed"),
+];
+
 /// The programs whose memory is shown.
 const MEMORY: [(&str, Build); 3] =
     [("exact", Build::Small), ("exact", Build::Fast), ("realtime", Build::Fast)];
 
 /// All tables, each with a heading that says what was measured.
-pub(super) fn all(measured: Measurements<'_>) -> [(&'static str, Table); 6] {
+pub(super) fn all(measured: Measurements<'_>) -> [(&'static str, Table); 7] {
     [
         ("All boards: `classic` in exact quality", boards(measured)),
         ("Scenes in fixed point: instructions per pixel", scenes(measured)),
@@ -33,6 +43,7 @@ pub(super) fn all(measured: Measurements<'_>) -> [(&'static str, Table); 6] {
         ("Many objects: `flake` on M4F, `f32`, exact, 320x240", many_objects(measured)),
         ("Kinds of shapes on a plane: M4F, `f32`, exact, 320x240", shapes(measured)),
         ("Memory of `classic` on M4F, `f32`, 320x240", memory(measured)),
+        ("Ray tracing and scan conversion, 320x240", previews(measured)),
     ]
 }
 
@@ -236,6 +247,42 @@ fn memory(measured: Measurements<'_>) -> Table {
             cell(figures, |figures| bytes(figures.stack_bytes)),
             cell(figures, |figures| bytes(figures.ram_bytes())),
             limit(MOST_RAM),
+        ]);
+    }
+    table
+}
+
+/// The costs of both ways to draw a scene.
+fn previews(measured: Measurements<'_>) -> Table {
+    let mut table = Table::new([
+        ("scene", Align::Left),
+        ("core", Align::Left),
+        ("instr/pixel, exact", Align::Right),
+        ("preview", Align::Right),
+        ("ratio", Align::Right),
+        ("RAM, exact", Align::Right),
+        ("preview", Align::Right),
+        ("flash, exact", Align::Right),
+        ("preview", Align::Right),
+    ]);
+    for (boards, scene, number) in PREVIEWS {
+        let find = |board, mode| measured.find(board, scene, number, mode);
+        let [traced, shown] = [find(boards[0], "exact"), find(boards[1], "preview")];
+        let ratio = traced.zip(shown).map(|(traced, shown)| {
+            format!("{:.1}", traced.instructions_per_pixel() / shown.instructions_per_pixel())
+        });
+        let ram = |figures: &Measured| bytes(figures.ram_bytes());
+        let flash = |figures: &Measured| bytes(figures.text_bytes);
+        table.push([
+            scene.into(),
+            if number == "f32" { "M4F, f32" } else { "M0, fixed" }.into(),
+            cell(traced, per_pixel),
+            cell(shown, per_pixel),
+            ratio.unwrap_or("-".into()),
+            cell(traced, ram),
+            cell(shown, ram),
+            cell(traced, flash),
+            cell(shown, flash),
         ]);
     }
     table
