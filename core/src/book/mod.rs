@@ -15,6 +15,7 @@
 //! | [`distributed`] | soft shadows, depth of field, motion blur, gloss |
 //! | [`global_light`] | light that surfaces scatter onto each other |
 #![cfg_attr(feature = "looks", doc = "| [`looks`] | lines, tones and patterns of drawings |")]
+//! | [`scan_conversion`] | the other way to draw: facets and a Z-buffer |
 //! | [`acceleration`] | boxes, lists and fewer pixels |
 //!
 //! The chapters are documentation only: no program contains them.
@@ -28,4 +29,5 @@ pub mod looks;
 pub mod ray_tree;
 pub mod rays;
 pub mod sampling;
+pub mod scan_conversion;
 pub mod shading;

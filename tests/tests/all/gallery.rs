@@ -9,7 +9,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use bumpalo::Bump;
 use rayline::{Digest, Sampling, Settings};
 use rayline_simulator::raster::{Raster, shrunk, to_png};
-use rayline_simulator::{Gallery, LoadedScene, Number, Picture, RenderOptions, SceneFile, render};
+use rayline_simulator::{Gallery, LoadedScene, Mode, Number, Picture, RenderOptions, SceneFile, render};
 
 const SETTINGS: Settings = Settings { bounces: 6, ..Settings::new(64, 48) };
 
@@ -76,17 +76,29 @@ fn written_scenes_are_read_back() {
     }
 }
 
-/// The crate's book shows pictures of the gallery at half their size, as PNGs in base64. `RAYLINE_BLESS`
-/// writes the pictures.
+/// The picture of a scene in the gallery, or its preview, as red, green and blue.
+fn of_gallery(name: &str) -> Vec<u8> {
+    let path = root().join("docs/gallery").join(name.trim_start_matches("preview-"));
+    if !name.starts_with("preview-") {
+        let stored = fs::read(path.with_extension("png")).unwrap();
+        return Raster::decode(&stored).unwrap_or_else(|error| panic!("{name}: {error}")).rgb();
+    }
+    let arena = Bump::new();
+    let scene = LoadedScene::open(&path.with_extension("ron"), &arena).unwrap();
+    let settings = Settings { width: 320, height: 240, ..scene.settings };
+    let options = RenderOptions { mode: Mode::Preview, ..RenderOptions::new(settings) };
+    render(&scene.scene, &options).unwrap().rgb
+}
+
+/// The crate's book shows pictures of the gallery, and previews, at half their size, as PNGs in base64.
+/// `RAYLINE_BLESS` writes the pictures.
 #[test]
 fn the_book_shows_the_gallery() {
     let mut seen = 0;
     for entry in fs::read_dir(root().join("core/src/book/pictures")).unwrap() {
         let shown = entry.unwrap().path();
         let name = shown.file_stem().unwrap().to_str().unwrap();
-        let stored = fs::read(root().join("docs/gallery").join(name).with_extension("png")).unwrap();
-        let stored = Raster::decode(&stored).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let half = shrunk(&stored.rgb(), (320, 240), (160, 120)).concat();
+        let half = shrunk(&of_gallery(name), (320, 240), (160, 120)).concat();
         if std::env::var_os("RAYLINE_BLESS").is_some() {
             fs::write(&shown, BASE64_STANDARD.encode(to_png((160, 120), 3, &half).unwrap())).unwrap();
         }

@@ -28,6 +28,7 @@ mod own_shape;
 mod panels;
 mod path_tracing;
 mod povray;
+mod preview;
 mod progressive;
 mod realtime;
 mod reference;
