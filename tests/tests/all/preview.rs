@@ -265,6 +265,16 @@ fn lines_and_columns_have_the_same_bytes_in_any_order() {
             renderer.frame(y..y + 1, lent).expect("a line").draw(&mut screen).expect("a picture");
         }
         assert_eq!(screen.picture(), whole);
+        // A preview that was scanned before.
+        preview.scan(HEIGHT as u16 / 2, &mut pixels);
+        let mut screen = Screen::new(renderer);
+        renderer.draw(&mut screen, preview.lend(&mut line, &mut pixels)).expect("a picture");
+        assert_eq!(screen.picture(), whole);
+        let mut after = [PreviewPixel::BLANK; WIDTH];
+        preview.scan(HEIGHT as u16 / 2, &mut after);
+        preview.scan(0, &mut pixels);
+        preview.scan(HEIGHT as u16 / 2, &mut pixels);
+        assert_eq!(pixels, after);
         // In steps, one line each.
         let mut screen = Screen::new(renderer);
         let mut frame =

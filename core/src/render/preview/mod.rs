@@ -113,6 +113,8 @@ impl<'f> Preview<'f> {
         line: &'b mut [C],
         pixels: &'b mut [PreviewPixel],
     ) -> PreviewBuffer<'b, C> {
+        // The buffer changes the list of facets, so the scan begins anew here, too.
+        self.scan = scan::Scan::BEGIN;
         let Self { nearest, size, scan, .. } = *self;
         PreviewBuffer { preview: Preview { facets: self.facets, nearest, size, scan }, line, pixels }
     }
