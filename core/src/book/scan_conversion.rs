@@ -75,8 +75,8 @@
 //!
 //! ```
 //! use rayline::{Preview, PreviewFacet, PreviewPixel};
-//! # use rayline::{Background, Camera, LinearRgb, Material, Object, PreparedScene, Renderer, Scene, Settings};
-//! # use rayline::Vec3;
+//! # use rayline::{Background, Camera, LinearRgb, Material, Object, PreparedScene, Renderer, Scene};
+//! # use rayline::{Settings, Vec3};
 //! # use rayline::shape::{Rectangle, Shape};
 //! # let (eye, up) = (Vec3::new(0.0, 0.0, 4.0), Vec3::new(0.0, 1.0, 0.0));
 //! # let camera = Camera { eye, target: Vec3::ZERO, up, vertical_fov: 0.5, lens: None };

@@ -415,8 +415,6 @@ fn meet_once<R: Real, S: Intersect<R> + ?Sized>(
 
 /// [`Silhouette::each_facet`](super::Silhouette::each_facet) of any shape: by the parts of rays inside it, or
 /// by where the edges of the cells meet it, if there are no such parts.
-// Not inlined: it is the default for all shapes.
-#[inline(never)]
 pub(super) fn each_facet_of_any<R: Real, S: Intersect<R> + ?Sized>(
     shape: &S,
     tessellation: &Tessellation<R>,

@@ -26,8 +26,6 @@ pub(super) struct Directions<R>(Vec<(R, R), { MAX_SEGMENTS as usize }>);
 
 impl<R: Real> Directions<R> {
     /// At most [`MAX_SEGMENTS`] directions.
-    // Not inlined: all shapes share it.
-    #[inline(never)]
     pub(super) fn new(count: u16) -> Self {
         Self((0..count.min(MAX_SEGMENTS)).map(|number| direction(number, count)).collect())
     }

@@ -73,7 +73,7 @@ fn one_door_for_each_external_crate() {
     for (external, doors) in [
         ("libm", vec!["math"]),
         ("micromath", vec!["math"]),
-        ("heapless", vec!["hierarchy", "integrator", "scene", "shape"]),
+        ("heapless", vec!["hierarchy", "integrator", "render", "scene", "shape"]),
         ("postcard", vec!["read", "scene"]),
         ("embedded_graphics", vec!["render"]),
     ] {

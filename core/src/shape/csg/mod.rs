@@ -264,8 +264,6 @@ impl<R: Real, P: Intersect<R>> PreparedCsg<'_, R, P> {
     }
 
     /// A bit for each place in a row that lies inside the combined solid.
-    // Not inlined: see `intersect`.
-    #[inline(never)]
     fn insides(&self, row: &Row<R>) -> u32 {
         with_room(self.solids.len(), |room| {
             let boundaries = Boundaries::new(room, self.solids, &row.ray());
