@@ -38,7 +38,7 @@ pub struct PreviewPixel {
 }
 
 impl PreviewFacet {
-    /// Memory.
+    /// Memory: all bits are 0, so that it takes no room in flash.
     pub const BLANK: Self = Self {
         corners: [[0; 2]; 3],
         inverse_depth: 0,
@@ -49,7 +49,7 @@ impl PreviewFacet {
         object: 0,
         part: 0,
         normal: [0; 3],
-        next: NONE,
+        next: 0,
         lights: [[0; 4]; 3],
     };
 
@@ -61,8 +61,8 @@ impl PreviewFacet {
 }
 
 impl PreviewPixel {
-    /// Memory.
-    pub const BLANK: Self = Self { inverse_depth: 0, facet: NONE };
+    /// Memory: all bits are 0, so that it takes no room in flash.
+    pub const BLANK: Self = Self { inverse_depth: 0, facet: 0 };
 }
 
 /// A unit vector in units of 2⁻¹⁵.
