@@ -174,7 +174,7 @@ impl fmt::Display for Comparison {
                 thousands(facets as u64),
                 milliseconds(traced),
                 milliseconds(scanned),
-                format!("{:.1}", traced.seconds / scanned.seconds),
+                format!("{:.2}", traced.seconds / scanned.seconds),
                 bytes(traced),
                 bytes(scanned),
             ]);
