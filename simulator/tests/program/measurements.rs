@@ -60,9 +60,9 @@ fn both_ways_to_draw_are_compared() {
         assert!(row[3..10].iter().all(|cell| number(cell) > 0.0), "{row:?}");
         assert!(number(&row[9]) > number(&row[8]), "{row:?}");
     }
-    // Rays grow with pixels, facets hardly.
+    // Of 64 times the pixels, there are about as many times the rays. Facets that cover no line are left out.
     assert!(number(&rows[3][3]) > 40.0 * number(&rows[0][3]), "{said}");
-    assert!(number(&rows[3][4]) < 2.0 * number(&rows[0][4]), "{said}");
+    assert!(number(&rows[3][4]) < 4.0 * number(&rows[0][4]), "{said}");
     assert!(said.contains("% of the pixels show another object"), "{said}");
     let plot = std::fs::read_to_string(bench.path("plot.svg")).unwrap();
     assert_eq!(plot.matches("<polyline").count(), 4);
