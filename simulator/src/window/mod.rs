@@ -147,6 +147,7 @@ impl fmt::Display for WindowError {
             Self::Scene(message) => f.write_str(message),
             Self::Settings(error) => error.fmt(f),
             Self::Draw(error) => error.fmt(f),
+            Self::Preview(error) => error.fmt(f),
             Self::Save(error) => error.fmt(f),
         }
     }
@@ -159,6 +160,7 @@ impl Error for WindowError {
             Self::Load(error) => Some(error),
             Self::Settings(error) => Some(error),
             Self::Draw(error) => Some(error),
+            Self::Preview(error) => Some(error),
             Self::Save(error) => Some(&**error),
         }
     }
