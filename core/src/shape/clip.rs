@@ -1,10 +1,42 @@
-//! The outline of a flat convex face, cut by planes (Sutherland and Hodgman, "Reentrant Polygon Clipping",
-//! Communications of the ACM, 1974).
+//! Convex polygons, cut by planes (Sutherland and Hodgman, "Reentrant Polygon Clipping", Communications of the
+//! ACM, 1974).
 
 use heapless::Vec;
 
 use crate::limits::MAX_FACES;
 use crate::math::{Real, Vec3};
+
+/// The part of a polygon where `outside` is not positive. Where an edge crosses the plane, `between` returns a
+/// corner on the way from its first argument to its second, at a share of 0 to 1.
+///
+/// There must be room for one more corner. Polygons that share an edge share the cut, too: the way leads from
+/// the outer end of the edge to the inner one, for both.
+pub(crate) fn cut<C: Copy, R: Real, const N: usize>(
+    polygon: &Vec<C, N>,
+    outside: impl Fn(&C) -> R,
+    between: impl Fn(&C, &C, R) -> C,
+) -> Vec<C, N> {
+    let mut kept = Vec::new();
+    let Some(mut from) = polygon.last() else { return kept };
+    let mut from_outside = outside(from);
+    for to in polygon {
+        let to_outside = outside(to);
+        if (from_outside > R::ZERO) != (to_outside > R::ZERO) {
+            let (outer, inner, a, b) = if from_outside > R::ZERO {
+                (from, to, from_outside, to_outside)
+            } else {
+                (to, from, to_outside, from_outside)
+            };
+            // Only one of the two is positive.
+            let _ = kept.push(between(outer, inner, a / (a - b)));
+        }
+        if !(to_outside > R::ZERO) {
+            let _ = kept.push(*to);
+        }
+        (from, from_outside) = (to, to_outside);
+    }
+    kept
+}
 
 /// The corners of a convex face, counterclockwise. A square has four, and each plane that cuts a corner off
 /// adds one.
@@ -21,24 +53,8 @@ impl<R: Real> Outline<R> {
 
     /// Cuts off what lies in front of the plane `normal · p = distance`.
     pub(super) fn clip(&mut self, normal: Vec3<R>, distance: R) {
-        let height = |corner: Vec3<R>| normal.dot(corner) - distance;
-        let mut kept = Vec::new();
-        let Some(mut from) = self.0.last().copied() else { return };
-        let mut from_height = height(from);
-        for to in &self.0 {
-            let to_height = height(*to);
-            if (from_height > R::ZERO) != (to_height > R::ZERO) {
-                // The heights have different signs, or one of them is 0.
-                let share = from_height / (from_height - to_height);
-                // There is room: see above.
-                let _ = kept.push(from + (*to - from) * share);
-            }
-            if !(to_height > R::ZERO) {
-                let _ = kept.push(*to);
-            }
-            (from, from_height) = (*to, to_height);
-        }
-        self.0 = kept;
+        let height = |corner: &Vec3<R>| normal.dot(*corner) - distance;
+        self.0 = cut(&self.0, height, |outer, inner, share| *outer + (*inner - *outer) * share);
     }
 
     /// Joins corners that are no farther from each other than `tolerance`.
