@@ -25,6 +25,10 @@ pub const MIN_SEGMENTS: u16 = 6;
 /// The most sides of the polygon that takes the place of a circle in scan conversion.
 pub const MAX_SEGMENTS: u16 = 64;
 
+/// The most facets of a [`Preview`](crate::Preview): their numbers have 16 bits, of which one value stands for
+/// none.
+pub const MAX_PREVIEW_FACETS: usize = u16::MAX as usize;
+
 /// The longest side of a picture that [`Preview`](crate::Preview) draws, in pixels.
 pub const MAX_PREVIEW_SIDE: u16 = 4095;
 

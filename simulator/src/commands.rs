@@ -344,7 +344,7 @@ fn compare(arguments: &CompareArgs) -> Outcome {
     }
     let segments = arguments.segments.segments;
     let options = RenderOptions { segments, ..arguments.look.options(&scene) };
-    let bar = progress("picture", Comparison::STEPS, arguments.quiet)?;
+    let bar = progress("picture", Comparison::steps(&scene.scene) as u64, arguments.quiet)?;
     bar.set_message(scene.name.clone());
     let comparison = Comparison::measure(&scene.scene, &options, &|| bar.inc(1));
     bar.finish_and_clear();

@@ -1,20 +1,21 @@
-//! The same scene by ray tracing and by scan conversion, side by side.
+//! A scene by ray tracing and by scan conversion, side by side.
 
 use core::fmt;
+
 use cpu_time::ThreadTime;
 use rayline::math::Fixed;
 use rayline::{
-    Event, Light16, PreparedScene, PreviewFacet, PreviewPixel, Probe, RayCounts, RayKind, Real, Renderer,
-    Scene, Settings,
+    Event, Light, Light16, PreparedScene, Preview, PreviewFacet, PreviewPixel, Probe, RayCounts, RayKind,
+    Real, Renderer, Scene, Settings,
 };
 
 use crate::picture::{memory_for, pool};
 use crate::plot::{Curve, Plot, svg};
-use crate::preview::{Facets, draw_lines};
+use crate::preview::{draw_lines, facets};
 use crate::table::{Table, thousands};
 use crate::{Mode, Number, Picture, RenderError, RenderOptions, render};
 
-/// What ray tracing and scan conversion make of a scene, and what it takes them.
+/// The pictures of a scene by ray tracing and by scan conversion, and their costs.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// The traced picture on the left, the other one on the right.
@@ -23,18 +24,23 @@ pub struct Comparison {
     pub visibility: Visibility,
     /// From an eighth of the picture's width and height to all of it.
     pub by_pixels: Vec<Costs>,
-    /// From an eighth of the scene's objects to all of them.
+    /// From an eighth of the scene's objects to all of them: the last entry is that of `by_pixels`.
     pub by_objects: Vec<Costs>,
 }
 
-/// The pixels in whose centers ray tracing and scan conversion see the same object, or none.
+/// Numbers of pixels, by the objects that ray tracing and scan conversion see in their centers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visibility {
-    /// The pixels of the picture.
+    /// All pixels of the picture.
     pub pixels: usize,
-    /// Those that show different objects.
+    /// Pixels that show an object by ray tracing.
+    pub traced: usize,
+    /// Pixels that show an object by scan conversion.
+    pub scanned: usize,
+    /// Pixels that show different objects in the two ways, or an object in one way only.
     pub differ: usize,
-    /// Those that show different objects, and whose eight neighbors show the same one when they are traced.
+    /// Pixels that differ although all pixels around them show the same when they are traced: pixels away
+    /// from edges.
     pub differ_inside: usize,
 }
 
@@ -67,9 +73,22 @@ pub struct Cost {
 /// The times that each picture is drawn.
 const RUNS: usize = 3;
 
+/// Smaller pictures: width and height are halved so often.
+const SMALLER: [u32; 3] = [3, 2, 1];
+
+/// Numbers of objects from an eighth to a half of so many, each once.
+fn parts(objects: usize) -> Vec<usize> {
+    let mut parts: Vec<_> =
+        [3, 2, 1].map(|shift| objects >> shift).into_iter().filter(|part| *part > 0).collect();
+    parts.dedup();
+    parts
+}
+
 impl Comparison {
-    /// How many pictures are drawn in both ways: calls of `done`.
-    pub const STEPS: u64 = 9;
+    /// How many pictures of a scene are drawn in both ways: calls of `done`.
+    pub fn steps(scene: &Scene<'_>) -> usize {
+        1 + SMALLER.len() + 1 + parts(scene.objects.len()).len()
+    }
 
     /// Draws a scene in both ways, smaller pictures of it, and scenes of its first objects. `done` is called
     /// after each.
@@ -77,29 +96,15 @@ impl Comparison {
     /// # Errors
     /// The scene or an option is refused; or there are too many facets.
     pub fn measure(scene: &Scene<'_>, options: &RenderOptions, done: &dyn Fn()) -> Result<Self, RenderError> {
-        match options.number {
-            Number::F32 => Self::measure_in::<f32>(scene, options, done),
-            Number::Fixed => Self::measure_in::<Fixed>(scene, options, done),
-            Number::F64 => Self::measure_in::<f64>(scene, options, done),
-        }
-    }
-
-    fn measure_in<R: Real>(
-        scene: &Scene<'_>,
-        options: &RenderOptions,
-        done: &dyn Fn(),
-    ) -> Result<Self, RenderError> {
         let picture = beside(
             &render(scene, &RenderOptions { mode: Mode::Exact, ..options.clone() })?,
             &render(scene, &RenderOptions { mode: Mode::Preview, ..options.clone() })?,
         );
-        let settings = options.settings;
-        let visibility = seen::<R>(scene, settings, options.segments)?;
+        let visibility = Visibility::of(scene, options)?;
         done();
-        let costs = |scene: &Scene<'_>, settings: Settings| {
-            let one = RenderOptions { threads: 1, ..options.clone() };
-            // On one thread, also what the renderer of the desktop would share.
-            let costs = pool(&one)?.install(|| costs::<R>(scene, settings, options.segments));
+        let settings = options.settings;
+        let costs = |scene: &Scene<'_>, settings| {
+            let costs = costs(scene, &RenderOptions { settings, threads: 1, ..options.clone() });
             done();
             costs
         };
@@ -108,22 +113,21 @@ impl Comparison {
             height: (settings.height >> shift).max(1),
             ..settings
         };
-        let by_pixels = [3, 2, 1, 0].map(|shift| costs(scene, smaller(shift)));
-        let parts = [3, 2, 1, 0].map(|shift| {
-            let objects = scene.objects.get(..scene.objects.len() >> shift).unwrap_or_default();
-            let shown = |light: &&rayline::Light| !matches!(light, rayline::Light::Object { .. });
-            let lights: Vec<_> = scene.lights.iter().filter(shown).copied().collect();
-            let part = Scene { objects, motions: &[], ..*scene };
-            // Lamps and motions name objects, which a part of them may lack.
-            let part = if shift == 0 { *scene } else { Scene { lights: &lights, ..part } };
-            costs(&part, settings)
-        });
-        let collect =
-            |costs: [Result<Costs, RenderError>; 4]| costs.into_iter().collect::<Result<Vec<_>, _>>();
-        let mut by_objects = collect(parts)?;
-        by_objects.dedup_by_key(|costs| costs.objects);
-        by_objects.retain(|costs| costs.objects > 0);
-        Ok(Self { picture, visibility, by_pixels: collect(by_pixels)?, by_objects })
+        let by_pixels = SMALLER.into_iter().map(|shift| costs(scene, smaller(shift)));
+        let mut by_pixels = by_pixels.collect::<Result<Vec<_>, _>>()?;
+        let whole = costs(scene, settings)?;
+        by_pixels.push(whole);
+        // Lamps and motions name objects, which a part of them may lack.
+        let lights = scene.lights.iter().filter(|light| !matches!(light, Light::Object(_)));
+        let lights: Vec<_> = lights.copied().collect();
+        let part = |count: usize| {
+            let objects = scene.objects.get(..count).unwrap_or_default();
+            costs(&Scene { objects, lights: &lights, motions: &[], ..*scene }, settings)
+        };
+        let by_objects = parts(scene.objects.len()).into_iter().map(part);
+        let mut by_objects = by_objects.collect::<Result<Vec<_>, _>>()?;
+        by_objects.push(whole);
+        Ok(Self { picture, visibility, by_pixels, by_objects })
     }
 
     /// The times as two plots beside each other with logarithmic axes, in the format SVG.
@@ -163,7 +167,9 @@ impl fmt::Display for Comparison {
             "RAM, scanning",
         ];
         let mut table = Table::new(1, heads);
-        for costs in self.by_pixels.iter().chain(self.by_objects.iter().rev().skip(1).rev()) {
+        for costs in
+            self.by_pixels.iter().chain(self.by_objects.split_last().map_or(&[][..], |(_, parts)| parts))
+        {
             let Costs { objects, size: (width, height), rays, facets, traced, scanned } = *costs;
             let milliseconds = |cost: Cost| format!("{:.2} ms", cost.seconds * 1e3);
             let bytes = |cost: Cost| format!("{} B", thousands(cost.bytes as u64));
@@ -179,7 +185,7 @@ impl fmt::Display for Comparison {
                 bytes(scanned),
             ]);
         }
-        let Visibility { pixels, differ, differ_inside } = self.visibility;
+        let Visibility { pixels, differ, differ_inside, .. } = self.visibility;
         let percent = |count: usize| 100.0 * count as f64 / pixels.max(1) as f64;
         writeln!(f, "{table}")?;
         writeln!(
@@ -200,28 +206,36 @@ fn beside(left: &Picture, right: &Picture) -> Picture {
 }
 
 /// The costs of one picture in both ways.
-fn costs<R: Real>(scene: &Scene<'_>, settings: Settings, segments: u16) -> Result<Costs, RenderError> {
+fn costs(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs, RenderError> {
+    pool(options)?.install(|| match options.number {
+        Number::F32 => costs_in::<f32>(scene, options),
+        Number::Fixed => costs_in::<Fixed>(scene, options),
+        Number::F64 => costs_in::<f64>(scene, options),
+    })
+}
+
+fn costs_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs, RenderError> {
     let mut memory = memory_for::<R>(scene);
     let prepared_bytes = memory.len();
     let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
-    let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
+    let renderer = Renderer::new(&prepared, options.settings).map_err(RenderError::Settings)?;
     let (width, height) = (renderer.width(), renderer.height());
     let mut lights = vec![Light16::BLACK; width as usize * height as usize];
-    let (mut rays, mut facets) = (RayCounts::default(), Facets::new());
+    let mut facets = facets();
     let (mut traced, mut scanned, mut seen) = (f64::MAX, f64::MAX, 0);
     for _ in 0..RUNS {
-        rays = RayCounts::default();
         let start = ThreadTime::now();
         renderer.lines(0, &mut lights, &mut ()).map_err(RenderError::Line)?;
         traced = traced.min(start.elapsed().as_secs_f64());
-        // Grows its memory before the time begins.
-        seen = facets.preview(&renderer, segments).map_err(RenderError::Preview)?.facets();
         let start = ThreadTime::now();
-        let mut preview = facets.preview(&renderer, segments).map_err(RenderError::Preview)?;
+        let preview = Preview::new(&renderer, options.segments, &mut facets);
+        let mut preview = preview.map_err(RenderError::Preview)?;
         draw_lines(&mut preview, &renderer, 0..height, &mut lights, &|| ()).map_err(RenderError::Line)?;
         scanned = scanned.min(start.elapsed().as_secs_f64());
+        seen = preview.facets();
     }
     // Counting takes time, too.
+    let mut rays = RayCounts::default();
     renderer.lines(0, &mut lights, &mut rays).map_err(RenderError::Line)?;
     let line = 2 * width as usize;
     let preview = seen * size_of::<PreviewFacet>() + width as usize * size_of::<PreviewPixel>();
@@ -247,37 +261,93 @@ impl<R> Probe<R> for Met {
     }
 }
 
-/// The objects that both ways see.
-fn seen<R: Real>(scene: &Scene<'_>, settings: Settings, segments: u16) -> Result<Visibility, RenderError> {
-    // One ray through the center of each pixel, without bounces.
-    let settings = Settings { bounces: 0, ..Settings::new(settings.width, settings.height) };
-    let mut memory = memory_for::<R>(scene);
-    let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
-    let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
-    let mut facets = Facets::new();
-    let mut preview = facets.preview(&renderer, segments).map_err(RenderError::Preview)?;
-    let (width, height) = (renderer.width() as usize, renderer.height() as usize);
-    let (mut traced, mut scanned) = (Vec::new(), Vec::new());
-    let mut pixels = vec![PreviewPixel::BLANK; width];
-    for y in 0..height {
-        traced.extend((0..width).map(|x| {
-            let mut met = Met::default();
-            renderer.pixel(x as u16, y as u16, &mut met);
-            met.0
-        }));
-        preview.scan(y as u16, &mut pixels);
-        scanned.extend(pixels.iter().map(|pixel| preview.object(*pixel)));
+impl Visibility {
+    /// Compares what the pixels of a picture show: by one ray through the center of each.
+    ///
+    /// # Errors
+    /// The scene or an option is refused; or there are too many facets.
+    pub fn of(scene: &Scene<'_>, options: &RenderOptions) -> Result<Self, RenderError> {
+        match options.number {
+            Number::F32 => Self::of_scene_in::<f32>(scene, options),
+            Number::Fixed => Self::of_scene_in::<Fixed>(scene, options),
+            Number::F64 => Self::of_scene_in::<f64>(scene, options),
+        }
     }
-    let near = |place: usize, length: usize| place.saturating_sub(1)..(place + 2).min(length);
-    let is_inside = |x: usize, y: usize| {
-        near(y, height)
-            .flat_map(|v| near(x, width).map(move |u| v * width + u))
-            .all(|near| traced.get(near) == traced.get(y * width + x))
-    };
-    let others = || {
-        let pairs = traced.iter().zip(&scanned).enumerate();
-        pairs.filter(|(_, (traced, scanned))| traced != scanned).map(|(place, _)| place)
-    };
-    let differ_inside = others().filter(|place| is_inside(place % width, place / width)).count();
-    Ok(Visibility { pixels: width * height, differ: others().count(), differ_inside })
+
+    fn of_scene_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Self, RenderError> {
+        let Settings { width, height, .. } = options.settings;
+        let settings = Settings { bounces: 0, ..Settings::new(width, height) };
+        let mut memory = memory_for::<R>(scene);
+        let prepared = PreparedScene::<R, _>::new(scene, &mut memory).map_err(RenderError::Scene)?;
+        let renderer = Renderer::new(&prepared, settings).map_err(RenderError::Settings)?;
+        let mut facets = facets();
+        let preview = Preview::new(&renderer, options.segments, &mut facets);
+        let mut preview = preview.map_err(RenderError::Preview)?;
+        let (mut traced, mut scanned) = (Vec::new(), Vec::new());
+        let mut pixels = vec![PreviewPixel::BLANK; width as usize];
+        for y in 0..height as u16 {
+            traced.extend((0..width as u16).map(|x| {
+                let mut met = Met::default();
+                renderer.pixel(x, y, &mut met);
+                met.0
+            }));
+            preview.scan(y, &mut pixels);
+            scanned.extend(pixels.iter().map(|pixel| preview.object(*pixel)));
+        }
+        Ok(Self::between(&traced, &scanned, width as usize))
+    }
+
+    /// Compares the objects of pixels, line by line.
+    fn between(traced: &[Option<usize>], scanned: &[Option<usize>], width: usize) -> Self {
+        let height = traced.len() / width.max(1);
+        let near = |place: usize, length: usize| place.saturating_sub(1)..(place + 2).min(length);
+        let is_inside = |place: &usize| {
+            near(place / width, height)
+                .flat_map(|y| near(place % width, width).map(move |x| y * width + x))
+                .all(|near| traced.get(near) == traced.get(*place))
+        };
+        let pairs = traced.iter().zip(scanned).enumerate();
+        let others = pairs.filter(|(_, (traced, scanned))| traced != scanned).map(|(place, _)| place);
+        let others: Vec<_> = others.collect();
+        Self {
+            pixels: traced.len(),
+            traced: traced.iter().flatten().count(),
+            scanned: scanned.iter().flatten().count(),
+            differ: others.len(),
+            differ_inside: others.iter().filter(|place| is_inside(place)).count(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_away_from_edges_are_those_whose_neighbors_are_alike() {
+        let (a, b) = (Some(1), Some(2));
+        // Object 2 fills the right half of five columns and four lines.
+        let traced = [a, a, a, b, b].repeat(4);
+        let mut scanned = traced.clone();
+        let differences = |scanned: &[Option<usize>]| {
+            let Visibility { pixels, traced, scanned, differ, differ_inside } =
+                Visibility::between(&traced, scanned, 5);
+            assert_eq!((pixels, traced), (20, 20));
+            (scanned, differ, differ_inside)
+        };
+        assert_eq!(differences(&scanned), (20, 0, 0));
+        // At the edge, away from it, and in a corner of the picture.
+        for (place, object, expected) in [(7, b, (20, 1, 0)), (6, None, (19, 2, 1)), (19, None, (18, 3, 2))] {
+            scanned[place] = object;
+            assert_eq!(differences(&scanned), expected);
+        }
+    }
+
+    #[test]
+    fn parts_of_the_objects_are_different() {
+        assert_eq!(parts(0), [0; 0]);
+        assert_eq!(parts(1), [0; 0]);
+        assert_eq!(parts(5), [1, 2]);
+        assert_eq!(parts(16), [2, 4, 8]);
+    }
 }

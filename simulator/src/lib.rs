@@ -21,6 +21,7 @@
 
 mod accuracy;
 mod bench;
+mod canvas;
 mod check;
 mod compare;
 mod convert;

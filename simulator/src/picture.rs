@@ -11,14 +11,14 @@ use rayline::limits::LINES_AT_ONCE;
 use rayline::math::Fixed;
 use rayline::shape::Shape;
 use rayline::{
-    DisplayColor, Light16, LineError, Object, PreparedScene, PreviewError, Quantizer, RayCounts, Real,
-    Renderer, Scene, SceneError, Settings, SettingsError,
+    DisplayColor, Light16, LineError, Object, PreparedScene, Preview, PreviewError, Quantizer, RayCounts,
+    Real, Renderer, Scene, SceneError, Settings, SettingsError,
 };
 use rayon::prelude::*;
 
 use crate::display::ForColor;
 use crate::distinct::distinct;
-use crate::preview::{Facets, draw_lines};
+use crate::preview::{draw_lines, facets};
 use crate::realtime::Bands;
 use crate::{Mode, Number, RenderOptions, Show};
 
@@ -134,8 +134,9 @@ fn render_in<R: Real>(
             options.display.color(bands).map_err(RenderError::Line)
         }
         Mode::Preview if options.show == Show::Colors => {
-            let mut facets = Facets::new();
-            let mut preview = facets.preview(renderer, options.segments).map_err(RenderError::Preview)?;
+            let mut facets = facets();
+            let preview = Preview::new(renderer, options.segments, &mut facets);
+            let mut preview = preview.map_err(RenderError::Preview)?;
             let (first, pixels) = (lines.start, u64::from(width) * u64::from(height));
             let mut lights = many(pixels, Light16::BLACK)?;
             draw_lines(&mut preview, renderer, lines, &mut lights, line_done).map_err(RenderError::Line)?;

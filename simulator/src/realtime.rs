@@ -3,18 +3,13 @@
 //! Each thread draws a part of the picture, because lines do not depend on their order. A part begins with a
 //! row of the grid that the part above traces too, so that more threads trace a few more rays.
 
-use core::convert::Infallible;
-use core::marker::PhantomData;
 use core::ops::Range;
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
-use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rayline::{DisplayColor, DrawError, Edges, LineError, RayCounts, Real, Realtime, Renderer, Sample};
 use rayon::prelude::*;
 
+use crate::canvas::Canvas;
 use crate::display::ForColor;
 
 /// The job of rendering some lines in realtime quality.
@@ -44,8 +39,12 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
             let width = renderer.width() as u16;
             let mut colors = vec![C::from(BinaryColor::Off); quality.colors(width)];
             let mut samples = vec![Sample::BLANK; quality.samples(width)];
-            let mut canvas =
-                Canvas { width: renderer.width(), first, rgb, color: PhantomData::<C>, line_done };
+            let keep = |color: C| {
+                let color: Rgb888 = color.into();
+                [color.r(), color.g(), color.b()]
+            };
+            let (pixels, _) = rgb.as_chunks_mut();
+            let mut canvas = Canvas { width: renderer.width(), first, pixels, keep, line_done };
             let mut rays = RayCounts::default();
             let mut frame = renderer.frame(part, quality.lend(&mut colors, &mut samples))?;
             loop {
@@ -72,46 +71,4 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
 pub(crate) fn quality_for(width: u32, edges: Edges) -> Realtime {
     let quality = if width < 240 { Realtime::fine() } else { Realtime::new() };
     Realtime { edges, ..quality }
-}
-
-/// A display that writes lines to the bytes of a picture.
-struct Canvas<'c, C> {
-    width: u32,
-    /// The number of the line at the beginning of the bytes.
-    first: u32,
-    rgb: &'c mut [u8],
-    color: PhantomData<C>,
-    line_done: &'c (dyn Fn() + Sync),
-}
-
-impl<C> OriginDimensions for Canvas<'_, C> {
-    fn size(&self) -> Size {
-        let lines = self.rgb.len() / (self.width as usize * 3);
-        Size::new(self.width, self.first + lines as u32)
-    }
-}
-
-impl<C: DisplayColor + Into<Rgb888>> DrawTarget for Canvas<'_, C> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(point, color) in pixels {
-            let place = (point.y as usize - self.first as usize) * self.width as usize + point.x as usize;
-            if let Some(pixel) = self.rgb.get_mut(place * 3..place * 3 + 3) {
-                let color: Rgb888 = color.into();
-                pixel.copy_from_slice(&[color.r(), color.g(), color.b()]);
-            }
-        }
-        Ok(())
-    }
-
-    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = C>,
-    {
-        self.draw_iter(area.points().zip(colors).map(|(point, color)| Pixel(point, color)))?;
-        (0..area.size.height).for_each(|_| (self.line_done)());
-        Ok(())
-    }
 }

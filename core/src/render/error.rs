@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::limits::{MAX_PREVIEW_SIDE, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_PREVIEW_FACETS, MAX_PREVIEW_SIDE, MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// A setting is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -245,7 +245,7 @@ impl fmt::Display for PreviewError {
             Self::Facets { needed, lent } => write!(
                 f,
                 "memory for {lent} facets does not hold the {needed} that are seen; lend more, at most \
-                 65535, or use fewer segments"
+                 {MAX_PREVIEW_FACETS}, or use fewer segments"
             ),
         }
     }

@@ -38,6 +38,12 @@ impl Light16 {
         Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b) }
     }
 
+    /// Light that a display can show.
+    pub(super) fn clamped(self) -> Self {
+        let [r, g, b] = [self.r, self.g, self.b].map(|channel| channel.min(65536));
+        Self { r, g, b }
+    }
+
     /// Clamps light to the range of a display.
     pub(super) fn new<R: Real>(light: LinearRgb<R>) -> Self {
         Self { r: light.r.to_q16(), g: light.g.to_q16(), b: light.b.to_q16() }

@@ -18,6 +18,7 @@ use std::fs;
 use std::path::Path;
 
 use rayline::bake::{self, BakeError};
+use rayline::limits::MAX_PREVIEW_FACETS;
 use rayline::math::Fixed;
 use rayline::{PreparedScene, Preview, PreviewFacet, Real, Renderer, Scene, Settings, builtin};
 
@@ -26,6 +27,9 @@ pub const BOUNCES_OF_FILES: u8 = 6;
 
 /// The sides of the polygons that take the place of circles in previews.
 pub const SEGMENTS: u16 = 16;
+
+/// The value of `RAYLINE_MODE` for previews.
+const PREVIEW: &str = "preview";
 
 /// The number system of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,8 +49,11 @@ pub enum Number {
 pub fn write_picture(default_size: &str, number: Number) -> Result<(), Box<dyn Error>> {
     let (width, height) = size(&variable("RAYLINE_SIZE").unwrap_or_else(|| default_size.into()))?;
     let name = variable("RAYLINE_SCENE").unwrap_or_else(|| "classic".into());
-    let (source, default_bounces) =
-        if name.ends_with(".rayline") { bake_file(&name, number)? } else { bake_builtin(&name, number)? };
+    let is_preview = variable("RAYLINE_MODE").as_deref() == Some(PREVIEW);
+    let ((source, facets), default_bounces) = with_scene(&name, |scene| {
+        let facets = if is_preview { facets(scene, number, (width, height))? } else { 0 };
+        Ok((bake(scene, number)?, facets))
+    })?;
     let bounces = match variable("RAYLINE_BOUNCES") {
         Some(bounces) => bounces
             .parse()
@@ -59,10 +66,6 @@ pub fn write_picture(default_size: &str, number: Number) -> Result<(), Box<dyn E
         Some(other) => {
             return Err(format!("RAYLINE_AREA_LIGHTS={other}: set it to sampled or closed-form").into());
         }
-    };
-    let facets = match variable("RAYLINE_MODE").as_deref() {
-        Some("preview") => facets(&name, number, (width, height))?,
-        _ => 0,
     };
     let picture = format!(
         "{source}
@@ -86,16 +89,7 @@ pub const AREA_LIGHTS: rayline::AreaLights = rayline::AreaLights::{area_lights};
 }
 
 /// How many facets are seen in the preview of a scene.
-fn facets(name: &str, number: Number, size: (u16, u16)) -> Result<usize, Box<dyn Error>> {
-    if !name.ends_with(".rayline") {
-        let builtin = builtin::all().find(|builtin| builtin.name == name);
-        return facets_of(builtin.ok_or("the scene is unknown")?.scene, number, size);
-    }
-    let bytes = fs::read(name)?;
-    facets_of(&Scene::from_bytes(&bytes, &mut memory_for(&bytes))?, number, size)
-}
-
-fn facets_of(scene: &Scene<'_>, number: Number, size: (u16, u16)) -> Result<usize, Box<dyn Error>> {
+fn facets(scene: &Scene<'_>, number: Number, size: (u16, u16)) -> Result<usize, Box<dyn Error>> {
     match number {
         Number::F32 => facets_in::<f32>(scene, size),
         Number::Fixed => facets_in::<Fixed>(scene, size),
@@ -106,7 +100,7 @@ fn facets_in<R: Real>(scene: &Scene<'_>, (width, height): (u16, u16)) -> Result<
     let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
     let prepared = PreparedScene::<R, _>::new(scene, &mut memory)?;
     let renderer = Renderer::new(&prepared, Settings::new(width.into(), height.into()))?;
-    Ok(Preview::new(&renderer, SEGMENTS, &mut vec![PreviewFacet::BLANK; 65_535])?.facets())
+    Ok(Preview::new(&renderer, SEGMENTS, &mut vec![PreviewFacet::BLANK; MAX_PREVIEW_FACETS])?.facets())
 }
 
 /// Width and height from a text such as `320x240`.
@@ -116,22 +110,26 @@ fn size(text: &str) -> Result<(u16, u16), Box<dyn Error>> {
     sides.ok_or_else(|| format!("RAYLINE_SIZE={text}: set it to width and height, such as 320x240").into())
 }
 
-/// A built-in scene as Rust source, and its bounces.
-fn bake_builtin(name: &str, number: Number) -> Result<(String, u8), Box<dyn Error>> {
-    let builtin = builtin::all().find(|builtin| builtin.name == name).ok_or_else(|| {
-        format!("RAYLINE_SCENE={name}: set it to a name that `rayline scenes` prints, or to a .rayline file")
-    })?;
-    Ok((bake(builtin.scene, number)?, builtin.bounces))
-}
-
-/// The scene of a `.rayline` file as Rust source, and its bounces.
-fn bake_file(path: &str, number: Number) -> Result<(String, u8), Box<dyn Error>> {
-    println!("cargo:rerun-if-changed={path}");
-    let bytes = fs::read(path).map_err(|error| format!("{path} cannot be read: {error}"))?;
+/// Calls a function with a built-in scene or that of a `.rayline` file. Returns what it returns, and the
+/// scene's bounces.
+fn with_scene<T>(
+    name: &str,
+    then: impl FnOnce(&Scene<'_>) -> Result<T, Box<dyn Error>>,
+) -> Result<(T, u8), Box<dyn Error>> {
+    if !name.ends_with(".rayline") {
+        let builtin = builtin::all().find(|builtin| builtin.name == name).ok_or_else(|| {
+            format!(
+                "RAYLINE_SCENE={name}: set it to a name that `rayline scenes` prints, or to a .rayline file"
+            )
+        })?;
+        return Ok((then(builtin.scene)?, builtin.bounces));
+    }
+    println!("cargo:rerun-if-changed={name}");
+    let bytes = fs::read(name).map_err(|error| format!("{name} cannot be read: {error}"))?;
     let mut memory = memory_for(&bytes);
     let scene = Scene::from_bytes(&bytes, &mut memory)
-        .map_err(|error| format!("{path}: {error}; write it again with `rayline convert`"))?;
-    Ok((bake(&scene, number)?, BOUNCES_OF_FILES))
+        .map_err(|error| format!("{name}: {error}; write it again with `rayline convert`"))?;
+    Ok((then(&scene)?, BOUNCES_OF_FILES))
 }
 
 fn bake(scene: &Scene<'_>, number: Number) -> Result<String, BakeError> {
@@ -176,9 +174,9 @@ pub const IS_FLOAT: bool = {is_float};
 /// A variable that names no mode; or an output folder that cannot be written to.
 pub fn write_mode() -> Result<(), Box<dyn Error>> {
     let mode = variable("RAYLINE_MODE");
-    let is_preview = mode.as_deref() == Some("preview");
+    let is_preview = mode.as_deref() == Some(PREVIEW);
     let quality = match mode.as_deref() {
-        None | Some("exact" | "preview") => "None",
+        None | Some("exact" | PREVIEW) => "None",
         Some("realtime") => "Some(rayline::Realtime::new())",
         Some("smooth") => "Some(rayline::Realtime::new().smooth())",
         Some(other) => {

@@ -14,6 +14,8 @@ pub(crate) type Prepared = PreparedScene<'static, Number, Set>;
 /// Memory for the prepared scene.
 pub(crate) type Workspace = rayline::Workspace<PREPARED_BYTES>;
 
+const _: () = assert!(!IS_PREVIEW, "this program draws no previews: set RAYLINE_MODE to another mode");
+
 /// How the picture is rendered.
 pub(crate) const SETTINGS: Settings =
     Settings { bounces: BOUNCES, area_lights: AREA_LIGHTS, ..Settings::new(WIDTH as u32, HEIGHT as u32) };

@@ -7,6 +7,7 @@ use embedded_graphics::geometry::{OriginDimensions, Size as Dimensions};
 use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{Gray4, PixelColor, Rgb565};
 use embedded_graphics::prelude::{GrayColor, RgbColor};
+use rayline::limits::MAX_PREVIEW_FACETS;
 use rayline::math::Fixed;
 use rayline::{
     Digest, DisplayColor, PreparedScene, Preview, PreviewFacet, PreviewPixel, RayCounts, Real, Renderer,
@@ -73,7 +74,7 @@ pub(crate) fn render_frame<R: Real, C: DisplayColor>(
     let mut counts = RayCounts::default();
     match picture.quality() {
         None if picture.mode == Mode::Preview => {
-            let mut facets = vec![PreviewFacet::BLANK; 65_535];
+            let mut facets = vec![PreviewFacet::BLANK; MAX_PREVIEW_FACETS];
             let mut preview = Preview::new(&renderer, rayline_build_support::SEGMENTS, &mut facets)?;
             let width = usize::from(picture.size.width);
             let (mut line, mut pixels) = (vec![black; width], vec![PreviewPixel::BLANK; width]);

@@ -10,8 +10,8 @@ use embedded_graphics_simulator::{OutputSettings, OutputSettingsBuilder, Simulat
 use rayline::math::Fixed;
 use rayline::shape::Shape;
 use rayline::{
-    Camera, DisplayColor, Frame, LineError, PixelSum, PreparedScene, PreviewPixel, Progressive, Quality,
-    RayCounts, Real, Renderer, Sample, Scene, Settings,
+    Camera, DisplayColor, Frame, LineError, PixelSum, PreparedScene, Preview, PreviewPixel, Progressive,
+    Quality, RayCounts, Real, Renderer, Sample, Scene, Settings,
 };
 
 use super::request::Request;
@@ -19,7 +19,7 @@ use super::screen::Screen;
 use super::{Save, Watched, WindowError};
 use crate::display::ForColor;
 use crate::picture::memory_for;
-use crate::preview::Facets;
+use crate::preview::facets;
 use crate::realtime::quality_for;
 use crate::{LoadedScene, Mode, Number, Orbit, RenderOptions};
 
@@ -251,8 +251,9 @@ impl<'v, 'w, 's, R: Real> Drawing<'v, 'w, 's, R> {
                 self.show(&mut frame, |_| Ok(false), canvas)
             }
             Mode::Preview => {
-                let mut facets = Facets::new();
-                let mut preview = facets.preview(renderer, segments).map_err(WindowError::Preview)?;
+                let mut facets = facets();
+                let preview = Preview::new(renderer, segments, &mut facets);
+                let mut preview = preview.map_err(WindowError::Preview)?;
                 let (mut buffer, mut pixels) = (vec![black; width], vec![PreviewPixel::BLANK; width]);
                 let lent = preview.lend(&mut buffer, &mut pixels);
                 let mut frame = renderer.frame(lines, lent).map_err(failed)?;

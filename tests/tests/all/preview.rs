@@ -7,7 +7,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle as Area;
 use rayline::builtin::{self, CLASSIC, MESH};
-use rayline::limits::{MAX_PREVIEW_SIDE, MAX_SEGMENTS};
+use rayline::limits::{MAX_PREVIEW_FACETS, MAX_PREVIEW_SIDE, MAX_SEGMENTS};
 use rayline::math::Fixed;
 use rayline::shape::{Cuboid, Mesh, Shape, Sphere, Triangle};
 use rayline::{
@@ -15,6 +15,7 @@ use rayline::{
     LinearRgb, Material, Object, Pixels, Placed, Placement, PreparedScene, Preview, PreviewError,
     PreviewFacet, PreviewPixel, Probe, RayKind, Real, Renderer, Scene, Settings, Texture, Vec3,
 };
+use rayline_simulator::{Number, RenderOptions, Visibility};
 use rayline_tests::Screen;
 
 const WIDTH: usize = 96;
@@ -32,70 +33,23 @@ fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, then: impl FnOnc
 
 /// Memory for many facets.
 fn memory() -> Vec<PreviewFacet> {
-    vec![PreviewFacet::BLANK; 60_000]
+    vec![PreviewFacet::BLANK; MAX_PREVIEW_FACETS]
 }
 
-/// The object that a camera ray meets.
-#[derive(Default)]
-struct Met(Option<usize>);
-
-impl<R> Probe<R> for Met {
-    fn record(&mut self, event: Event<R>) {
-        if let Event::Hit { kind: RayKind::Camera, hit, .. } = event {
-            self.0 = Some(hit.object);
-        }
-    }
-}
-
-/// The object that each pixel shows when it is traced, and by scan conversion.
-fn seen<R: Real>(scene: &Scene, segments: u16) -> [Vec<Option<usize>>; 2] {
-    with_renderer::<R, _>(scene, settings(), |renderer| {
-        let mut facets = memory();
-        let mut preview = Preview::new(renderer, segments, &mut facets).expect("a preview");
-        let mut pixels = vec![PreviewPixel::BLANK; WIDTH];
-        let (mut traced, mut scanned) = (vec![], vec![]);
-        for y in 0..HEIGHT as u16 {
-            for x in 0..WIDTH as u16 {
-                let mut met = Met::default();
-                renderer.pixel(x, y, &mut met);
-                traced.push(met.0);
-            }
-            preview.scan(y, &mut pixels);
-            scanned.extend(pixels.iter().map(|pixel| preview.object(*pixel)));
-        }
-        [traced, scanned]
-    })
-}
-
-/// How many pixels show another object, and how many of them do so although all pixels around them show the
-/// same one when they are traced.
-fn different([traced, scanned]: &[Vec<Option<usize>>; 2]) -> (usize, usize) {
-    let at = |x: usize, y: usize| traced[y * WIDTH + x];
-    let (mut differ, mut inside) = (0, 0);
-    for (place, seen) in scanned.iter().enumerate() {
-        let (x, y) = (place % WIDTH, place / WIDTH);
-        if *seen == at(x, y) {
-            continue;
-        }
-        differ += 1;
-        let near = |place: usize, length: usize| place.saturating_sub(1)..=(place + 1).min(length - 1);
-        if near(y, HEIGHT).all(|v| near(x, WIDTH).all(|u| at(u, v) == at(x, y))) {
-            inside += 1;
-        }
-    }
-    (differ, inside)
+/// What the pixels show when they are traced, and by scan conversion.
+fn seen(scene: &Scene, number: Number, segments: u16) -> Visibility {
+    let options = RenderOptions { number, segments, ..RenderOptions::new(settings()) };
+    Visibility::of(scene, &options).expect("a preview")
 }
 
 #[test]
 fn both_ways_see_the_same_objects_but_at_edges() {
     for builtin::Builtin { name, scene, .. } in builtin::all() {
-        for (number, seen) in
-            [("f32", seen::<f32>(scene, MAX_SEGMENTS)), ("fixed", seen::<Fixed>(scene, MAX_SEGMENTS))]
-        {
-            let (differ, inside) = different(&seen);
-            assert!(seen[0].iter().any(Option::is_some), "{name}");
+        for number in [Number::F32, Number::Fixed] {
+            let Visibility { traced, differ, differ_inside, .. } = seen(scene, number, MAX_SEGMENTS);
+            assert!(traced > 0, "{name}");
             // Of 6912.
-            assert!(inside <= 14, "{name}, {number}: {inside} pixels away from edges");
+            assert!(differ_inside <= 14, "{name}, {number}: {differ_inside} pixels away from edges");
             assert!(differ <= 350, "{name}, {number}: {differ} pixels");
         }
     }
@@ -105,13 +59,13 @@ fn both_ways_see_the_same_objects_but_at_edges() {
 fn a_mesh_is_seen_where_its_rays_meet_it() {
     let mesh = &Scene { objects: &MESH.objects[..1], ..MESH };
     for scene in [mesh, &MESH] {
-        let seen = seen::<f32>(scene, 6);
+        let seen = seen(scene, Number::F32, 6);
         if scene.objects.len() == 1 {
             // A 16th of a pixel decides.
-            assert!(different(&seen).0 <= 12, "{:?}", different(&seen));
-            assert!(seen[1].iter().flatten().count() > 500);
+            assert!(seen.differ <= 12, "{seen:?}");
+            assert!(seen.scanned > 500, "{seen:?}");
         }
-        assert_eq!(different(&seen).1, 0);
+        assert_eq!(seen.differ_inside, 0);
     }
 }
 
@@ -244,10 +198,10 @@ fn facets_are_clipped_at_all_sides_and_at_the_eye() {
             lights: &[],
             motions: &[],
         };
-        for seen in [seen::<f32>(&scene, 16), seen::<Fixed>(&scene, 16)] {
-            assert!(different(&seen).0 <= 10, "{:?}", different(&seen));
-            assert_eq!(different(&seen).1, 0);
-            assert_eq!(seen[1].iter().all(Option::is_some), whole);
+        for seen in [Number::F32, Number::Fixed].map(|number| seen(&scene, number, 16)) {
+            assert!(seen.differ <= 10, "{seen:?}");
+            assert_eq!(seen.differ_inside, 0);
+            assert_eq!(seen.scanned == seen.pixels, whole);
         }
     }
 }

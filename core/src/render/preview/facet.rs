@@ -28,7 +28,7 @@ pub struct PreviewFacet {
     pub(super) lights: [[u16; 4]; 3],
 }
 
-/// What is seen at a pixel: memory for [`Preview`](super::Preview).
+/// A pixel with the facet that it shows: memory for [`Preview`](super::Preview).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PreviewPixel {
     /// The inverse depth; 0 if nothing is seen.

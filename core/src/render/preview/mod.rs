@@ -45,8 +45,8 @@ use crate::shape::Geometry;
 /// background. Curved shapes have corners, highlights are as coarse as the facets, and an infinite plane ends
 /// before the horizon. Things that move are where they were described, and the lens is a pinhole. Of a
 /// material's maps, those of color are shown at each pixel, those of ambient light at corners, others not. A
-/// user's own shape is shown if it is [solid](crate::shape::Geometry::is_solid) or has
-/// [facets](crate::shape::Silhouette::each_facet).
+/// user's own shape is cut by rays in a grid, unless it has [facets](crate::shape::Silhouette::each_facet) of
+/// its own.
 ///
 /// Memory: 64 bytes for each facet, and for each pixel of one line 8 bytes and its color.
 ///
@@ -83,7 +83,8 @@ impl<'f> Preview<'f> {
     /// start, 32 looks round.
     ///
     /// # Errors
-    /// Too few or too many segments, a picture that is too large, or too little memory: how much is needed.
+    /// Too few or too many segments, a picture that is too large, or too little memory: the error tells how
+    /// much is needed. More than [`MAX_PREVIEW_FACETS`](crate::limits::MAX_PREVIEW_FACETS) are never used.
     pub fn new<R: Real, S: Geometry>(
         renderer: &Renderer<'_, '_, R, S>,
         segments: u16,

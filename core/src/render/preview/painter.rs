@@ -187,11 +187,3 @@ impl Shade {
         now.map(|light| (light.max(0) as u32) >> 12)
     }
 }
-
-impl Light16 {
-    /// Light that a display can show.
-    fn clamped(self) -> Self {
-        let [r, g, b] = [self.r, self.g, self.b].map(|channel| channel.min(65536));
-        Self { r, g, b }
-    }
-}

@@ -6,6 +6,7 @@ use super::facet::{PreviewFacet, packed};
 use super::{PreviewError, Renderer};
 use crate::color::LinearRgb;
 use crate::integrator::{UnshadowedLight, unshadowed};
+use crate::limits::MAX_PREVIEW_FACETS;
 use crate::material::{MapRoom, PreparedMaterial};
 use crate::math::{Ray, Real, Vec3};
 use crate::prepared::{Hit, PreparedScene};
@@ -39,9 +40,7 @@ pub(super) fn facets<'f, R: Real, S: Geometry>(
     scene.each_facet(&tessellation, &mut |object, facet| setup.add(object, facet));
     let Setup { kept, memory, .. } = setup;
     let lent = memory.len();
-    // The number of a facet has 16 bits, and the last one stands for none.
-    let most = lent.min(usize::from(u16::MAX));
-    if kept > most {
+    if kept > lent.min(MAX_PREVIEW_FACETS) {
         return Err(PreviewError::Facets { needed: kept, lent });
     }
     Ok((memory.get_mut(..kept).unwrap_or_default(), nearest.to_f32()))
@@ -97,15 +96,17 @@ impl<R: Real, S: Geometry> Setup<'_, '_, '_, R, S> {
         if is_back && hides_back && !(facet.is_closed && self.scene.may_be_inside(object, self.view.eye)) {
             return;
         }
+        // Whether the color is found pixel by pixel.
+        let is_textured =
+            self.scene.is_tinted(object) || !matches!(material.color, PreparedTexture::Solid(_));
         let mut corners = self.lit;
         for ((room, point), shading_normal) in corners.iter_mut().zip(facet.corners).zip(facet.normals) {
             let surface =
                 Surface { point, normal, shading_normal, magnitude: point.magnitude(), part: facet.part };
-            *room = Some(self.lit(object, &surface, material));
+            *room = Some(self.lit(object, &surface, material, is_textured));
         }
         self.lit = corners;
         let [Some(a), Some(b), Some(c)] = corners else { return };
-        let is_textured = is_textured(self.scene, object, material);
         let seen = PreviewFacet {
             is_textured,
             object: object as u16,
@@ -125,7 +126,13 @@ impl<R: Real, S: Geometry> Setup<'_, '_, '_, R, S> {
     }
 
     /// The light of a corner.
-    fn lit(&self, object: usize, surface: &Surface<R>, material: &PreparedMaterial<'_, R>) -> Lit<R> {
+    fn lit(
+        &self,
+        object: usize,
+        surface: &Surface<R>,
+        material: &PreparedMaterial<'_, R>,
+        is_textured: bool,
+    ) -> Lit<R> {
         let Surface { point, shading_normal: normal, part, .. } = *surface;
         let is_same = |lit: &&Lit<R>| {
             lit.object == object
@@ -145,7 +152,6 @@ impl<R: Real, S: Geometry> Setup<'_, '_, '_, R, S> {
         };
         let (direction, t) = (point - self.view.eye).unit_and_length();
         let (ray, hit) = (Ray { origin: self.view.eye, direction }, Hit { t, object, surface: *surface });
-        let is_textured = is_textured(self.scene, object, material);
         let color = match material.color {
             PreparedTexture::Solid(color) if !is_textured => color,
             _ => LinearRgb::even(R::ONE),
@@ -179,15 +185,6 @@ impl<R: Real, S: Geometry> Setup<'_, '_, '_, R, S> {
         }
         self.kept = self.kept.saturating_add(1);
     }
-}
-
-/// Whether the color of an object is found pixel by pixel.
-fn is_textured<R: Real, S: Geometry>(
-    scene: &PreparedScene<'_, R, S>,
-    object: usize,
-    material: &PreparedMaterial<'_, R>,
-) -> bool {
-    scene.is_tinted(object) || !matches!(material.color, PreparedTexture::Solid(_))
 }
 
 /// A corner in the picture.
