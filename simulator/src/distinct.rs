@@ -16,15 +16,14 @@ use rayline::{Light, Material, Object, Scene};
 pub(crate) fn distinct<'a>(scene: &Scene<'a>) -> Option<Vec<Object<Shape<'a>>>> {
     /// The most objects that look alike at first and are compared: they may differ.
     const MOST_ALIKE: usize = 8;
-    let Scene { objects, materials, lights, motions, .. } = *scene;
+    let Scene { objects, lights, motions, .. } = *scene;
     let is_light = |light: &Light| matches!(light, Light::Object(_));
     if objects.len() > MAX_COUNT || !motions.is_empty() || lights.iter().any(is_light) {
         return None;
     }
     let mut alike: HashMap<u64, Vec<&Object<Shape<'a>>>> = HashMap::new();
     let mut is_new = |object: &'a Object<Shape<'a>>| {
-        let material = materials.get(usize::from(object.material.0));
-        if !material.is_some_and(is_opaque) {
+        if !scene.material_of(object).is_some_and(is_opaque) {
             return true;
         }
         let alike = alike.entry(look(object)).or_default();

@@ -89,6 +89,13 @@ impl<S: Geometry> Scene<'_, S> {
     }
 }
 
+impl<'a, S> Scene<'a, S> {
+    /// The material of an object; `None` if the scene has none at that position.
+    pub fn material_of(&self, object: &Object<S>) -> Option<&'a Material<'a>> {
+        self.materials.get(usize::from(object.material.0))
+    }
+}
+
 impl<S> Object<S> {
     /// An object of this shape, with the material at this position in [`Scene::materials`].
     pub const fn new(shape: S, material: u16) -> Self {

@@ -115,7 +115,7 @@ fn targets(scene: &Scene<'_>, prepared: &PreparedScene<'_, f64>) -> (Vec<Target>
             (_, Some(bounds)) => (bounds.center(), (bounds.max - bounds.min).length() * 0.5),
             (_, None) => (middle, f64::INFINITY),
         };
-        let material = scene.materials.get(usize::from(shape.material.0));
+        let material = scene.material_of(shape);
         let share = material.map_or(0.0, |material| material.reflectance + material.transmittance);
         Target { object, center, radius, share: f64::from(share) }
     });
@@ -136,7 +136,7 @@ fn source(scene: &Scene<'_>, lamp: &Lamp) -> Option<(Source, Light)> {
         }
         Lamp::Object(id) => {
             let object = scene.objects.get(usize::from(id.0))?;
-            let optics = scene.materials.get(usize::from(object.material.0))?.optics?;
+            let optics = scene.material_of(object)?.optics?;
             let luminaire = object.shape.luminaire()?;
             (Source::Surface { luminaire, sides: optics.emission_sides }, optics.emission.to())
         }
@@ -318,7 +318,7 @@ mod tests {
         all.map(|departure| departure.flux(target.center.length()).r).sum::<f64>() / f64::from(photons as u32)
     }
 
-    /// What comes to a small ball of radius r at the distance d is the light at that place times π r².
+    /// A small ball of radius r receives the light at its place times π r².
     #[test]
     fn beams_carry_the_light_that_lamps_send() {
         let (center, radius) = (Vector::new(0.0, 0.0, 5.0), 0.05);

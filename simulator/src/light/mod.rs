@@ -208,7 +208,7 @@ fn photons(
             Shape::Mesh(_) => !options.keep_lamps,
             _ => Face::of(&object.shape, index, Vector::ZERO).is_some(),
         };
-        let is_matte = scene.materials.get(usize::from(object.material.0)).is_some_and(scatters);
+        let is_matte = scene.material_of(object).is_some_and(scatters);
         is_matte && (!has_texels || !resting.positions.contains(&index))
     };
     let task = photon::Task {
@@ -260,7 +260,7 @@ fn surfaces(
     let eye = vector(scene.camera.eye);
     let (mut faces, mut placements, mut meshes) = (Vec::new(), Vec::new(), Vec::new());
     for (index, object) in scene.objects.iter().enumerate() {
-        if !scene.materials.get(usize::from(object.material.0)).is_some_and(scatters) {
+        if !scene.material_of(object).is_some_and(scatters) {
             continue;
         }
         if let Shape::Mesh(mesh) = &object.shape {
@@ -313,7 +313,7 @@ impl<'a> Assembly<'_, 'a> {
     }
 
     fn material_of(&self, object: usize) -> Option<&Material<'a>> {
-        self.scene.materials.get(usize::from(self.scene.objects[object].material.0))
+        self.scene.material_of(&self.scene.objects[object])
     }
 
     /// Stores the light of all surfaces. Other objects get their materials as they were; those of them that

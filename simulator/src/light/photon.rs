@@ -217,7 +217,7 @@ impl Trail<'_> {
 }
 
 fn material_of<'s>(scene: &'s Scene<'_>, object: usize) -> Option<&'s Material<'s>> {
-    scene.materials.get(usize::from(scene.objects.get(object)?.material.0))
+    scene.material_of(scene.objects.get(object)?)
 }
 
 fn is_opaque(material: &Material<'_>) -> bool {

@@ -33,7 +33,7 @@ impl LightProbe<'_> {
         let ray = Ray { origin: point + normal * self.short, direction: normal };
         self.white.closest_hit(&ray, Interval::AHEAD).is_some_and(|hit| {
             let Some(object) = self.scene.objects.get(hit.object) else { return false };
-            let material = self.scene.materials.get(usize::from(object.material.0));
+            let material = self.scene.material_of(object);
             // What is in water is seen.
             if material.is_some_and(|material| material.transmittance > 0.0) {
                 return false;

@@ -256,8 +256,7 @@ fn is_face(shape: &Shape<'_>) -> bool {
 /// The absolute index of refraction of an object. For a sphere whose material does not state the medium
 /// outside, it is the product of its index with that of the smallest transparent sphere around it.
 fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
-    let material = |object: &Object<Shape<'_>>| scene.materials.get(usize::from(object.material.0));
-    let Some(own) = material(object) else { return 1.0 };
+    let Some(own) = scene.material_of(object) else { return 1.0 };
     let ior = f64::from(own.ior);
     let is_stated = own.optics.is_some_and(|optics| optics.outside.ior != 1.0);
     let (false, Shape::Sphere(inner)) = (is_stated, object.shape) else { return ior };
@@ -266,7 +265,8 @@ fn absolute_ior(scene: &Scene<'_>, object: &Object<Shape<'_>>) -> f64 {
         Shape::Sphere(outer) if encloses(&outer) => Some((outer.radius, object)),
         _ => None,
     });
-    let transparent = around.filter(|(_, object)| material(object).is_some_and(|m| m.transmittance > 0.0));
+    let transparent =
+        around.filter(|(_, object)| scene.material_of(object).is_some_and(|m| m.transmittance > 0.0));
     let next = transparent.min_by(|(a, _), (b, _)| a.total_cmp(b));
     // Each sphere is larger than the one before, so the recursion ends.
     ior * next.map_or(1.0, |(_, outer)| absolute_ior(scene, outer))
