@@ -1,4 +1,4 @@
-//! What a slow chip shows while things move: a preview by scan conversion. Where the camera rests, the same
+//! A preview by scan conversion, which a slow chip shows while things move. Where the camera rests, the same
 //! renderer traces the picture.
 //!
 //! Firmware takes everything but the GIF: the memory can be `static`, and the camera follows a knob or an

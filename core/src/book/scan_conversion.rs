@@ -62,7 +62,7 @@
 //!
 //! `cargo run --release -- compare docs/gallery/show-teapot.ron --plot teapot.svg`
 //!
-#![doc = concat!("![The teapot](data:image/png;base64,", include_str!("pictures/preview-show-teapot.b64"), ")")]
+#![doc = concat!("![Teapot](data:image/png;base64,", include_str!("pictures/preview-show-teapot.b64"), ")")]
 //!
 //! writes both pictures beside each other, and a table of times and memory for smaller pictures and for fewer
 //! objects. `render --mode preview` draws by scan conversion alone, and `--segments` says how round. In the

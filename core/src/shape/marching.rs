@@ -179,7 +179,7 @@ struct Cell<'a, R, S: ?Sized> {
     place: [u16; 3],
     /// A bit for each corner.
     inside: u8,
-    /// What is known of the edges: the numbers of their two corners, and the point of the surface.
+    /// Edges whose crossing is known: the numbers of their two corners, and the point of the surface.
     known: Vec<([u8; 2], Crossing<R>), EDGES>,
 }
 
@@ -321,7 +321,8 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
 struct CrossedEdges {
     /// For each corner a bit for each corner of a larger number: whether the edge to it crosses the surface.
     crossed: [u8; 8],
-    /// The same: whether the edge crosses the surface from behind.
+    /// For each corner a bit for each corner of a larger number: whether the edge to it crosses the surface
+    /// from behind.
     leaves: [u8; 8],
 }
 

@@ -20,13 +20,15 @@ const CAMERA: Camera =
 
 const SUN: Light = Light::Directional { direction: Vec3::new(0.0, -1.0, 0.0), color: LinearRgb::gray(0.002) };
 
-fn scene<'a>(
-    objects: &'a [Object<Shape<'a>>],
-    materials: &'a [Material<'a>],
-    lights: &'a [Light],
-) -> Scene<'a> {
-    Scene { camera: CAMERA, background: Background::BLACK, objects, materials, lights, motions: &[] }
-}
+/// No objects, and no light.
+const EMPTY: Scene<'_> = Scene {
+    camera: CAMERA,
+    background: Background::BLACK,
+    objects: &[],
+    materials: &[],
+    lights: &[],
+    motions: &[],
+};
 
 /// A square on the ground around the origin, with sides of twice this length.
 fn floor(half: f32) -> Object<Shape<'static>> {
@@ -68,7 +70,11 @@ fn a_glass_ball_sends_its_light_where_snell_says() {
         let (objects, arena) = ([floor(1.0), ball(Vec3::new(0.0, 0.7, 0.0), 0.5, 1)], Bump::new());
         let materials = [WHITE, glass(0.9, optics)];
         let options = LightOptions { budget: 128 * 128 * 3, photons: 100_000, ..SMALL };
-        let lit = baked(&scene(&objects, &materials, &[SUN]), &options, &arena);
+        let lit = baked(
+            &Scene { objects: &objects, materials: &materials, lights: &[SUN], ..EMPTY },
+            &options,
+            &arena,
+        );
         let light = light_on(&lit.scene, 0);
         let side = light.len().isqrt();
         assert_eq!(side, 128);
@@ -113,7 +119,11 @@ fn mirrors_make_caustics_beside_lamps_and_glass_does_not() {
     ] {
         let options = LightOptions { keep_lamps, photons, budget: 128 * 128 * 3, ..SMALL };
         let arena = Bump::new();
-        let lit = baked(&scene(&objects, &materials, &sun), &options, &arena);
+        let lit = baked(
+            &Scene { objects: &objects, materials: &materials, lights: &sun, ..EMPTY },
+            &options,
+            &arena,
+        );
         let light = light_on(&lit.scene, 0);
         // Images begin with the upper line, which is the front. The mirror is 0.5 to 1 above the floor, so
         // its light falls on z from -0.4 to 0.1.
@@ -133,7 +143,8 @@ fn mirrors_make_caustics_beside_lamps_and_glass_does_not() {
     }
     let (objects, materials) = ([floor(1.0), ball(v(0.0, 0.7, 0.0), 0.5, 1)], [WHITE, glass(0.9, None)]);
     let (options, arena) = (LightOptions { keep_lamps: true, ..SMALL }, Bump::new());
-    let lit = baked(&scene(&objects, &materials, &[SUN]), &options, &arena);
+    let lit =
+        baked(&Scene { objects: &objects, materials: &materials, lights: &[SUN], ..EMPTY }, &options, &arena);
     assert!(light_on(&lit.scene, 0).iter().all(|light| *light == 0.0));
 }
 
@@ -159,7 +170,7 @@ fn caustics_are_as_paths_find_them() {
     let settings = Settings { transfer: Transfer::Linear, bounces: 8, ..Settings::new(48, 36) };
     for (name, objects, block, most) in [("ball", &in_air, 1, 0.05), ("water", &in_water, 6, 0.03)] {
         let (lights, arena) = ([Light::Object(ObjectId(2))], Bump::new());
-        let scene = scene(objects, &materials, &lights);
+        let scene = Scene { objects, materials: &materials, lights: &lights, ..EMPTY };
         let options = LightOptions { budget: 128 * 128 * 3, photons: 200_000, ..SMALL };
         let lit = baked(&scene, &options, &arena);
         // Neither look at the lamp, nor at its image.
@@ -206,7 +217,7 @@ fn the_same_light_is_baked_by_any_number_of_threads() {
             let materials = [WHITE, glass(0.9, None), lamp];
             let (lights, arena) = ([Light::Object(ObjectId(3))], Bump::new());
             let options = LightOptions { photons, ..SMALL };
-            let scene = Scene { objects, ..scene(&[], &materials, &lights) };
+            let scene = Scene { objects, materials: &materials, lights: &lights, ..EMPTY };
             format!("{:?}", bake_light(&scene, &options, &arena, &|_, _| ()).unwrap())
         })
     };
@@ -233,7 +244,11 @@ fn things_that_move_are_lit_by_caustics() {
     // The mean, and its change along y, of the light at the one point; and the area of the cell.
     let light = |photons| {
         let (options, arena) = (LightOptions { moving: vec![ObjectId(3)], photons, ..SMALL }, Bump::new());
-        let lit = baked(&scene(&objects, &materials, &sun), &options, &arena);
+        let lit = baked(
+            &Scene { objects: &objects, materials: &materials, lights: &sun, ..EMPTY },
+            &options,
+            &arena,
+        );
         let map = lit.scene.materials[usize::from(lit.scene.objects[3].material.0)].maps[0];
         let Onto::AmbientLight { most } = map.onto else { panic!() };
         let Texture::Placed(Placed { figure: Figure::IrradianceVolume(volume), placement, .. }) = map.texture

@@ -2,7 +2,7 @@
 
 use super::super::*;
 
-/// What is expected of the facets of a shape.
+/// The properties that the facets of a shape must have.
 #[derive(Clone, Copy)]
 pub(super) struct Expected {
     /// The volume that they enclose, if they are closed.
