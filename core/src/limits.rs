@@ -25,8 +25,8 @@ pub const MIN_SEGMENTS: u16 = 6;
 /// The most sides of the polygon that takes the place of a circle in scan conversion.
 pub const MAX_SEGMENTS: u16 = 64;
 
-/// The most facets of a [`Preview`](crate::Preview): their numbers have 16 bits, of which one value stands for
-/// none.
+/// The most facets of a [`Preview`](crate::Preview): their numbers have 16 bits, and one value stands for no
+/// facet.
 pub const MAX_PREVIEW_FACETS: usize = u16::MAX as usize;
 
 /// The longest side of a picture that [`Preview`](crate::Preview) draws, in pixels.

@@ -1,13 +1,13 @@
-//! Convex polygons, cut by planes (Sutherland and Hodgman, "Reentrant Polygon Clipping", Communications of the
-//! ACM, 1974).
+//! Convex polygons, cut by planes (Sutherland and Hodgman, "Reentrant Polygon Clipping", Communications of
+//! the ACM, 1974).
 
 use heapless::Vec;
 
 use crate::limits::MAX_FACES;
 use crate::math::{Real, Vec3};
 
-/// The part of a polygon where `outside` is not positive. Where an edge crosses the plane, `between` returns a
-/// corner on the way from its first argument to its second, at a share of 0 to 1.
+/// The part of a polygon where `outside` is not positive. Where an edge crosses the plane, `between` returns
+/// a corner on the way from its first argument to its second, at a share of 0 to 1.
 ///
 /// There must be room for one more corner. Polygons that share an edge share the cut, too: the way leads from
 /// the outer end of the edge to the inner one, for both.

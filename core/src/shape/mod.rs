@@ -285,7 +285,7 @@ fn normal_after_step<R: Real>(shape: &impl Intersect<R>, surface: &Surface<R>, s
 }
 
 /// The point of the plane `normal · p = distance` that is nearest to `point`.
-fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
+pub(crate) fn project_onto_plane<R: Real>(point: Vec3<R>, normal: Vec3<R>, distance: R) -> Vec3<R> {
     point - normal * (normal.dot_sparse(point) - distance)
 }
 

@@ -9,11 +9,11 @@ use embedded_graphics::primitives::Rectangle as Area;
 use rayline::builtin::{self, CLASSIC, MESH};
 use rayline::limits::{MAX_PREVIEW_FACETS, MAX_PREVIEW_SIDE, MAX_SEGMENTS};
 use rayline::math::Fixed;
-use rayline::shape::{Cuboid, Mesh, Shape, Sphere, Triangle};
+use rayline::shape::{Cuboid, Disc, Mesh, Plane, Shape, Sphere, Triangle};
 use rayline::{
-    Background, Camera, Checker, DrawError, Encoding, Ends, Event, Figure, Filter, Image, Light, LineError,
+    Background, Camera, Checker, DrawError, Encoding, Ends, Figure, Filter, Image, Light, LineError,
     LinearRgb, Material, Object, Pixels, Placed, Placement, PreparedScene, Preview, PreviewError,
-    PreviewFacet, PreviewPixel, Probe, RayKind, Real, Renderer, Scene, Settings, Texture, Vec3,
+    PreviewFacet, PreviewPixel, Real, Renderer, Scene, Settings, Texture, Vec3,
 };
 use rayline_simulator::{Number, RenderOptions, Visibility};
 use rayline_tests::Screen;
@@ -177,6 +177,36 @@ fn textures_have_the_right_perspective() {
         assert!(off(&exact, &[Rgb888::BLACK; WIDTH * HEIGHT], 20) > 1000);
         let off = off(&shown, &exact, 2);
         assert!(off <= 40, "{off} pixels");
+    }
+}
+
+/// The top of each shape is level with the ends of cells: all of it is in one row of them, in both ways.
+#[test]
+fn textures_do_not_change_on_the_facet() {
+    let cells_per_unit = Vec3::new(0.5, 1.0, 0.5);
+    let checker = Checker { even: LinearRgb::gray(0.9), odd: LinearRgb::gray(0.1), cells_per_unit };
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    for shape in [
+        Shape::Disc(Disc::new(Vec3::ZERO, up, 9.0)),
+        Shape::Plane(Plane::new(Vec3::ZERO, up)),
+        Shape::Cuboid(Cuboid::aligned(Vec3::new(-9.0, -1.0, -9.0), Vec3::new(9.0, 0.0, 9.0))),
+    ] {
+        let scene = Scene {
+            camera: Camera { eye: Vec3::new(0.3, 2.0, 6.0), target: Vec3::ZERO, ..CAMERA },
+            background: Background::BLACK,
+            objects: &[Object::new(shape, 0)],
+            materials: &[flat(Texture::Checker(checker))],
+            lights: &[],
+            motions: &[],
+        };
+        for (exact, shown) in [
+            (traced::<f32>(&scene, settings()), preview::<f32>(&scene, settings(), 16)),
+            (traced::<Fixed>(&scene, settings()), preview::<Fixed>(&scene, settings(), 16)),
+        ] {
+            assert!(off(&exact, &[Rgb888::BLACK; WIDTH * HEIGHT], 20) > 3000, "{shape:?}");
+            let off = off(&shown, &exact, 2);
+            assert!(off <= 60, "{shape:?}: {off} pixels");
+        }
     }
 }
 

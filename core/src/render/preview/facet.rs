@@ -19,8 +19,9 @@ pub struct PreviewFacet {
     pub(super) object: u16,
     /// See [`Surface::part`](crate::Surface::part).
     pub(super) part: u32,
-    /// The unit normal, in units of 2⁻¹⁵.
+    /// The unit normal, in units of 2⁻¹⁴, and the distance of the facet's plane from the origin along it.
     pub(super) normal: [i16; 3],
+    pub(super) distance: f32,
     /// The facet after this one in the list of those that reach the current line.
     pub(super) next: u16,
     /// At each corner red, green and blue light, which a texture's color is multiplied by, and gray light,
@@ -49,6 +50,7 @@ impl PreviewFacet {
         object: 0,
         part: 0,
         normal: [0; 3],
+        distance: 0.0,
         next: 0,
         lights: [[0; 4]; 3],
     };
@@ -65,25 +67,26 @@ impl PreviewPixel {
     pub const BLANK: Self = Self { inverse_depth: 0, facet: 0 };
 }
 
-/// A unit vector in units of 2⁻¹⁵.
+/// A unit vector in units of 2⁻¹⁴: vectors along the axes are exact.
 pub(super) fn packed<R: Real>(Vec3 { x, y, z }: Vec3<R>) -> [i16; 3] {
     [x, y, z].map(|coordinate| {
-        let size = (coordinate.abs().to_q16() >> 1).min(0x7FFF) as i16;
+        let size = (coordinate.abs().to_q16() >> 2) as i16;
         if coordinate < R::ZERO { -size } else { size }
     })
 }
 
-/// A unit vector from units of 2⁻¹⁵.
+/// A unit vector from units of 2⁻¹⁴.
 pub(super) fn unpacked<R: Real>(units: [i16; 3]) -> Vec3<R> {
     let [x, y, z] = units.map(|units| {
-        let size = R::from_fraction(units.unsigned_abs() << 1);
+        let half = R::from_fraction(units.unsigned_abs() << 1);
+        let size = half + half;
         if units < 0 { -size } else { size }
     });
     Vec3::new(x, y, z)
 }
 
 // The documentation of `Preview` tells it.
-const _: () = assert!(size_of::<PreviewFacet>() <= 64 && size_of::<PreviewPixel>() <= 8);
+const _: () = assert!(size_of::<PreviewFacet>() <= 68 && size_of::<PreviewPixel>() <= 8);
 
 /// No facet.
 pub(super) const NONE: u16 = u16::MAX;

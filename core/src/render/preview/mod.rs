@@ -48,7 +48,7 @@ use crate::shape::Geometry;
 /// user's own shape is cut by rays in a grid, unless it has [facets](crate::shape::Silhouette::each_facet) of
 /// its own.
 ///
-/// Memory: 64 bytes for each facet, and for each pixel of one line 8 bytes and its color.
+/// Memory: 68 bytes for each facet, and for each pixel of one line 8 bytes and its color.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8};

@@ -11,7 +11,7 @@ use crate::render::pixel::Aim;
 use crate::render::quality::Sealed;
 use crate::render::region::Region;
 use crate::render::{Light16, LineError, Quality, Quantizer};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, project_onto_plane};
 use crate::surface::Surface;
 
 /// A preview with memory for a line, see [`Preview::lend`]: a [`Quality`].
@@ -140,7 +140,9 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> LinePalette<'p, 'm, R, S> {
         let depth = self.preview.nearest * (1u32 << 30) as f32 / pixel.inverse_depth as f32;
         let across = viewport.across((x, Aim::Area.place()));
         let point = viewport.at_depth(across, self.row, self.forward, R::from_f32(depth));
+        // A texture may change just where the facet lies, as a checker with a level between its cells does.
         let normal = unpacked(facet.normal);
+        let point = project_onto_plane(point, normal, R::from_f32(facet.distance));
         let magnitude = point.magnitude();
         let surface = Surface { point, normal, shading_normal: normal, magnitude, part: facet.part };
         let color = material.color.color(&surface, || scene.uv(object, &surface));

@@ -2,7 +2,7 @@
 
 use super::clip::clipped;
 use super::corner::{Corner, Light, View};
-use super::facet::{PreviewFacet, packed};
+use super::facet::{PreviewFacet, packed, unpacked};
 use super::{PreviewError, Renderer};
 use crate::color::LinearRgb;
 use crate::integrator::{UnshadowedLight, unshadowed};
@@ -107,11 +107,13 @@ impl<R: Real, S: Geometry> Setup<'_, '_, '_, R, S> {
         }
         self.lit = corners;
         let [Some(a), Some(b), Some(c)] = corners else { return };
+        let normal = packed(normal);
         let seen = PreviewFacet {
             is_textured,
             object: object as u16,
             part: facet.part,
-            normal: packed(normal),
+            normal,
+            distance: unpacked::<R>(normal).dot(facet.corners[0]).to_f32(),
             ..PreviewFacet::BLANK
         };
         let polygon = clipped(&[a.corner, b.corner, c.corner], self.nearest);
