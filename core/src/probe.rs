@@ -113,6 +113,25 @@ pub trait Probe<R> {
     }
 }
 
+/// A probe that is lent. The renderer is compiled once for each type of probe: as `&mut dyn Probe<R>`, all
+/// probes share one copy of it, but all parts of events are computed.
+impl<R, P: Probe<R> + ?Sized> Probe<R> for &mut P {
+    #[inline]
+    fn record(&mut self, event: Event<R>) {
+        (**self).record(event);
+    }
+
+    #[inline]
+    fn is_enabled(&self) -> bool {
+        (**self).is_enabled()
+    }
+
+    #[inline]
+    fn needs_order(&self) -> bool {
+        (**self).needs_order()
+    }
+}
+
 /// Ignores all events.
 impl<R> Probe<R> for () {
     #[inline(always)]

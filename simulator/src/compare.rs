@@ -223,9 +223,12 @@ fn costs_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs
     let mut lights = vec![Light16::BLACK; width as usize * height as usize];
     let mut facets = facets();
     let (mut traced, mut scanned, mut seen) = (f64::MAX, f64::MAX, 0);
+    let mut rays = RayCounts::default();
     for _ in 0..RUNS {
+        // Rays are counted as they are by `rayline render`.
+        rays = RayCounts::default();
         let start = ThreadTime::now();
-        renderer.lines(0, &mut lights, &mut ()).map_err(RenderError::Line)?;
+        renderer.lines(0, &mut lights, &mut rays).map_err(RenderError::Line)?;
         traced = traced.min(start.elapsed().as_secs_f64());
         let start = ThreadTime::now();
         let preview = Preview::new(&renderer, options.segments, &mut facets);
@@ -234,9 +237,6 @@ fn costs_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs
         scanned = scanned.min(start.elapsed().as_secs_f64());
         seen = preview.facets();
     }
-    // Counting takes time, too.
-    let mut rays = RayCounts::default();
-    renderer.lines(0, &mut lights, &mut rays).map_err(RenderError::Line)?;
     let line = 2 * width as usize;
     let preview = seen * size_of::<PreviewFacet>() + width as usize * size_of::<PreviewPixel>();
     Ok(Costs {
@@ -288,7 +288,7 @@ impl Visibility {
         for y in 0..height as u16 {
             traced.extend((0..width as u16).map(|x| {
                 let mut met = Met::default();
-                renderer.pixel(x, y, &mut met);
+                renderer.pixel(x, y, &mut (&mut met as &mut dyn Probe<R>));
                 met.0
             }));
             preview.scan(y, &mut pixels);

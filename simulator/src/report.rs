@@ -69,7 +69,7 @@ fn report_in<R: Real>(
         sample_share: 1.0 / f32::from(options.settings.sampling.samples),
         unit: 1.0 / prepared.scale(),
     };
-    let (light, rays) = renderer.pixel(x, y, &mut tree);
+    let (light, rays) = renderer.pixel(x, y, &mut (&mut tree as &mut dyn Probe<R>));
     let mut text = tree.text;
 
     // Compute the displayed color by the same code as for a picture.

@@ -136,7 +136,7 @@ fn trail(
     };
     // Each draws numbers of its own, as pixels do.
     let place = ((index & 0xFFFF) as u16, (index >> 16) as u16);
-    renderer.light_along_watched(&departure.ray, place, 0, &mut trail);
+    renderer.light_along_watched(&departure.ray, place, 0, &mut (&mut trail as &mut dyn Probe<f64>));
     Some((trail.photons, trail.flights))
 }
 

@@ -167,7 +167,8 @@ fn of_surfaces(
             continue;
         }
         let mut images = Images { lights: scene.lights, throughput: None, light: Light::BLACK };
-        let mut light = renderer.light_along_watched(&ray, (0, 0), 0, &mut images);
+        let mut light =
+            renderer.light_along_watched(&ray, (0, 0), 0, &mut (&mut images as &mut dyn Probe<f64>));
         if have_photons {
             light = light + images.light * -1.0;
         }
