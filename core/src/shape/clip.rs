@@ -48,7 +48,7 @@ impl<R: Real> Outline<R> {
         let (first, second) = normal.around();
         let (right, up) = (first * reach, second * reach);
         let corners = [-right - up, right - up, right + up, up - right];
-        Self(corners.into_iter().map(|corner| middle + corner).collect())
+        Self(list(corners.into_iter().map(|corner| middle + corner)))
     }
 
     /// Cuts off what lies in front of the plane `normal · p = distance`.
@@ -69,6 +69,16 @@ impl<R: Real> Outline<R> {
 
     /// The corners in another number system.
     pub(super) fn rounded<T: Real<Setup = R>>(&self) -> Vec<Vec3<T>, { MAX_FACES + 4 }> {
-        self.0.iter().map(|corner| Vec3::from_setup(*corner)).collect()
+        list(self.0.iter().map(|corner| Vec3::from_setup(*corner)))
     }
+}
+
+/// The items for which there is room: `collect` would panic at one too many, and the compiler does not see
+/// that there is none.
+pub(super) fn list<T, const N: usize>(items: impl Iterator<Item = T>) -> Vec<T, N> {
+    let mut list = Vec::new();
+    for item in items.take(N) {
+        let _ = list.push(item);
+    }
+    list
 }

@@ -7,6 +7,7 @@ use core::f32::consts::FRAC_PI_2;
 
 use heapless::Vec;
 
+use super::clip::list;
 use super::{Facet, Tessellation};
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::math::{Real, Vec3, float};
@@ -27,7 +28,7 @@ pub(super) struct Directions<R>(Vec<(R, R), { MAX_SEGMENTS as usize }>);
 impl<R: Real> Directions<R> {
     /// At most [`MAX_SEGMENTS`] directions.
     pub(super) fn new(count: u16) -> Self {
-        Self((0..count.min(MAX_SEGMENTS)).map(|number| direction(number, count)).collect())
+        Self(list((0..count.min(MAX_SEGMENTS)).map(|number| direction(number, count))))
     }
 
     /// Cosine and sine of a direction, by its number. The number behind the last is the first again.

@@ -72,7 +72,7 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     pub(crate) prove_no_panic: bool,
 
-    /// With --prove-no-panic: only link the program with all features at these levels of optimization
+    /// With --prove-no-panic: only at these levels of optimization
     #[arg(
         long,
         value_name = "LEVEL",

@@ -5,16 +5,18 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 
 use crate::board::Board;
+use crate::gallery;
 use crate::picture::{Mode, Picture};
 use crate::program::Program;
 use crate::request::Request;
 use crate::toolchain::{Built, Compilation, LEVELS, PANIC, Toolchain};
 
-/// The features of the core that are on by default, and `distributed`.
-const ALL: &[&str] = &["candidates", "distributed", "hierarchy", "optics", "textures"];
+/// All features of the core that change pictures, or make them faster.
+const ALL: &[&str] =
+    &["candidates", "distributed", "hierarchy", "looks", "optics", "path-tracing", "textures"];
 
-/// Builds the program of each board and its twins, or only the program with all features at some levels;
-/// returns whether no required board was skipped.
+/// Builds the program of each board at all levels of optimization, or only at some, and its twins. Returns
+/// whether no required board was skipped.
 pub(crate) fn prove(
     boards: &[&Board],
     request: &Request,
@@ -42,10 +44,10 @@ fn prove_on(board: &Board, request: &Request, only: &[String], toolchain: &Toolc
     let is_meant = |level: &&str| only.is_empty() || only.iter().any(|one| one == level);
     let meant: Vec<&'static str> = LEVELS.into_iter().filter(is_meant).collect();
     let levels = meant.join(", ");
-    let check = |picture: &Picture, features: &'static [&'static str]| -> Result<()> {
+    let check = |board: &Board, picture: &Picture, features: &'static [&'static str]| -> Result<()> {
         // A compiler may keep a panic at one level that it removes at another one.
         for &level in &meant {
-            eprintln!("{name}: building at level {level}");
+            eprintln!("{name}: building {} at level {level}", board.program.binary);
             // The core library is at level 3 in all, and is built once.
             let program =
                 toolchain.program(board, picture, Compilation { level, features, ..Compilation::FAST });
@@ -54,26 +56,23 @@ fn prove_on(board: &Board, request: &Request, only: &[String], toolchain: &Toolc
         }
         Ok(())
     };
-    if !only.is_empty() {
-        check(&picture, if board.program.has_hal { &[] } else { ALL })?;
-        println!(
-            "{name}: at levels {levels}, with all features, the program links, and no panic is found in it"
-        );
-        return Ok(());
-    }
     if board.program.has_hal {
-        check(&picture, &[])?;
+        check(board, &picture, &[])?;
         println!("{name}: at levels {levels} the program links, and rendering reaches no panic");
     } else {
         if picture.mode == Mode::Exact {
-            check(&Picture { small: true, ..picture }, &[])?;
+            check(board, &Picture { small: true, ..picture }, &[])?;
         }
-        check(&picture, &[])?;
-        check(&picture, ALL)?;
+        check(board, &picture, &[])?;
+        check(board, &picture, ALL)?;
         println!(
             "{name}: at levels {levels}, without features that make it faster, with those that its scene \
              needs, and with all, the program links, and none of its symbols is that of a panic"
         );
+        if gallery::can_run(board) {
+            check(&gallery::with_program(board, false), &picture, ALL)?;
+            println!("{name}: the same holds for the program that draws all shapes, from bytes");
+        }
         match toolchain.build(board, &picture, Compilation { features: &["twin"], ..Compilation::FAST })? {
             Built::Linked(_) => anyhow::bail!("{name}: a program with a panic links"),
             Built::Refused(reason) => {

@@ -76,7 +76,7 @@ pub(crate) fn can_run(board: &Board) -> bool {
 }
 
 /// The board with the program that draws any scene, and has no display.
-fn with_program(board: &Board, small: bool) -> Board {
+pub(crate) fn with_program(board: &Board, small: bool) -> Board {
     let features: &'static [&'static str] =
         if small { &["gallery"] } else { &["gallery", "candidates", "hierarchy"] };
     let program = ProgramSource { binary: "gallery", features, ..board.program };
