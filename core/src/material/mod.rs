@@ -17,7 +17,7 @@ use crate::color::LinearRgb;
 use crate::fault::{Coefficient, Fault, check_held, check_number, check_share};
 use crate::math::{Real, Scale};
 use crate::surface::Surface;
-use crate::texture::{Map, PreparedMaps, PreparedTexture, Texture};
+use crate::texture::{Coefficients, Map, PreparedMaps, PreparedTexture, Texture};
 
 /// The shading model of a surface.
 ///
@@ -229,20 +229,24 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
     where
         'm: 'r,
     {
-        let shares = self.maps.shares(surface, uv);
-        let optics = match (self.optics(), shares.optics) {
+        let Self { ambient, diffuse, specular, reflectance, transmittance, .. } = *self;
+        let (optics, ambient_light) = (None, None);
+        let own =
+            Coefficients { ambient, diffuse, specular, reflectance, transmittance, optics, ambient_light };
+        let at = self.maps.coefficients(own, surface, uv);
+        let optics = match (self.optics(), at.optics) {
             (Some(optics), Some(shares)) => Some(&*room.optics.insert(optics.mapped(&shares))),
             (optics, _) => optics,
         };
         PreparedMaterial {
-            ambient: self.ambient * shares.ambient,
-            diffuse: self.diffuse * shares.diffuse,
-            specular: self.specular * shares.specular,
-            reflectance: self.reflectance * shares.reflectance,
-            transmittance: self.transmittance * shares.transmittance,
+            ambient: at.ambient,
+            diffuse: at.diffuse,
+            specular: at.specular,
+            reflectance: at.reflectance,
+            transmittance: at.transmittance,
             optics,
             #[cfg(feature = "textures")]
-            ambient_light: shares.ambient_light.map(|light| &*room.ambient_light.insert(light)),
+            ambient_light: at.ambient_light.map(|light| &*room.ambient_light.insert(light)),
             ..*self
         }
     }

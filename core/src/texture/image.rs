@@ -1,6 +1,5 @@
 //! Images as textures.
 
-use super::blend;
 use super::gradient::Ends;
 use super::pixels::{Encoding, Pixels};
 use crate::color::LinearRgb;
@@ -170,14 +169,16 @@ impl<R: Real> PreparedImage<'_, R> {
     /// The color at a position from (0, 0) at the lower left to (1, 1).
     pub(crate) fn at(&self, x: R, y: R) -> LinearRgb<R> {
         let (column, line) = self.cells(x, y);
-        let pixel =
-            |right: i32, up: i32| self.pixel(column.index.wrapping_add(right), line.index.wrapping_add(up));
         match self.image.filter {
-            Filter::Nearest => pixel(0, 0),
+            Filter::Nearest => self.pixel(column.index, line.index),
             Filter::Bilinear => {
-                let lower = blend(pixel(0, 0), pixel(1, 0), column.within);
-                let upper = blend(pixel(0, 1), pixel(1, 1), column.within);
-                blend(lower, upper, line.within)
+                let left = self.continued_column(column.index);
+                let right = self.continued_column(column.index.wrapping_add(1));
+                let in_line = |line: i32| {
+                    let line = self.continued_line(line);
+                    between(self.light(left, line), self.light(right, line), column.within)
+                };
+                between(in_line(line.index), in_line(line.index.wrapping_add(1)), line.within)
             }
         }
     }
@@ -230,18 +231,17 @@ impl<R: Real> PreparedImage<'_, R> {
 
     /// As [`light`](Self::light), also one pixel beyond an edge, where [`Ends`] says how the image goes on.
     fn continued_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
-        let [across, up] = self.ends;
-        let fold = |at: i32, count: u16, ends: Ends| {
-            let last = i32::from(count).wrapping_sub(1);
-            if at < 0 {
-                if ends == Ends::Repeat { last } else { 0 }
-            } else if at > last {
-                if ends == Ends::Repeat { 0 } else { last }
-            } else {
-                at
-            }
-        };
-        self.light(fold(column, self.image.width, across), fold(line, self.image.height, up))
+        self.light(self.continued_column(column), self.continued_line(line))
+    }
+
+    fn continued_column(&self, column: i32) -> i32 {
+        let [across, _] = self.ends;
+        continued(column, self.image.width, across)
+    }
+
+    fn continued_line(&self, line: i32) -> i32 {
+        let [_, up] = self.ends;
+        continued(line, self.image.height, up)
     }
 
     /// The color of a pixel inside of the image, by its column and its line, counted from below.
@@ -250,6 +250,23 @@ impl<R: Real> PreparedImage<'_, R> {
         let line = i32::from(height).wrapping_sub(1).wrapping_sub(line);
         pixels.light(encoding, width, column as u16, line as u16)
     }
+}
+
+/// The pixel of `count` that stands at a place, which may be one pixel beyond an edge.
+fn continued(at: i32, count: u16, ends: Ends) -> i32 {
+    let last = i32::from(count).wrapping_sub(1);
+    match ends {
+        Ends::Repeat if at < 0 => last,
+        Ends::Repeat if at > last => 0,
+        _ => at.max(0).min(last),
+    }
+}
+
+/// The color at a share, below 1, of the way between two, with half the products of
+/// [`blend`](super::blend).
+fn between<R: Real>(from: LinearRgb<R>, to: LinearRgb<R>, share: R) -> LinearRgb<R> {
+    let channel = |from: R, to: R| from + (to - from) * share;
+    LinearRgb::new(channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b))
 }
 
 #[cfg(test)]

@@ -201,9 +201,9 @@ pub(crate) struct PreparedMaps<'m, R: Real> {
     none: PhantomData<&'m R>,
 }
 
-/// The factors, 0 to 1, by which the coefficients and colors of a material are multiplied.
+/// The coefficients of a material, and the factors, 0 to 1, by which its colors are multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shares<R> {
+pub(crate) struct Coefficients<R> {
     pub(crate) ambient: R,
     pub(crate) diffuse: R,
     pub(crate) specular: R,
@@ -213,6 +213,22 @@ pub(crate) struct Shares<R> {
     pub(crate) optics: Option<OpticsShares<R>>,
     /// The ambient light in place of the scene's; `None` where no map says it.
     pub(crate) ambient_light: Option<LinearRgb<R>>,
+}
+
+#[cfg(test)]
+impl<R: Real> Coefficients<R> {
+    /// All coefficients are `value`.
+    pub(crate) fn even(value: R) -> Self {
+        Self {
+            ambient: value,
+            diffuse: value,
+            specular: value,
+            reflectance: value,
+            transmittance: value,
+            optics: None,
+            ambient_light: None,
+        }
+    }
 }
 
 /// The factors, 0 to 1, by which the colors of a material's optics are multiplied.
@@ -260,41 +276,37 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
         self.all().is_empty()
     }
 
-    /// The factors for the coefficients at a point of a surface; `uv` computes its texture coordinates.
-    pub(crate) fn shares(&self, surface: &Surface<R>, uv: impl Fn(&Surface<R>) -> [R; 2]) -> Shares<R> {
-        let one = R::ONE;
-        let mut shares = Shares {
-            ambient: one,
-            diffuse: one,
-            specular: one,
-            reflectance: one,
-            transmittance: one,
-            optics: None,
-            ambient_light: None,
-        };
+    /// The coefficients at a point of a surface, from those of the material; `uv` computes the point's
+    /// texture coordinates.
+    pub(crate) fn coefficients(
+        &self,
+        mut at: Coefficients<R>,
+        surface: &Surface<R>,
+        uv: impl Fn(&Surface<R>) -> [R; 2],
+    ) -> Coefficients<R> {
         for PreparedMap { onto, texture } in self.all() {
             let share = match onto {
-                PreparedOnto::Ambient => &mut shares.ambient,
-                PreparedOnto::Diffuse => &mut shares.diffuse,
-                PreparedOnto::Specular => &mut shares.specular,
-                PreparedOnto::Reflectance => &mut shares.reflectance,
-                PreparedOnto::Transmittance => &mut shares.transmittance,
+                PreparedOnto::Ambient => &mut at.ambient,
+                PreparedOnto::Diffuse => &mut at.diffuse,
+                PreparedOnto::Specular => &mut at.specular,
+                PreparedOnto::Reflectance => &mut at.reflectance,
+                PreparedOnto::Transmittance => &mut at.transmittance,
                 PreparedOnto::Optics(part) => {
-                    let share = shares.optics.get_or_insert(OpticsShares::ALL).part(*part);
+                    let share = at.optics.get_or_insert(OpticsShares::ALL).part(*part);
                     *share = *share * texture.color(surface, || uv(surface));
                     continue;
                 }
                 PreparedOnto::AmbientLight { most } => {
                     let light = texture.color(surface, || uv(surface)).scaled(*most);
-                    let sum = shares.ambient_light.map_or(light, |sum| sum + light);
-                    shares.ambient_light = Some(sum);
+                    let sum = at.ambient_light.map_or(light, |sum| sum + light);
+                    at.ambient_light = Some(sum);
                     continue;
                 }
                 PreparedOnto::Bump { .. } | PreparedOnto::Normal { .. } => continue,
             };
             *share = *share * brightness(texture, surface, &uv);
         }
-        shares
+        at
     }
 
     /// A number for each map with sharp edges, which changes where the surface crosses an edge of the map.
@@ -340,6 +352,10 @@ impl<'m, R: Real> PreparedMaps<'m, R> {
                 }
                 _ => {}
             }
+        }
+        // No map tilts it: a unit vector need not be made one.
+        if normal == surface.shading_normal {
+            return normal;
         }
         let Some(normal) = normal.normalized() else { return surface.shading_normal };
         facing_the_same_way(normal, surface.shading_normal, incoming)
@@ -440,8 +456,8 @@ mod tests {
         let memory = &mut Arena::new(memory.lend());
         let maps = Map::prepare_all::<R>(&maps, Scale::ONE, memory).unwrap();
         let surface = up::<R>(0.25);
-        let shares = maps.shares(&surface, |_| unreachable!());
-        assert_eq!((shares.diffuse.to_f32(), shares.ambient.to_f32()), (0.0625, 1.0));
+        let at = maps.coefficients(Coefficients::even(R::ONE), &surface, |_| unreachable!());
+        assert_eq!((at.diffuse.to_f32(), at.ambient.to_f32()), (0.0625, 1.0));
         // A slope of 1 tilts the normal back by 45 degrees.
         let down = -surface.normal;
         let normal = maps.bumped(&surface, down, |_| unreachable!());

@@ -50,6 +50,18 @@ pub(crate) fn product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Optio
     }
 }
 
+/// The scalar product, exactly, if two coordinates of the first vector are 0.
+#[inline]
+pub(crate) fn wide_product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Option<i64> {
+    match sparse {
+        [0, 0, 0] => Some(0),
+        [along, 0, 0] => Some(product(along, x)),
+        [0, along, 0] => Some(product(along, y)),
+        [0, 0, along] => Some(product(along, z)),
+        _ => None,
+    }
+}
+
 /// `light · digits` in units of 2¹⁵, rounded down, without the bits that do not fit, for `digits` of 16 bits.
 #[inline(always)]
 pub(crate) fn attenuated(light: i32, digits: i32) -> i32 {
@@ -131,6 +143,11 @@ mod tests {
             assert_eq!(
                 product_along_axis(sparse, other),
                 Some(portable::dot3(sparse, other)),
+                "{sparse:?} {other:?}"
+            );
+            assert_eq!(
+                wide_product_along_axis(sparse, other),
+                Some(portable::dot3_wide(sparse, other)),
                 "{sparse:?} {other:?}"
             );
         }

@@ -13,7 +13,7 @@
 //! | `upper_product` | the upper 32 bits of `a · b` |
 //! | `attenuated` | light times a share below 2, of which 16 bits count, see [`share_digits`] |
 //! | `dot3`, `dot3_wide` | a scalar product: in units of 2²⁴, rounded down; exactly |
-//! | `dot3_sparse` | `dot3` where the first vector often lies along an axis |
+//! | `dot3_sparse`, `dot3_wide_sparse` | both where the first vector often lies along an axis |
 //! | `length_squared` | the scalar product of a vector with itself, exactly |
 //! | `leading_zeros` | leading zeros |
 //! | `shifted` | a number shifted down by 1 to 63, saturated |
@@ -40,9 +40,9 @@ use armv6m as processor;
 use portable as processor;
 
 pub(super) use processor::{
-    attenuated, dot3, dot3_bounds, dot3_sparse, dot3_wide, inverse, leading_zeros, length_squared,
-    misses_ball, product, reciprocal, root, scaled_product, shifted, square_root, toward_light, unit,
-    unsigned_product, upper_product,
+    attenuated, dot3, dot3_bounds, dot3_sparse, dot3_wide, dot3_wide_sparse, inverse, leading_zeros,
+    length_squared, misses_ball, product, reciprocal, root, scaled_product, shifted, square_root,
+    toward_light, unit, unsigned_product, upper_product,
 };
 
 /// The most by which a direction of [`toward_light`] is off, as an angle in radians: each coordinate is off

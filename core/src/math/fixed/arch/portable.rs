@@ -176,6 +176,11 @@ pub(crate) fn dot3_sparse(sparse: [i32; 3], other: [i32; 3]) -> i32 {
 }
 
 #[inline]
+pub(crate) fn dot3_wide_sparse(sparse: [i32; 3], other: [i32; 3]) -> i64 {
+    dot3_wide(sparse, other)
+}
+
+#[inline]
 pub(crate) fn dot3_bounds(a: [i32; 3], b: [i32; 3]) -> (i32, i32) {
     let product = dot3(a, b);
     (product, product)

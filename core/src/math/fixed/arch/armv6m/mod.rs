@@ -115,6 +115,11 @@ pub(crate) fn dot3_sparse(sparse: [i32; 3], other: [i32; 3]) -> i32 {
     halves::product_along_axis(sparse, other).unwrap_or_else(|| dot3(sparse, other))
 }
 
+#[inline]
+pub(crate) fn dot3_wide_sparse(sparse: [i32; 3], other: [i32; 3]) -> i64 {
+    halves::wide_product_along_axis(sparse, other).unwrap_or_else(|| dot3_wide(sparse, other))
+}
+
 #[inline(always)]
 pub(crate) fn length_squared([x, y, z]: [i32; 3]) -> i64 {
     let [high, _, _, low, ..] = call!(dot::squares, nomem, [x, y, z, UNUSED, UNUSED, UNUSED]);
