@@ -380,9 +380,10 @@ pub(crate) struct Appearance {
     #[arg(long, value_name = "LOOK", value_parser = drawn)]
     look: Option<Look>,
     /// Rounding of light to the display's levels: to the nearest, or by a pattern that keeps the mean of
-    /// areas: ordered, without a pattern, or as drawn by hand with dots or lines
-    #[arg(long, value_name = "HOW", default_value = "none", value_parser = dither())]
-    dither: Dither,
+    /// areas: ordered, without a pattern, or as drawn by hand with dots or lines [default: the scene's own, else
+    /// none]
+    #[arg(long, value_name = "HOW", value_parser = dither())]
+    dither: Option<Dither>,
     /// The curve from light to the display's codes: that of sRGB, or linear [default: the scene's own; linear
     /// for .nff files, whose colors are meant so, else srgb]
     #[arg(long, value_name = "CURVE", value_parser = transfer())]
@@ -587,7 +588,7 @@ impl Appearance {
             integrator,
             area_lights: self.area_lights.unwrap_or(own.area_lights),
             transfer: self.transfer.unwrap_or(own.transfer),
-            dither: self.dither,
+            dither: self.dither.unwrap_or(own.dither),
             look: self.look.unwrap_or(own.look),
         };
         if traces_paths && self.rays_per_pixel.is_none() {

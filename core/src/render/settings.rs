@@ -123,6 +123,7 @@ pub enum Transfer {
 /// The rounding of light to the levels of a display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Dither {
     /// To the nearest level.
     #[default]

@@ -3,8 +3,8 @@
 use rayline::read::{plain, read_struct};
 use rayline::shape::Shape;
 use rayline::{
-    AreaLights, Background, Camera, Integrator, Light, Look, Material, Motion, Object, Sampling, Scene,
-    Settings, Transfer,
+    AreaLights, Background, Camera, Dither, Integrator, Light, Look, Material, Motion, Object, Sampling,
+    Scene, Settings, Transfer,
 };
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +38,9 @@ pub struct FileSettings {
     /// [`Settings::transfer`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
+    /// [`Settings::dither`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dither: Option<Dither>,
     /// [`Settings::look`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<Look>,
@@ -63,6 +66,7 @@ impl FileSettings {
             integrator: changed(usual.integrator, settings.integrator),
             area_lights: changed(usual.area_lights, settings.area_lights),
             transfer: changed(usual.transfer, settings.transfer),
+            dither: changed(usual.dither, settings.dither),
             look: changed(usual.look, settings.look),
             // A scene that was opened is exposed already.
             exposure: None,
@@ -86,8 +90,8 @@ impl FileSettings {
             integrator: self.integrator.unwrap_or(usual.integrator),
             area_lights: self.area_lights.unwrap_or(usual.area_lights),
             transfer: self.transfer.unwrap_or(usual.transfer),
+            dither: self.dither.unwrap_or(usual.dither),
             look: self.look.unwrap_or(usual.look),
-            ..usual
         }
     }
 }

@@ -10,10 +10,10 @@ use rayline::shape::{
     Metaballs, Model, Plane, Polygon, Pose, Quadric, Rectangle, Shape, Solid, Sphere, Torus, Triangle,
 };
 use rayline::{
-    Adaptive, Background, Brick, Camera, Checker, Encoding, Ends, Falloff, Figure, Filter, Fresnel, Gradient,
-    Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium, Motion, Noise,
-    Object, ObjectId, Onto, Optics, Panorama, Part, Pixels, Placed, Placement, Sampler, Sampling, Scene,
-    Settings, Sides, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
+    Adaptive, Background, Brick, Camera, Checker, Dither, Encoding, Ends, Falloff, Figure, Filter, Fresnel,
+    Gradient, Highlight, Image, Lamp, Lens, Light, LightCone, LinearRgb, Map, Marble, Material, Medium,
+    Motion, Noise, Object, ObjectId, Onto, Optics, Panorama, Part, Pixels, Placed, Placement, Sampler,
+    Sampling, Scene, Settings, Sides, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
 use rayline_formats::ron::{FileSettings, Import, Position, RonFault, read, write, write_beside};
@@ -202,10 +202,13 @@ fn settings_are_read_and_written_back() {
     let arena = Bump::new();
     let end = SMALL.rfind("\n)").unwrap();
     let with = |settings: &str| format!("{}\n    settings: {settings},{}", &SMALL[..end], &SMALL[end..]);
-    let text = with("(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()))");
+    let text = with(
+        "(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()), dither: Stippling)",
+    );
     let import = parsed(&arena, &text).unwrap();
     let sampling = Sampling { sampler: Sampler::Sobol, adaptive: Some(Adaptive::NEW), ..Sampling::new(16) };
-    let meant = Settings { width: 64, height: 48, bounces: 3, sampling, ..FILE_SETTINGS };
+    let dither = Dither::Stippling;
+    let meant = Settings { width: 64, height: 48, bounces: 3, sampling, dither, ..FILE_SETTINGS };
     assert_eq!(import.settings.over(FILE_SETTINGS), meant);
     assert_eq!(parsed(&arena, SMALL).unwrap().settings, FileSettings::default());
 
