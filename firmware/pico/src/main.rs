@@ -42,8 +42,8 @@ mod job;
 mod panel;
 mod panel_color;
 mod panic;
-// The build script writes public constants, for programs that are libraries too.
-#[allow(unreachable_pub)]
+// The build script writes public constants, for programs that are libraries too, or draw previews.
+#[allow(dead_code, unreachable_pub)]
 mod picture;
 mod quality;
 #[cfg(feature = "second-core")]

@@ -1,6 +1,6 @@
 //! The programs that are measured.
 
-use std::path::Path;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
@@ -24,9 +24,16 @@ pub(super) const DUAL_PICO: &str = "pico-dual";
 const QVGA: Size = Size { width: 320, height: 240 };
 /// Size of the pictures that compare scenes in fixed point: a quarter, which keeps the bench short.
 const QQVGA: Size = Size { width: 160, height: 120 };
+/// Size at which a Pico turns [`BAKED`] at ten frames a second.
+const SMALL: Size = Size { width: 80, height: 60 };
 
-/// The scene of `docs/gallery` that is measured: a mesh of 2,120 triangles.
+/// A mesh of 2,120 triangles.
 pub(super) const TEAPOT: &str = "show-teapot";
+/// The Cornell box with its light in textures.
+pub(super) const BAKED: &str = "light-baked";
+
+/// The scenes of `docs/gallery` that are measured.
+pub(super) const OF_GALLERY: [&str; 2] = [TEAPOT, BAKED];
 
 /// The scenes that are measured in fixed point beside `classic`.
 pub(super) const FIXED_SCENES: [&str; 4] = ["whitted", "flake-91", "table", TEAPOT];
@@ -58,7 +65,7 @@ const fn own_size(board: &'static str, number: Number, mode: Mode) -> Entry {
 }
 
 /// The programs beside those of [`FIXED_SCENES`] and those of all boards.
-const ENTRIES: [Entry; 26] = [
+const ENTRIES: [Entry; 27] = [
     entry(M4F, "classic", Number::F32, Mode::Exact),
     // The same program, which is not built again.
     entry(M7, "classic", Number::F32, Mode::Exact),
@@ -78,6 +85,7 @@ const ENTRIES: [Entry; 26] = [
     own_size(PICO, Number::Fixed, Mode::Realtime),
     own_size(DUAL_PICO, Number::Fixed, Mode::Exact),
     own_size(DUAL_PICO, Number::Fixed, Mode::Realtime),
+    Entry { size: Some(SMALL), ..entry(DUAL_PICO, BAKED, Number::Fixed, Mode::Exact) },
     small(M4F, "spheres", Number::F32),
     small(M4F, "classic", Number::F32),
     small(M0, "classic", Number::Fixed),
@@ -117,11 +125,14 @@ fn qemu_boards() -> impl Iterator<Item = &'static Board> {
 }
 
 impl Entry {
-    /// The session that measures the program. `teapot` is the file with the bytes of [`TEAPOT`].
-    pub(super) fn session(&self, teapot: &Path, timeout: Duration) -> Result<Session<'static>> {
+    /// The session that measures the program. `files` are those with the bytes of [`OF_GALLERY`].
+    pub(super) fn session(&self, files: &[PathBuf], timeout: Duration) -> Result<Session<'static>> {
         let Self { board, scene, number, mode, small, size } = *self;
-        let source =
-            if scene == TEAPOT { teapot.to_str().context("a path that is not UTF-8")? } else { scene };
+        let file = OF_GALLERY.into_iter().zip(files).find(|(name, _)| *name == scene);
+        let source = match file {
+            Some((_, file)) => file.to_str().context("a path that is not UTF-8")?,
+            None => scene,
+        };
         let request = Request { size, number, mode, small, ..Request::new(source)? };
         let board = Board::named(board)?;
         Ok(Session::new(board, request.on(board), timeout))
@@ -134,8 +145,8 @@ mod tests {
 
     #[test]
     fn every_entry_can_be_measured() {
-        for entry in entries().into_iter().filter(|entry| entry.scene != TEAPOT) {
-            let session = entry.session(Path::new(""), Duration::from_secs(1)).unwrap();
+        for entry in entries().into_iter().filter(|entry| !OF_GALLERY.contains(&entry.scene)) {
+            let session = entry.session(&[], Duration::from_secs(1)).unwrap();
             assert_eq!((session.board.name, session.picture.scene.name), (entry.board, entry.scene));
             assert_eq!((session.picture.number, session.picture.mode), (entry.number, entry.mode));
             session.board.draws(entry.mode).unwrap();

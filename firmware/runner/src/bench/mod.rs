@@ -25,7 +25,7 @@ use crate::session::Session;
 use crate::table::Table;
 use crate::toolchain::Toolchain;
 use committed::Committed;
-use entries::{Entry, M4F, TEAPOT, entries};
+use entries::{Entry, M4F, OF_GALLERY, entries};
 use measured::{Measured, Measurements};
 use report::Page;
 
@@ -95,11 +95,12 @@ impl Bench<'_> {
             self.boards.is_empty() || self.boards.iter().any(|board| board.name == entry.board)
         };
         let entries: Vec<Entry> = entries().into_iter().filter(is_chosen).collect();
-        let mut teapot = PathBuf::new();
-        if entries.iter().any(|entry| entry.scene == TEAPOT) {
-            teapot = convert::to_bytes(&[gallery().join(TEAPOT).with_extension("ron")], folder)?.remove(0);
+        let mut files = Vec::new();
+        if entries.iter().any(|entry| OF_GALLERY.contains(&entry.scene)) {
+            let sources = OF_GALLERY.map(|scene| gallery().join(scene).with_extension("ron"));
+            files = convert::to_bytes(&sources, folder)?;
         }
-        entries.iter().map(|entry| entry.session(&teapot, self.timeout)).collect()
+        entries.iter().map(|entry| entry.session(&files, self.timeout)).collect()
     }
 }
 

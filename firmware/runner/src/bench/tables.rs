@@ -3,7 +3,7 @@
 use super::allowances::{
     GROWTH, LEAST_FRAMES, MOST_FLASH, MOST_FLASH_OF_SPHERES, MOST_GROWTH, MOST_RAM, growth,
 };
-use super::entries::{DUAL_PICO, FIXED_SCENES, LARGE_M0, M0, M3, M4F, PICO};
+use super::entries::{BAKED, DUAL_PICO, FIXED_SCENES, LARGE_M0, M0, M3, M4F, PICO};
 use super::measured::{Build, Measured, Measurements};
 use crate::board::BOARDS;
 use crate::table::{Align, Table, with_commas};
@@ -39,7 +39,7 @@ pub(super) fn all(measured: Measurements<'_>) -> [(&'static str, Table); 7] {
     [
         ("All boards: `classic` in exact quality", boards(measured)),
         ("Scenes in fixed point: instructions per pixel", scenes(measured)),
-        ("Frames of `classic` on a Pico, 160x120, in fixed point", frames(measured)),
+        ("Frames on a Pico, in fixed point", frames(measured)),
         ("Many objects: `flake` on M4F, `f32`, exact, 320x240", many_objects(measured)),
         ("Kinds of shapes on a plane: M4F, `f32`, exact, 320x240", shapes(measured)),
         ("Memory of `classic` on M4F, `f32`, 320x240", memory(measured)),
@@ -147,6 +147,8 @@ fn scenes(measured: Measurements<'_>) -> Table {
 /// Frames a second on one and both cores of a Pico.
 fn frames(measured: Measurements<'_>) -> Table {
     let mut table = Table::new([
+        ("scene", Align::Left),
+        ("size", Align::Right),
         ("cores", Align::Left),
         ("mode", Align::Left),
         ("PSNR", Align::Right),
@@ -155,23 +157,23 @@ fn frames(measured: Measurements<'_>) -> Table {
         ("frames/s", Align::Right),
         ("allowance", Align::Right),
     ]);
-    for (board, cores) in [(PICO, "one"), (DUAL_PICO, "both")] {
-        for mode in MODES {
-            let figures = measured.find(board, "classic", "fixed", mode);
-            let number = |number: Option<f64>| number.map_or("-".into(), |number| format!("{number:.2}"));
-            let is_limited = board == DUAL_PICO && mode == "realtime";
-            table.push([
-                cores.into(),
-                mode.into(),
-                cell(figures, decibels),
-                cell(figures, |figures| number(figures.cycles.map(|cycles| cycles as f64 / 1e6))),
-                cell(figures, |figures| {
-                    figures.megahertz().map_or("-".into(), |clock| format!("{clock:.0}"))
-                }),
-                cell(figures, |figures| number(figures.frames_per_second)),
-                if is_limited { format!("≥ {LEAST_FRAMES}") } else { "-".into() },
-            ]);
-        }
+    let of_classic =
+        [PICO, DUAL_PICO].into_iter().flat_map(|board| MODES.map(|mode| (board, "classic", mode)));
+    for (board, scene, mode) in of_classic.chain([(DUAL_PICO, BAKED, "exact")]) {
+        let figures = measured.find(board, scene, "fixed", mode);
+        let number = |number: Option<f64>| number.map_or("-".into(), |number| format!("{number:.2}"));
+        let is_limited = (board, scene, mode) == (DUAL_PICO, "classic", "realtime");
+        table.push([
+            scene.into(),
+            cell(figures, size),
+            if board == DUAL_PICO { "both" } else { "one" }.into(),
+            mode.into(),
+            cell(figures, decibels),
+            cell(figures, |figures| number(figures.cycles.map(|cycles| cycles as f64 / 1e6))),
+            cell(figures, |figures| figures.megahertz().map_or("-".into(), |clock| format!("{clock:.0}"))),
+            cell(figures, |figures| number(figures.frames_per_second)),
+            if is_limited { format!("≥ {LEAST_FRAMES}") } else { "-".into() },
+        ]);
     }
     table
 }
@@ -325,12 +327,13 @@ mod tests {
         assert_eq!(
             frames(Measurements(&figures)).to_string(),
             "\
-            | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
-            | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
-            | one   | exact    |       - |              - |   - |        - |         - |\n\
-            | one   | realtime |       - |              - |   - |        - |         - |\n\
-            | both  | exact    |       - |              - |   - |        - |         - |\n\
-            | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n"
+            | scene       |  size | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
+            | ----------- | ----: | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
+            | classic     |     - | one   | exact    |       - |              - |   - |        - |         - |\n\
+            | classic     |     - | one   | realtime |       - |              - |   - |        - |         - |\n\
+            | classic     |     - | both  | exact    |       - |              - |   - |        - |         - |\n\
+            | classic     | 10x10 | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n\
+            | light-baked |     - | both  | exact    |       - |              - |   - |        - |         - |\n"
         );
     }
 
