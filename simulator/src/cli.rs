@@ -380,8 +380,8 @@ pub(crate) struct Appearance {
     #[arg(long, value_name = "LOOK", value_parser = drawn)]
     look: Option<Look>,
     /// Rounding of light to the display's levels: to the nearest, or by a pattern that keeps the mean of
-    /// areas: ordered, without a pattern, or as drawn by hand with dots or lines [default: the scene's own, else
-    /// none]
+    /// areas: ordered, without a pattern, or as drawn by hand with dots or lines [default: the scene's own,
+    /// else none]
     #[arg(long, value_name = "HOW", value_parser = dither())]
     dither: Option<Dither>,
     /// The curve from light to the display's codes: that of sRGB, or linear [default: the scene's own; linear
