@@ -222,14 +222,14 @@ fn costs_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs
     let (width, height) = (renderer.width(), renderer.height());
     let mut lights = vec![Light16::BLACK; width as usize * height as usize];
     let mut facets = facets();
-    let (mut traced, mut scanned, mut seen) = (f64::MAX, f64::MAX, 0);
-    let mut rays = RayCounts::default();
+    let (mut traced, mut scanned, mut rays, mut seen) = (f64::MAX, f64::MAX, 0, 0);
     for _ in 0..RUNS {
         // Rays are counted as they are by `rayline render`.
-        rays = RayCounts::default();
+        let mut counts = RayCounts::default();
         let start = ThreadTime::now();
-        renderer.lines(0, &mut lights, &mut rays).map_err(RenderError::Line)?;
+        renderer.lines(0, &mut lights, &mut counts).map_err(RenderError::Line)?;
         traced = traced.min(start.elapsed().as_secs_f64());
+        rays = counts.total();
         let start = ThreadTime::now();
         let preview = Preview::new(&renderer, options.segments, &mut facets);
         let mut preview = preview.map_err(RenderError::Preview)?;
@@ -242,7 +242,7 @@ fn costs_in<R: Real>(scene: &Scene<'_>, options: &RenderOptions) -> Result<Costs
     Ok(Costs {
         objects: scene.objects.len(),
         size: (width, height),
-        rays: rays.total(),
+        rays,
         facets: seen,
         traced: Cost { seconds: traced, bytes: prepared_bytes + line },
         scanned: Cost { seconds: scanned, bytes: prepared_bytes + line + preview },

@@ -75,7 +75,7 @@ impl<R: Real> Outline<R> {
 
 /// The items for which there is room: `collect` would panic at one too many, and the compiler does not see
 /// that there is none.
-pub(super) fn list<T, const N: usize>(items: impl Iterator<Item = T>) -> Vec<T, N> {
+pub(crate) fn list<T, const N: usize>(items: impl Iterator<Item = T>) -> Vec<T, N> {
     let mut list = Vec::new();
     for item in items.take(N) {
         let _ = list.push(item);

@@ -59,7 +59,7 @@ mod uv;
 use core::fmt::Debug;
 
 pub use crate::hierarchy::Node as BoxNode;
-pub(crate) use clip::cut;
+pub(crate) use clip::{cut, list};
 pub use cone::{Cone, PreparedCone};
 pub use csg::{Csg, CsgStep, PreparedCsg};
 pub use cuboid::{Cuboid, PreparedCuboid};

@@ -7,8 +7,7 @@ use core::f32::consts::FRAC_PI_2;
 
 use heapless::Vec;
 
-use super::clip::list;
-use super::{Facet, Tessellation};
+use super::{Facet, Tessellation, list};
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::math::{Real, Vec3, float};
 

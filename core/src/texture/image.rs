@@ -170,7 +170,7 @@ impl<R: Real> PreparedImage<'_, R> {
     pub(crate) fn at(&self, x: R, y: R) -> LinearRgb<R> {
         let (column, line) = self.cells(x, y);
         match self.image.filter {
-            Filter::Nearest => self.pixel(column.index, line.index),
+            Filter::Nearest => self.nearest_pixel(column.index, line.index),
             Filter::Bilinear => {
                 let left = self.continued_column(column.index);
                 let right = self.continued_column(column.index.wrapping_add(1));
@@ -195,15 +195,16 @@ impl<R: Real> PreparedImage<'_, R> {
         self.image.filter == Filter::Nearest
     }
 
-    /// Three numbers that identify a pixel which differs from a neighbor: its column and line, each combined
-    /// with the number of the repeated copy of the image. All pixels that are like their neighbors share `[0;
-    /// 3]`, because a change of pixel inside of a smooth area is not an edge.
+    /// Three numbers that identify a pixel of an image that [has steps](Self::has_steps), if the pixel differs
+    /// from a neighbor: its column and line, each combined with the number of the repeated copy of the image.
+    /// All pixels that are like their neighbors share `[0; 3]`, because a change of pixel inside of a smooth
+    /// area is not an edge.
     pub(super) fn step(&self, [x, y, _]: [LatticeCoordinate<R>; 3]) -> [i32; 3] {
         let [across, up] = self.ends;
         let (column, line) = self.cells(across.fold(x), up.fold(y));
         let (column, line) = (column.index, line.index);
         let levels = |light: LinearRgb<R>| [light.r, light.g, light.b].map(R::to_q16);
-        let here = levels(self.pixel(column, line));
+        let here = levels(self.nearest_pixel(column, line));
         let differs = |right: i32, up: i32| {
             let beside = levels(self.continued_pixel(column.wrapping_add(right), line.wrapping_add(up)));
             // Colors differ if a channel differs by more than 1/16, the step of `level_mark`.
@@ -217,16 +218,10 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// The color of a pixel by its column and its line, counted from below.
-    fn pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
-        // A position exactly on the far edge belongs to the last pixel.
+    /// As [`light`](Self::light); a position exactly on the far edge belongs to the last pixel.
+    fn nearest_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
         let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
-        match self.image.filter {
-            Filter::Nearest => {
-                self.light(nearest(column, self.image.width), nearest(line, self.image.height))
-            }
-            Filter::Bilinear => self.continued_pixel(column, line),
-        }
+        self.light(nearest(column, self.image.width), nearest(line, self.image.height))
     }
 
     /// As [`light`](Self::light), also one pixel beyond an edge, where [`Ends`] says how the image goes on.

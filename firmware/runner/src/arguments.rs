@@ -68,7 +68,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = seconds())]
     timeout: u64,
 
-    /// Show that the check for panics can fail: a program with a panic does not link, or its panic is found
+    /// Show that programs of all sets of features hold no panic, and that this check can fail: a program with
+    /// a panic does not link, or its panic is found
     #[arg(long, conflicts_with_all = ["picture", "json"])]
     pub(crate) prove_no_panic: bool,
 

@@ -1,4 +1,5 @@
-//! Shows that the check for panics can fail, with twins of the program that hold a panic.
+//! Shows that programs with all sets of features hold no panic, and that this check can fail, with twins of
+//! the program that hold a panic.
 
 use std::path::Path;
 

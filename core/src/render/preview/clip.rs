@@ -5,18 +5,14 @@ use heapless::Vec;
 
 use super::corner::Corner;
 use crate::math::Real;
-use crate::shape::cut;
+use crate::shape::{cut, list};
 
 /// A convex polygon: each of the five planes can add a corner to the triangle.
 pub(super) type Polygon<R> = Vec<Corner<R>, 8>;
 
 /// The part of a triangle that lies in the picture, and no nearer than this.
 pub(super) fn clipped<R: Real>(corners: &[Corner<R>; 3], nearest: R) -> Polygon<R> {
-    let mut polygon = Polygon::new();
-    for corner in corners {
-        // There is room.
-        let _ = polygon.push(*corner);
-    }
+    let mut polygon: Polygon<R> = list(corners.iter().copied());
     let inside = |corner: &Corner<R>, plane: u32| match plane {
         0 => corner.depth - nearest,
         1 => corner.across[0] + corner.edge[0],

@@ -19,8 +19,9 @@ pub struct PreviewFacet {
     pub(super) object: u16,
     /// See [`Surface::part`](crate::Surface::part).
     pub(super) part: u32,
-    /// The unit normal, in units of 2⁻¹⁴, and the distance of the facet's plane from the origin along it.
+    /// The unit normal, in units of 2⁻¹⁴.
     pub(super) normal: [i16; 3],
+    /// The distance of the facet's plane from the origin, along the normal.
     pub(super) distance: f32,
     /// The facet after this one in the list of those that reach the current line.
     pub(super) next: u16,

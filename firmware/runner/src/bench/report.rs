@@ -69,8 +69,8 @@ impl Page {
              RAM cannot \
              hold, it is the same code on a Cortex-M3 with more memory. `flake-91` has 91 balls, \
              `show-teapot` is a \
-             mesh of 2,120 triangles, `light-baked` the Cornell box with its light in textures. \"Small\" programs leave out the features that only make exact \
-             pictures faster."
+             mesh of 2,120 triangles, `light-baked` the Cornell box with its light in textures. \"Small\" \
+             programs leave out the features that only make exact pictures faster."
         ));
         let mut on_boards = format!("{ON_BOARDS}\n{introduction}\n");
         for (heading, table) in tables::all(measured) {

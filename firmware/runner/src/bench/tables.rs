@@ -317,6 +317,15 @@ mod tests {
         );
     }
 
+    const FRAMES: &str = "\
+        | scene       |  size | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
+        | ----------- | ----: | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
+        | classic     |     - | one   | exact    |       - |              - |   - |        - |         - |\n\
+        | classic     |     - | one   | realtime |       - |              - |   - |        - |         - |\n\
+        | classic     |     - | both  | exact    |       - |              - |   - |        - |         - |\n\
+        | classic     | 10x10 | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n\
+        | light-baked |     - | both  | exact    |       - |              - |   - |        - |         - |\n";
+
     #[test]
     fn frames_stand_next_to_the_allowance() {
         let figures = [Measured {
@@ -324,17 +333,7 @@ mod tests {
             frames_per_second: Some(10.26),
             ..measured(DUAL_PICO, "classic", "fixed", "realtime", 3_000)
         }];
-        assert_eq!(
-            frames(Measurements(&figures)).to_string(),
-            "\
-            | scene       |  size | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
-            | ----------- | ----: | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
-            | classic     |     - | one   | exact    |       - |              - |   - |        - |         - |\n\
-            | classic     |     - | one   | realtime |       - |              - |   - |        - |         - |\n\
-            | classic     |     - | both  | exact    |       - |              - |   - |        - |         - |\n\
-            | classic     | 10x10 | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n\
-            | light-baked |     - | both  | exact    |       - |              - |   - |        - |         - |\n"
-        );
+        assert_eq!(frames(Measurements(&figures)).to_string(), FRAMES);
     }
 
     #[test]

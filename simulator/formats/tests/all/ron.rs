@@ -203,7 +203,8 @@ fn settings_are_read_and_written_back() {
     let end = SMALL.rfind("\n)").unwrap();
     let with = |settings: &str| format!("{}\n    settings: {settings},{}", &SMALL[..end], &SMALL[end..]);
     let text = with(
-        "(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()), dither: Stippling)",
+        "(size: (64, 48), bounces: 3, sampling: (samples: 16, sampler: Sobol, adaptive: ()), \
+         dither: Stippling)",
     );
     let import = parsed(&arena, &text).unwrap();
     let sampling = Sampling { sampler: Sampler::Sobol, adaptive: Some(Adaptive::NEW), ..Sampling::new(16) };

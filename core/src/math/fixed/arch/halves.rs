@@ -41,20 +41,23 @@ pub(crate) fn scaled_product(a: i32, b: i32) -> i32 {
 /// The scalar product in units of 2²⁴, rounded down, if two coordinates of the first vector are 0. `classic`
 /// and `whitted` take an M0 1.04 times the instructions without it.
 #[inline(always)]
-pub(crate) fn product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Option<i32> {
-    match sparse {
-        [along, 0, 0] => Some(scaled_product(along, x)),
-        [0, along, 0] => Some(scaled_product(along, y)),
-        [0, 0, along] => Some(scaled_product(along, z)),
-        _ => None,
-    }
+pub(crate) fn product_along_axis(sparse: [i32; 3], other: [i32; 3]) -> Option<i32> {
+    along_axis(sparse, other, scaled_product)
 }
 
 /// The scalar product, exactly, if two coordinates of the first vector are 0.
 #[inline]
-pub(crate) fn wide_product_along_axis(sparse: [i32; 3], [x, y, z]: [i32; 3]) -> Option<i64> {
+pub(crate) fn wide_product_along_axis(sparse: [i32; 3], other: [i32; 3]) -> Option<i64> {
     match sparse {
         [0, 0, 0] => Some(0),
+        _ => along_axis(sparse, other, product),
+    }
+}
+
+/// The only product of the scalar product that is not 0, if two coordinates of the first vector are 0.
+#[inline]
+fn along_axis<T>(sparse: [i32; 3], [x, y, z]: [i32; 3], product: impl Fn(i32, i32) -> T) -> Option<T> {
+    match sparse {
         [along, 0, 0] => Some(product(along, x)),
         [0, along, 0] => Some(product(along, y)),
         [0, 0, along] => Some(product(along, z)),
