@@ -195,10 +195,10 @@ impl<R: Real> PreparedImage<'_, R> {
         self.image.filter == Filter::Nearest
     }
 
-    /// Three numbers that identify a pixel of an image that [has steps](Self::has_steps), if the pixel differs
-    /// from a neighbor: its column and line, each combined with the number of the repeated copy of the image.
-    /// All pixels that are like their neighbors share `[0; 3]`, because a change of pixel inside of a smooth
-    /// area is not an edge.
+    /// Three numbers that identify a pixel of an image that [has steps](Self::has_steps), if the pixel
+    /// differs from a neighbor: its column and line, each combined with the number of the repeated copy of
+    /// the image. All pixels that are like their neighbors share `[0; 3]`, because a change of pixel inside
+    /// of a smooth area is not an edge.
     pub(super) fn step(&self, [x, y, _]: [LatticeCoordinate<R>; 3]) -> [i32; 3] {
         let [across, up] = self.ends;
         let (column, line) = self.cells(across.fold(x), up.fold(y));
