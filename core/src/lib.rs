@@ -164,7 +164,7 @@ pub use render::{
     Digest, DisplayColor, Dither, DrawError, Edges, Frame, Grid, Interleave, Light16, LineError, Pattern,
     PixelSum, Preview, PreviewBuffer, PreviewError, PreviewFacet, PreviewPixel, Progress, Progressive,
     Quality, Quantizer, Realtime, RealtimeBuffer, RenderedImage, Renderer, Sample, Settings, SettingsError,
-    Tone, Transfer,
+    Tone, ToneScale, Transfer,
 };
 pub use sampling::{Adaptive, Reconstruction, Sampler, Sampling};
 #[cfg(feature = "serde")]

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{
     Rgb888,
 };
 
-use super::{Light16, Quantizer, Tone};
+use super::{Light16, Quantizer, Tone, ToneScale};
 
 /// The color of a display's pixels, made from light. Implement it for the color of your own display:
 ///
@@ -28,26 +28,16 @@ use super::{Light16, Quantizer, Tone};
 /// }
 /// ```
 pub trait DisplayColor: PixelColor {
+    /// The scale of the tones that realtime quality interpolates. The default is light itself. A color that
+    /// holds another one, such as an [`Rgb565`] with its bytes swapped, takes the scale and
+    /// [`from_tone`](Self::from_tone) from that.
+    const TONES: ToneScale = ToneScale::LIGHT;
+
     /// The color of a pixel that shows `light`.
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self;
 
-    /// Light on this display's own scale, which realtime quality interpolates. The default is light itself.
-    #[inline]
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        let _ = quantizer;
-        Tone::from_light(light)
-    }
-
-    /// The light that has this [`tone`](Self::tone), as exactly as the tone tells. Smooth edges
-    /// ([`Edges::Smooth`](super::Edges::Smooth)) mix light. Override it if you override `tone`.
-    #[inline]
-    fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-        let _ = quantizer;
-        tone.to_light()
-    }
-
-    /// The color of a pixel that shows `tone`. The color of [`tone`](Self::tone) must be
-    /// [`from_light`](Self::from_light) of the same light.
+    /// The color of a pixel that shows a tone of the scale [`TONES`](Self::TONES). Override it together with
+    /// the scale. The color of a tone must be [`from_light`](Self::from_light) of its light.
     #[inline]
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {
         Self::from_light(tone.to_light(), quantizer)
@@ -71,27 +61,12 @@ impl DisplayColor for Light16 {
 macro_rules! of_channels {
     (#[$inline:meta] $($Color:ty),+: $r:literal $g:literal $b:literal) => {$(
         impl DisplayColor for $Color {
+            const TONES: ToneScale = ToneScale::rgb($r, $g, $b);
+
             #[$inline]
             fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
                 let level = |light, bits: u32| quantizer.level(light, (1u16 << bits).wrapping_sub(1) as u8);
                 Self::new(level(light.r, $r), level(light.g, $g), level(light.b, $b))
-            }
-
-            #[inline]
-            fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-                Tone::new(
-                    quantizer.tone::<$r>(light.r),
-                    quantizer.tone::<$g>(light.g),
-                    quantizer.tone::<$b>(light.b),
-                )
-            }
-
-            fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-                Light16 {
-                    r: quantizer.light::<$r>(tone.first()),
-                    g: quantizer.light::<$g>(tone.second()),
-                    b: quantizer.light::<$b>(tone.third()),
-                }
             }
 
             #[inline]
@@ -115,18 +90,11 @@ of_channels!(#[inline] Rgb555, Bgr555: 5 5 5);
 macro_rules! of_luminance {
     ($Color:ty: $bits:literal, $of_level:expr) => {
         impl DisplayColor for $Color {
+            const TONES: ToneScale = ToneScale::luminance($bits);
+
             #[inline]
             fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
                 $of_level(quantizer.level(light.luminance(), (1u16 << $bits).wrapping_sub(1) as u8))
-            }
-
-            #[inline]
-            fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-                Tone::new(0, quantizer.tone::<$bits>(light.luminance()), 0)
-            }
-
-            fn light(tone: Tone, quantizer: &Quantizer) -> Light16 {
-                Light16::gray(quantizer.light::<$bits>(tone.second()))
             }
 
             #[inline]
@@ -157,7 +125,11 @@ mod tests {
             assert_eq!((of(0, 0, 0), of(65536, 65536, 65536)), (black, white));
             for (r, g, b) in [(0, 9_000, 65_536), (30_000, 31_000, 32_000), (65_536, 77, 1_000)] {
                 let light = Light16 { r, g, b };
-                assert_eq!(C::from_tone(C::tone(light, &quantizer), &quantizer), of(r, g, b), "{light:?}");
+                assert_eq!(
+                    C::from_tone(C::TONES.tone(light, transfer), &quantizer),
+                    of(r, g, b),
+                    "{light:?}"
+                );
             }
         }
     }

@@ -68,7 +68,7 @@ pub use quality::Quality;
 pub use quantize::{Light16, Quantizer};
 pub use realtime::{Edges, Grid, Realtime, RealtimeBuffer, Sample};
 pub use settings::{Dither, Settings, Transfer};
-pub use tone::Tone;
+pub use tone::{Tone, ToneScale};
 
 use core::ops::Range;
 

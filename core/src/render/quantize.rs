@@ -31,7 +31,7 @@ impl Light16 {
     }
 
     /// A mixture: this share of other light, in 32768ths, and the rest of this one.
-    #[cfg(any(test, feature = "distributed", feature = "looks"))]
+    #[cfg_attr(not(any(feature = "distributed", feature = "looks")), allow(dead_code))]
     pub(super) fn mixed(self, other: Self, share: u32) -> Self {
         // At most 65536 · 32768, which fits in 32 bits.
         let mix = |a: u32, b: u32| (a * 32768u32.saturating_sub(share) + b * share) >> 15;
@@ -105,29 +105,8 @@ impl Quantizer {
         Self { transfer, threshold: 0x8000 }
     }
 
-    /// The tone of light from 0 to 65536, for a display of `BITS` bits: half a level is added, because
-    /// [`cut`](Self::cut) rounds down.
-    pub(super) fn tone<const BITS: u32>(&self, light: u32) -> u16 {
-        let light = light.min(65536);
-        let code = match self.transfer {
-            Transfer::Linear => light,
-            Transfer::Srgb => encode_srgb(light),
-        };
-        // At most 65536 - 2^(16 - BITS) + 2^(15 - BITS).
-        (((code * ((1 << BITS) - 1)) >> BITS) + (1 << (15 - BITS))) as u16
-    }
-
-    /// The light from 0 to 65536 that has a [`tone`](Self::tone).
-    pub(super) fn light<const BITS: u32>(&self, tone: u16) -> u32 {
-        let code = (u32::from(tone).saturating_sub(1 << (15 - BITS)) << BITS) / ((1 << BITS) - 1);
-        match self.transfer {
-            Transfer::Linear => code.min(65536),
-            Transfer::Srgb => decode_srgb(code),
-        }
-    }
-
-    /// The level of a tone. For a tone of [`tone`](Self::tone), it is the [`level`](Self::level) of the
-    /// same light.
+    /// The level of a channel of a tone: the [`level`](Self::level) of the light from which
+    /// [`tone_of`](super::tone::tone_of) made it.
     #[inline]
     pub(super) const fn cut<const BITS: u32>(&self, tone: u16) -> u8 {
         let dithered =
@@ -239,7 +218,7 @@ pub(super) const fn light_of_srgb(code: f64) -> u32 {
 }
 
 /// The light, 0 to 65536, of an sRGB code from 0 to 65536.
-fn decode_srgb(code: u32) -> u32 {
+pub(super) fn decode_srgb(code: u32) -> u32 {
     let (position, along) = ((code / INVERSE_SEGMENT) as usize, code % INVERSE_SEGMENT);
     match INVERSE_SRGB.get(position..) {
         Some([below, above, ..]) => below + (above - below) * along / INVERSE_SEGMENT,
@@ -249,6 +228,7 @@ fn decode_srgb(code: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tone::tone_of;
     use super::*;
 
     #[test]
@@ -280,7 +260,7 @@ mod tests {
             for light in 0..=65536u32 {
                 let level = quantizer.level(light, ((1u32 << BITS) - 1) as u8);
                 assert_eq!(
-                    quantizer.cut::<BITS>(quantizer.tone::<BITS>(light)),
+                    quantizer.cut::<BITS>(tone_of(light, BITS as u8, quantizer.transfer)),
                     level,
                     "{light}, {BITS} bits"
                 );
@@ -299,24 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn tones_keep_their_light() {
-        fn check<const BITS: u32>(quantizer: Quantizer) {
-            for light in (0..=65536u32).step_by(7) {
-                let tone = quantizer.tone::<BITS>(light);
-                let again = quantizer.light::<BITS>(tone);
-                // A step of the tone is up to 2.3 steps of light, and the scale of few bits is shorter.
-                assert!(
-                    again.abs_diff(light) < if BITS == 1 { 12 } else { 8 },
-                    "{light}: {again}, {BITS} bits"
-                );
-            }
-        }
-        for transfer in [Transfer::Srgb, Transfer::Linear] {
-            let quantizer = Quantizer::nearest(transfer);
-            check::<1>(quantizer);
-            check::<4>(quantizer);
-            check::<8>(quantizer);
-        }
+    fn mixtures_have_the_share_of_each_light() {
         let (dark, bright) = (Light16::gray(1000), Light16 { r: 65536, g: 0, b: 3000 });
         assert_eq!(dark.mixed(bright, 0), dark);
         assert_eq!(dark.mixed(bright, 32768), bright);

@@ -1,12 +1,13 @@
 //! Tones: light on the scale of a display, finer than its levels. Realtime quality interpolates them.
 
-use super::Light16;
+use super::quantize::{decode_srgb, encode_srgb};
+use super::{Light16, Transfer};
 
 /// Light on the scale of a display, after its tone curve and finer than its levels, in up to three channels
 /// of 16 bits.
 ///
 /// Realtime quality interpolates tones, which takes two additions a pixel. To interpolate light would take
-/// the tone curve for each pixel. See [`DisplayColor::tone`](super::DisplayColor::tone).
+/// the tone curve for each pixel. A [`ToneScale`] makes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tone {
     /// The first channel in the upper half, the second in the lower: one addition for both.
@@ -103,6 +104,89 @@ impl Tone {
     }
 }
 
+/// The scale of a display's tones: what their channels are. See
+/// [`DisplayColor::TONES`](super::DisplayColor::TONES).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ToneScale(Channels);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Channels {
+    Light,
+    Rgb([u8; 3]),
+    Luminance(u8),
+}
+
+impl ToneScale {
+    /// Red, green and blue light itself. For displays whose levels are no even steps of a tone curve.
+    pub const LIGHT: Self = Self(Channels::Light);
+
+    /// Even steps of red, green and blue after the tone curve: the bits of each, 1 to 8.
+    pub const fn rgb(r: u8, g: u8, b: u8) -> Self {
+        Self(Channels::Rgb([bits(r), bits(g), bits(b)]))
+    }
+
+    /// Even steps of luminance after the tone curve: its bits, 1 to 8.
+    pub const fn luminance(count: u8) -> Self {
+        Self(Channels::Luminance(bits(count)))
+    }
+
+    /// The tone of light on a display of this tone curve.
+    pub(super) fn tone(self, light: Light16, curve: Transfer) -> Tone {
+        match self.0 {
+            Channels::Light => Tone::from_light(light),
+            Channels::Rgb([r, g, b]) => {
+                Tone::new(tone_of(light.r, r, curve), tone_of(light.g, g, curve), tone_of(light.b, b, curve))
+            }
+            Channels::Luminance(bits) => Tone::new(0, tone_of(light.luminance(), bits, curve), 0),
+        }
+    }
+
+    /// The light of this tone, as exactly as the tone tells. Smooth edges
+    /// ([`Edges::Smooth`](super::Edges::Smooth)) and contours mix light.
+    #[cfg_attr(not(any(feature = "distributed", feature = "looks")), allow(dead_code))]
+    pub(super) fn light(self, tone: Tone, curve: Transfer) -> Light16 {
+        match self.0 {
+            Channels::Light => tone.to_light(),
+            Channels::Rgb([r, g, b]) => Light16 {
+                r: light_of(tone.first(), r, curve),
+                g: light_of(tone.second(), g, curve),
+                b: light_of(tone.third(), b, curve),
+            },
+            Channels::Luminance(bits) => Light16::gray(light_of(tone.second(), bits, curve)),
+        }
+    }
+}
+
+/// A channel of the tone of light from 0 to 65536, for a display of 1 to 8 `bits`: half a level is added,
+/// because [`Quantizer::cut`](super::Quantizer::cut) rounds down.
+pub(super) fn tone_of(light: u32, bits: u8, curve: Transfer) -> u16 {
+    let code = match curve {
+        Transfer::Linear => light,
+        Transfer::Srgb => encode_srgb(light),
+    };
+    // At most 65536 - 2^(16 - bits) + 2^(15 - bits).
+    ((((code << bits) - code) >> bits) + (0x8000 >> bits)) as u16
+}
+
+/// The light from 0 to 65536 of a channel that [`tone_of`] made.
+fn light_of(tone: u16, bits: u8, curve: Transfer) -> u32 {
+    let code = u32::from(tone).saturating_sub(0x8000 >> bits) << bits;
+    let code = code.checked_div((1 << bits) - 1).unwrap_or(code);
+    match curve {
+        Transfer::Linear => code.min(65536),
+        Transfer::Srgb => decode_srgb(code),
+    }
+}
+
+/// A number of bits, brought to 1 to 8.
+const fn bits(count: u8) -> u8 {
+    match count {
+        0 => 1,
+        1..=8 => count,
+        _ => 8,
+    }
+}
+
 /// The difference of two neighboring tones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Step {
@@ -135,5 +219,25 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn tones_keep_their_light() {
+        for bits in [1, 4, 8] {
+            for (light, curve) in
+                (0..=65536).step_by(7).flat_map(|light| [(light, Transfer::Srgb), (light, Transfer::Linear)])
+            {
+                let again = light_of(tone_of(light, bits, curve), bits, curve);
+                // A step of the tone is up to 2.3 steps of light, and the scale of few bits is shorter.
+                let most = if bits == 1 { 12 } else { 8 };
+                assert!(again.abs_diff(light) < most, "{light}: {again}, {bits} bits, {curve:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn scales_have_one_to_eight_bits() {
+        assert_eq!(ToneScale::rgb(0, 8, 200), ToneScale::rgb(1, 8, 8));
+        assert_eq!(ToneScale::luminance(9), ToneScale::luminance(8));
     }
 }

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::raw::{RawU16, ToBytes};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
-use rayline::{DisplayColor, Light16, Quantizer, Tone};
+use rayline::{DisplayColor, Light16, Quantizer, Tone, ToneScale};
 use zerocopy::{Immutable, IntoBytes};
 
 /// An [`Rgb565`] with the high byte first. Lines of these colors are sent to the panel without conversion.
@@ -20,12 +20,10 @@ impl PixelColor for PanelColor {
 }
 
 impl DisplayColor for PanelColor {
+    const TONES: ToneScale = Rgb565::TONES;
+
     fn from_light(light: Light16, quantizer: &Quantizer) -> Self {
         Self(Rgb565::from_light(light, quantizer).to_be_bytes())
-    }
-
-    fn tone(light: Light16, quantizer: &Quantizer) -> Tone {
-        Rgb565::tone(light, quantizer)
     }
 
     fn from_tone(tone: Tone, quantizer: &Quantizer) -> Self {

@@ -1,7 +1,6 @@
 //! Draws bands, cell after cell. A band is the lines between two neighboring rows of the grid.
 
 use core::array::from_fn;
-use core::marker::PhantomData;
 
 use super::budget::{Budget, Detail, Spent};
 use super::buffer::RealtimeBuffer;
@@ -132,7 +131,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             quality,
             small: SmallThings::new(renderer, quality.grid),
             row: None,
-            nothing: nothing_met::<R, S, C>(renderer),
+            nothing: nothing_met(renderer, C::TONES),
             cell: Cell::BLANK,
             budget: Budget::new(quality.budget_rays, 0),
         }
@@ -237,7 +236,7 @@ impl<'m, R: Real, S: Geometry + 'm> BandPainter<'m, R, S> {
             view,
             tolerance: Tolerance::new(self.quality.threshold, detail, size),
             tips: band.tips.as_ref(),
-            color: PhantomData::<C>,
+            tones: C::TONES,
             probe,
             rays: 0,
             allowed: self.budget.left(),
@@ -332,7 +331,7 @@ fn paint_points<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     is_all_traced: bool,
     paint: Paint<'_>,
     colors: &mut [C],
-    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, P>,
 ) {
     #[cfg(feature = "looks")]
     if tracer.view.renderer.contours.is_some() {
@@ -354,7 +353,7 @@ fn ink_smooth_cell<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     (plan, corners): (&Plan, &Corners),
     paint: Paint<'_>,
     colors: &mut [C],
-    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, P>,
 ) {
     if plan.needs_corners_alone() && tracer.has_edge((0, 0), paint.size) {
         cell.fill_smooth(corners, paint.size);
@@ -369,7 +368,7 @@ fn paint_inked<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     is_all_traced: bool,
     paint: Paint<'_>,
     colors: &mut [C],
-    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, P>,
 ) {
     let mut walk = InkWalk::BEGIN;
     // In a cell whose points are all traced for their tones, the digests tell nothing.
@@ -390,12 +389,12 @@ fn paint_inked<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
 /// The corners of a cell, and the rays that the lower right one took. The left corners are known from the
 /// cell before unless the cell is the first of its band, the upper ones may be known from `above`. A row of
 /// the grid that is not traced is a copy of the row above.
-fn trace_corners<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
+fn trace_corners<R: Real, S: Geometry, P: Probe<R>>(
     cell: &mut Cell,
     above: Above<'_>,
     (is_first, traces_row): (bool, bool),
     size: usize,
-    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, C, P>,
+    tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, P>,
 ) -> (Corners, u32) {
     let known = |x: usize| above.and_then(|above| above.get(x)).copied();
     if is_first {

@@ -53,8 +53,8 @@
 //! have the same bytes in whatever order they are drawn (without a budget of rays). The grid ends beyond the
 //! picture's right and lower side; pixels there are traced too.
 //!
-//! Colors are interpolated as tones ([`DisplayColor::tone`](crate::DisplayColor::tone)): in integers, on the
-//! display's own scale and after its curve.
+//! Colors are interpolated as [tones](crate::Tone): in integers, on the display's own
+//! [scale](crate::DisplayColor::TONES) and after its curve.
 //!
 //! [`Realtime`] lists the details that can be lost. The project's `docs/experiments.md` lists
 //! measurements, and the ideas that were tried and rejected.

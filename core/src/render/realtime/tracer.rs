@@ -1,7 +1,5 @@
 //! Traces the pixels of one cell.
 
-use core::marker::PhantomData;
-
 #[cfg(feature = "looks")]
 use super::cell::Cell;
 #[cfg(feature = "looks")]
@@ -25,7 +23,7 @@ use crate::render::contours::InkWalk;
 use crate::render::pixel::{Aim, Pixel};
 #[cfg(feature = "looks")]
 use crate::render::toon::step_of;
-use crate::render::{DisplayColor, Light16, Quantizer, Renderer, Tone};
+use crate::render::{Light16, Renderer, Tone, ToneScale};
 use crate::shape::Geometry;
 
 /// Pixels up to this distance from a straight edge are traced, in 1/16 of a pixel: the places where an edge
@@ -68,12 +66,12 @@ pub(super) struct CellView<'c, 'm, R: Real, S: Geometry + 'm> {
     pub(super) watch: Option<&'c mut Watch<R>>,
 }
 
-/// Traces pixels of one cell. `V` is the cell's [`CellView`], `C` the display's color, `P` the probe.
-pub(super) struct Tracer<'c, V, C, P> {
+/// Traces pixels of one cell. `V` is the cell's [`CellView`], `P` the probe.
+pub(super) struct Tracer<'c, V, P> {
     pub(super) view: V,
     pub(super) tolerance: Tolerance,
     pub(super) tips: Option<&'c TipPoints>,
-    pub(super) color: PhantomData<C>,
+    pub(super) tones: ToneScale,
     pub(super) probe: &'c mut P,
     /// The rays that were traced, and how many may be; the last pixel may exceed that.
     pub(super) rays: u32,
@@ -81,22 +79,22 @@ pub(super) struct Tracer<'c, V, C, P> {
 }
 
 /// The sample of a pixel whose ray meets no object, if all such pixels look alike.
-pub(super) fn nothing_met<R: Real, S: Geometry, C: DisplayColor>(
+pub(super) fn nothing_met<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
+    tones: ToneScale,
 ) -> Option<Sample> {
     let color = renderer.scene.background.solid()?;
     let mut probe = ();
     let mut marks = MarkProbe::new(renderer.scene, R::from_f32(FAINT), None, &mut probe);
     let ray = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
     marks.record(Event::Miss { ray, color, throughput: LinearRgb::even(R::ONE) });
-    let quantizer = Quantizer::nearest(renderer.settings.transfer);
     let light = Light16::new(renderer.toned(color));
     #[cfg(feature = "looks")]
     marks.fold_step(step_of(renderer.settings.look.tones, light));
-    Some(marks.sample(C::tone(light, &quantizer)))
+    Some(marks.sample(tones.tone(light, renderer.settings.transfer)))
 }
 
-impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
+impl<R: Real, S: Geometry, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, P> {
     /// The pixel at a point of the grid: traced if `may_trace` and rays are left, and else a copy of its
     /// neighbor.
     pub(super) fn trace_or_copy(
@@ -145,7 +143,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
             let light = Light16::new(light);
             #[cfg(feature = "looks")]
             marks.fold_step(step_of(view.renderer.settings.look.tones, light));
-            C::tone(light, &Quantizer::nearest(view.renderer.settings.transfer))
+            self.tones.tone(light, view.renderer.settings.transfer)
         };
         let sample = marks.sample(tone);
         self.spend(rays);
@@ -196,11 +194,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         }
         let ink = walk.ink(renderer, (beyond(self.view.left, x), beyond(self.view.top, y)), |_, _| among);
         self.spend(ink.rays);
-        let quantizer = Quantizer::nearest(renderer.settings.transfer);
-        match renderer.color_of(ink) {
-            Some(color) => C::tone(C::light(tone, &quantizer).mixed(color, ink.share()), &quantizer),
-            None => tone,
-        }
+        let curve = renderer.settings.transfer;
+        let inked = |color| self.tones.light(tone, curve).mixed(color, ink.share());
+        renderer.color_of(ink).map_or(tone, |color| self.tones.tone(inked(color), curve))
     }
 
     /// Counts rays that were traced.
@@ -210,9 +206,7 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
     }
 }
 
-impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> PixelSource
-    for Tracer<'_, CellView<'_, '_, R, S>, C, P>
-{
+impl<R: Real, S: Geometry, P: Probe<R>> PixelSource for Tracer<'_, CellView<'_, '_, R, S>, P> {
     fn trace(&mut self, x: usize, y: usize) -> Sample {
         let sample = self.trace_for(Purpose::Marks, x, y);
         match self.tips {

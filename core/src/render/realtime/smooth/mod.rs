@@ -26,7 +26,7 @@ use crate::math::{Ray, Real};
 use crate::prepared::ObjectSet;
 use crate::probe::Probe;
 use crate::render::pixel::Aim;
-use crate::render::{DisplayColor, Light16, Quantizer, Tone};
+use crate::render::{Light16, Tone};
 use crate::sampling::RayNumbers;
 use crate::shape::Geometry;
 
@@ -150,7 +150,7 @@ impl Parted {
     }
 }
 
-impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, C, P> {
+impl<R: Real, S: Geometry, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, P> {
     /// The tone of the pixel whose upper left corner is this point of a cell. If the cell is one whose points
     /// are all traced, for their tones alone, it is the mean light of the corners.
     pub(super) fn smooth_tone(
@@ -214,9 +214,9 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
 
     /// The tone of a mixture of light: this share of the second tone, in 32768ths, and the rest of the first.
     fn mix(&self, tones: [Tone; 2], share: u32) -> Tone {
-        let quantizer = Quantizer::nearest(self.view.renderer.settings.transfer);
-        let [first, second] = tones.map(|tone| C::light(tone, &quantizer));
-        C::tone(first.mixed(second, share), &quantizer)
+        let curve = self.view.renderer.settings.transfer;
+        let [first, second] = tones.map(|tone| self.tones.light(tone, curve));
+        self.tones.tone(first.mixed(second, share), curve)
     }
 
     /// The place where an outline that is known crosses the way from one corner to the next, in 256ths of it.
@@ -267,6 +267,6 @@ impl<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>> Tracer<'_, CellView<'_,
         let sight = Sight::among(view.among);
         let (light, rays) = renderer.light_in(renderer.scene, view.limits, pixel, sight, self.probe);
         self.spend(rays);
-        Some(C::tone(Light16::new(light), &Quantizer::nearest(renderer.settings.transfer)))
+        Some(self.tones.tone(Light16::new(light), renderer.settings.transfer))
     }
 }
