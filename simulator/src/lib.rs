@@ -34,6 +34,7 @@ mod light;
 mod options;
 mod orbit;
 mod panel;
+mod parts;
 mod passes;
 mod picture;
 mod plot;

@@ -14,10 +14,10 @@ use rayline::{
     DisplayColor, Light16, LineError, Object, PreparedScene, Preview, PreviewError, Quantizer, RayCounts,
     Real, Renderer, Scene, SceneError, Settings, SettingsError,
 };
-use rayon::prelude::*;
 
 use crate::display::ForColor;
 use crate::distinct::distinct;
+use crate::parts::render_parts;
 use crate::preview::{draw_lines, facets};
 use crate::realtime::Bands;
 use crate::{Mode, Number, RenderOptions, Show};
@@ -206,33 +206,24 @@ struct Lines<'j, 'm, R: Real> {
 impl<R: Real> Lines<'_, '_, R> {
     fn render(&self, rgb: &mut [u8]) -> Result<RayCounts, LineError> {
         let width = self.renderer.width() as usize;
-        let blank_lines = || vec![Light16::BLACK; width * LINES_AT_ONCE];
-        let lines = |lights: &mut Vec<Light16>, (chunk, rgb): (usize, &mut [u8])| {
-            let y = self.first + (chunk * LINES_AT_ONCE) as u32;
-            let lights = lights.get_mut(..rgb.len() / 3).unwrap_or_default();
+        render_parts(rgb, width * LINES_AT_ONCE * 3, &|number, rgb| {
+            let y = self.first + (number * LINES_AT_ONCE) as u32;
             let rays = match self.options.show {
-                Show::Colors => self.colors(y, lights, rgb)?,
+                Show::Colors => self.colors(y, rgb)?,
                 Show::Samples => self.sample_counts(y, rgb),
             };
-            (0..lights.len() / width).for_each(|_| (self.line_done)());
+            (0..rgb.len() / (width * 3)).for_each(|_| (self.line_done)());
             Ok(rays)
-        };
-        let sum = |mut a: RayCounts, b| {
-            a += b;
-            Ok(a)
-        };
-        rgb.par_chunks_mut(width * LINES_AT_ONCE * 3)
-            .enumerate()
-            .map_init(blank_lines, lines)
-            .try_reduce(RayCounts::default, sum)
+        })
     }
 
     /// Lines from `y` on, in the display's colors.
-    fn colors(&self, y: u32, lights: &mut [Light16], rgb: &mut [u8]) -> Result<RayCounts, LineError> {
+    fn colors(&self, y: u32, rgb: &mut [u8]) -> Result<RayCounts, LineError> {
+        let mut lights = vec![Light16::BLACK; rgb.len() / 3];
         let mut rays = RayCounts::default();
-        self.renderer.lines(y, lights, &mut rays)?;
+        self.renderer.lines(y, &mut lights, &mut rays)?;
         let RenderOptions { display, settings, .. } = self.options;
-        display.color(Lights { lights, settings, first: y, rgb });
+        display.color(Lights { lights: &lights, settings, first: y, rgb });
         Ok(rays)
     }
 

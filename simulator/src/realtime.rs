@@ -7,10 +7,10 @@ use core::ops::Range;
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888, RgbColor};
 use rayline::{DisplayColor, DrawError, Edges, LineError, RayCounts, Real, Realtime, Renderer, Sample};
-use rayon::prelude::*;
 
 use crate::canvas::Canvas;
 use crate::display::ForColor;
+use crate::parts::render_parts;
 
 /// The job of rendering some lines in realtime quality.
 pub(crate) struct Bands<'j, 'm, R: Real> {
@@ -33,8 +33,8 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
         let band = quality.grid.pixels();
         let part = lines.len().div_ceil(rayon::current_num_threads()).next_multiple_of(band).max(band);
         let line_bytes = renderer.width() as usize * 3;
-        let draw = |(index, rgb): (usize, &mut [u8])| {
-            let first = lines.start + (index * part) as u32;
+        render_parts(rgb, line_bytes * part, &|number, rgb| {
+            let first = lines.start + (number * part) as u32;
             let part = first..lines.end.min(first + part as u32);
             let width = renderer.width() as u16;
             let mut colors = vec![C::from(BinaryColor::Off); quality.colors(width)];
@@ -57,12 +57,7 @@ impl<R: Real> ForColor for Bands<'_, '_, R> {
                     Err(_) => return Ok(rays),
                 }
             }
-        };
-        let sum = |mut a: RayCounts, b| {
-            a += b;
-            Ok(a)
-        };
-        rgb.par_chunks_mut(line_bytes * part).enumerate().map(draw).try_reduce(RayCounts::default, sum)
+        })
     }
 }
 
