@@ -53,6 +53,8 @@ fn main() -> ExitCode {
 
 /// Does what the arguments say; returns whether nothing failed.
 fn run(arguments: &Arguments) -> Result<bool> {
+    let pages = [&arguments.report, &arguments.effects, &arguments.sizes];
+    pages.into_iter().flatten().try_for_each(|file| bench::check_page(file))?;
     if arguments.bench {
         return bench(arguments);
     }

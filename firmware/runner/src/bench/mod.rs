@@ -137,6 +137,20 @@ fn measure_all(sessions: &[Session<'_>], folder: &Path) -> Result<Vec<Measured>>
     Ok(measured)
 }
 
+/// What stands in the head of each page that a command writes.
+const WRITTEN: &str = "A command writes this page";
+
+/// Refuses a file that would be overwritten, and that no command wrote.
+pub(crate) fn check_page(file: &Path) -> Result<()> {
+    let is_ours = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).contains(WRITTEN);
+    ensure!(
+        fs::read(file).map_or(true, is_ours),
+        "{} was not written by `cargo boards`, and would be overwritten: name another file",
+        file.display()
+    );
+    Ok(())
+}
+
 /// Prints a table, and writes it as a page of its own.
 fn write_page(file: &Path, head: &str, table: &Table) -> Result<()> {
     println!("{table}");
@@ -152,4 +166,19 @@ fn gallery() -> PathBuf {
 /// The compiler of the programs, which is the same for all boards.
 fn compiler() -> Result<String> {
     Toolchain::find(Board::named(M4F)?.target).map_err(|reason| anyhow!(reason))?.name()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pages_of_people_are_not_overwritten() {
+        let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+        for page in ["benchmarks.md", "effects.md", "sizes.md", "a-new-page.md"] {
+            check_page(&docs.join(page)).unwrap();
+        }
+        let error = check_page(&docs.join("../README.md")).unwrap_err().to_string();
+        assert!(error.contains("README.md was not written by `cargo boards`"), "{error}");
+    }
 }
