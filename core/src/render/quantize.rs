@@ -31,7 +31,7 @@ impl Light16 {
     }
 
     /// A mixture: this share of other light, in 32768ths, and the rest of this one.
-    #[cfg_attr(not(any(feature = "distributed", feature = "looks")), allow(dead_code))]
+    #[cfg(any(test, feature = "distributed", feature = "looks"))]
     pub(super) fn mixed(self, other: Self, share: u32) -> Self {
         // At most 65536 · 32768, which fits in 32 bits.
         let mix = |a: u32, b: u32| (a * 32768u32.saturating_sub(share) + b * share) >> 15;
