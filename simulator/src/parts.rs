@@ -3,13 +3,12 @@
 use rayline::{LineError, RayCounts};
 use rayon::prelude::*;
 
-/// Renders the parts of a picture, of so many bytes each, by several threads. The job gets a part's number.
+/// Renders one part: its number, and the bytes of its pixels.
 // With a generic job, there would be a copy of rayon for each number system and color: 8 % of the program.
-pub(crate) fn render_parts(
-    rgb: &mut [u8],
-    bytes: usize,
-    job: &(dyn Fn(usize, &mut [u8]) -> Result<RayCounts, LineError> + Sync),
-) -> Result<RayCounts, LineError> {
+type Job<'j> = dyn Fn(usize, &mut [u8]) -> Result<RayCounts, LineError> + Sync + 'j;
+
+/// Renders the parts of a picture, of so many bytes each, by several threads.
+pub(crate) fn render_parts(rgb: &mut [u8], bytes: usize, job: &Job<'_>) -> Result<RayCounts, LineError> {
     let sum = |mut a: RayCounts, b| {
         a += b;
         Ok(a)
