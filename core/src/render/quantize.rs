@@ -31,7 +31,6 @@ impl Light16 {
     }
 
     /// A mixture: this share of other light, in 32768ths, and the rest of this one.
-    #[cfg(any(test, feature = "distributed", feature = "looks"))]
     pub(super) fn mixed(self, other: Self, share: u32) -> Self {
         // At most 65536 · 32768, which fits in 32 bits.
         let mix = |a: u32, b: u32| (a * 32768u32.saturating_sub(share) + b * share) >> 15;
@@ -86,11 +85,7 @@ impl Quantizer {
     /// The level, 0 to `most`, of a display that has `most + 1`, for light from 0 to 65536.
     #[inline]
     pub fn level(&self, light: u32, most: u8) -> u8 {
-        let light = light.min(65536);
-        let code = match self.transfer {
-            Transfer::Linear => light,
-            Transfer::Srgb => encode_srgb(light),
-        };
+        let code = encode(light.min(65536), self.transfer);
         ((code * u32::from(most) + self.threshold) >> 16) as u8
     }
 
@@ -159,6 +154,15 @@ const fn srgb_curve() -> [u16; SEGMENTS + 1] {
         i += 1;
     }
     curve
+}
+
+/// The code, 0 to 65536, of light from 0 to 65536.
+#[inline]
+pub(super) fn encode(light: u32, curve: Transfer) -> u32 {
+    match curve {
+        Transfer::Linear => light,
+        Transfer::Srgb => encode_srgb(light),
+    }
 }
 
 /// The sRGB code, 0 to 65536, of light from 0 to 65536.

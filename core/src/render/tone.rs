@@ -1,13 +1,13 @@
 //! Tones: light on the scale of a display, finer than its levels. Realtime quality interpolates them.
 
-use super::quantize::{decode_srgb, encode_srgb};
+use super::quantize::{decode_srgb, encode};
 use super::{Light16, Transfer};
 
 /// Light on the scale of a display, after its tone curve and finer than its levels, in up to three channels
 /// of 16 bits.
 ///
 /// Realtime quality interpolates tones, which takes two additions a pixel. To interpolate light would take
-/// the tone curve for each pixel. A [`ToneScale`] makes them.
+/// the tone curve for each pixel. A [`ToneScale`] makes tones of light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tone {
     /// The first channel in the upper half, the second in the lower: one addition for both.
@@ -109,6 +109,7 @@ impl Tone {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ToneScale(Channels);
 
+/// The channels of a tone, with the bits of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Channels {
     Light,
@@ -141,9 +142,14 @@ impl ToneScale {
         }
     }
 
-    /// The light of this tone, as exactly as the tone tells. Smooth edges
-    /// ([`Edges::Smooth`](super::Edges::Smooth)) and contours mix light.
+    /// The tone of a mixture of light: this share of `other`, in 32768ths, and the rest of a tone's light.
+    /// Smooth edges ([`Edges::Smooth`](super::Edges::Smooth)) and contours are such mixtures.
     #[cfg_attr(not(any(feature = "distributed", feature = "looks")), allow(dead_code))]
+    pub(super) fn mixed(self, tone: Tone, other: Light16, share: u32, curve: Transfer) -> Tone {
+        self.tone(self.light(tone, curve).mixed(other, share), curve)
+    }
+
+    /// The light of this tone, as exactly as the tone tells.
     pub(super) fn light(self, tone: Tone, curve: Transfer) -> Light16 {
         match self.0 {
             Channels::Light => tone.to_light(),
@@ -160,10 +166,7 @@ impl ToneScale {
 /// A channel of the tone of light from 0 to 65536, for a display of 1 to 8 `bits`: half a level is added,
 /// because [`Quantizer::cut`](super::Quantizer::cut) rounds down.
 pub(super) fn tone_of(light: u32, bits: u8, curve: Transfer) -> u16 {
-    let code = match curve {
-        Transfer::Linear => light,
-        Transfer::Srgb => encode_srgb(light),
-    };
+    let code = encode(light, curve);
     // At most 65536 - 2^(16 - bits) + 2^(15 - bits).
     ((((code << bits) - code) >> bits) + (0x8000 >> bits)) as u16
 }

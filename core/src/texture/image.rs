@@ -218,13 +218,13 @@ impl<R: Real> PreparedImage<'_, R> {
         }
     }
 
-    /// As [`light`](Self::light); a position exactly on the far edge belongs to the last pixel.
+    /// The color of the pixel at a position. A position exactly on the far edge belongs to the last pixel.
     fn nearest_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
         let nearest = |at: i32, count: u16| at.min(i32::from(count).wrapping_sub(1));
         self.light(nearest(column, self.image.width), nearest(line, self.image.height))
     }
 
-    /// As [`light`](Self::light), also one pixel beyond an edge, where [`Ends`] says how the image goes on.
+    /// The color of a pixel of the image or one beyond its edge, where [`Ends`] says how the image goes on.
     fn continued_pixel(&self, column: i32, line: i32) -> LinearRgb<R> {
         self.light(self.continued_column(column), self.continued_line(line))
     }

@@ -194,9 +194,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, P> {
         }
         let ink = walk.ink(renderer, (beyond(self.view.left, x), beyond(self.view.top, y)), |_, _| among);
         self.spend(ink.rays);
-        let curve = renderer.settings.transfer;
-        let inked = |color| self.tones.light(tone, curve).mixed(color, ink.share());
-        renderer.color_of(ink).map_or(tone, |color| self.tones.tone(inked(color), curve))
+        let inked = |color| self.tones.mixed(tone, color, ink.share(), renderer.settings.transfer);
+        renderer.color_of(ink).map_or(tone, inked)
     }
 
     /// Counts rays that were traced.

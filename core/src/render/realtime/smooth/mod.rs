@@ -213,10 +213,9 @@ impl<R: Real, S: Geometry, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, P> {
     }
 
     /// The tone of a mixture of light: this share of the second tone, in 32768ths, and the rest of the first.
-    fn mix(&self, tones: [Tone; 2], share: u32) -> Tone {
+    fn mix(&self, [first, second]: [Tone; 2], share: u32) -> Tone {
         let curve = self.view.renderer.settings.transfer;
-        let [first, second] = tones.map(|tone| self.tones.light(tone, curve));
-        self.tones.tone(first.mixed(second, share), curve)
+        self.tones.mixed(first, self.tones.light(second, curve), share, curve)
     }
 
     /// The place where an outline that is known crosses the way from one corner to the next, in 256ths of it.
