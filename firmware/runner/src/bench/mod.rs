@@ -137,17 +137,20 @@ fn measure_all(sessions: &[Session<'_>], folder: &Path) -> Result<Vec<Measured>>
     Ok(measured)
 }
 
-/// What stands in the head of each page that a command writes.
-const WRITTEN: &str = "A command writes this page";
+/// The mark in the head of each page that a command writes.
+const MARK: &str = "A command writes this page";
 
 /// Refuses a file that would be overwritten, and that no command wrote.
 pub(crate) fn check_page(file: &Path) -> Result<()> {
-    let is_ours = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).contains(WRITTEN);
-    ensure!(
-        fs::read(file).map_or(true, is_ours),
-        "{} was not written by `cargo boards`, and would be overwritten: name another file",
-        file.display()
-    );
+    // A device, such as standard output, loses nothing; to read it could wait for ever.
+    if file.is_file() {
+        let page = fs::read(file).with_context(|| file.display().to_string())?;
+        ensure!(
+            String::from_utf8_lossy(&page).contains(MARK),
+            "{} was not written by `cargo boards`, and would be overwritten: name another file",
+            file.display()
+        );
+    }
     Ok(())
 }
 

@@ -318,13 +318,13 @@ mod tests {
     }
 
     const FRAMES: &str = "\
-        | scene       |  size | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
-        | ----------- | ----: | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
-        | classic     |     - | one   | exact    |       - |              - |   - |        - |         - |\n\
-        | classic     |     - | one   | realtime |       - |              - |   - |        - |         - |\n\
-        | classic     |     - | both  | exact    |       - |              - |   - |        - |         - |\n\
-        | classic     | 10x10 | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n\
-        | light-baked |     - | both  | exact    |       - |              - |   - |        - |         - |\n";
+    | scene       |  size | cores | mode     |    PSNR | million cycles | MHz | frames/s | allowance |\n\
+    | ----------- | ----: | ----- | -------- | ------: | -------------: | --: | -------: | --------: |\n\
+    | classic     |     - | one   | exact    |       - |              - |   - |        - |         - |\n\
+    | classic     |     - | one   | realtime |       - |              - |   - |        - |         - |\n\
+    | classic     |     - | both  | exact    |       - |              - |   - |        - |         - |\n\
+    | classic     | 10x10 | both  | realtime | 41.3 dB |          19.50 | 200 |    10.26 |      ≥ 11 |\n\
+    | light-baked |     - | both  | exact    |       - |              - |   - |        - |         - |\n";
 
     #[test]
     fn frames_stand_next_to_the_allowance() {
