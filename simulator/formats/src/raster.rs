@@ -81,8 +81,7 @@ impl Raster {
         let mut reader = png_reader(bytes)?;
         let size = (reader.info().width as usize, reader.info().height as usize);
         check(size)?;
-        let length = reader.output_buffer_size().filter(|length| *length <= MOST_BYTES);
-        let mut pixels = vec![0; length.ok_or(RasterError::Size)?];
+        let mut pixels = vec![0; reader.output_buffer_size()];
         let info = reader.next_frame(&mut pixels).map_err(broken)?;
         Self::of_channels(size, info.color_type.samples(), &pixels)
     }
@@ -244,7 +243,7 @@ impl Indexed {
         }
         check((width as usize, height as usize)).ok()?;
         let palette = info.palette.as_ref()?.as_chunks::<3>().0.to_vec();
-        let mut indices = vec![0; reader.output_buffer_size().filter(|length| *length <= MOST_BYTES)?];
+        let mut indices = vec![0; reader.output_buffer_size()];
         reader.next_frame(&mut indices).ok()?;
         Some(Self { width, height, depth, indices, palette })
     }
