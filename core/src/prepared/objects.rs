@@ -310,11 +310,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// Visits the facets of all objects, with the object's position. Moving ones are where they were
     /// described.
-    pub(crate) fn each_facet(
-        &self,
-        tessellation: &Tessellation<R>,
-        visit: &mut impl FnMut(usize, &Facet<R>),
-    ) {
+    pub(crate) fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(usize, &Facet<R>)) {
         for (index, object) in self.objects.iter().enumerate() {
             object.shape.each_facet(tessellation, &mut |facet: &Facet<R>| visit(index, facet));
         }

@@ -590,7 +590,7 @@ impl<R: Real> Silhouette<R> for PreparedCone<R> {
         }
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let (columns, is_closed) = (tessellation.sides(), self.capped);
         let directions = Directions::<R>::new(columns);
         let (first, second) = self.axis.around();

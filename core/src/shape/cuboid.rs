@@ -220,7 +220,7 @@ impl<R: Real> Silhouette<R> for PreparedCuboid<'_, R> {
         (part == 0).then_some(Hull { center: self.center, axes: [a * x, b * y, c * z], radius: R::ZERO })
     }
 
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let [a, b, c] = self.unit_axes();
         let Vec3 { x, y, z } = self.half;
         let shift = |axis: Vec3<R>, is_upper: bool| if is_upper { axis } else { -axis };

@@ -128,7 +128,7 @@ impl<R: Real> Silhouette<R> for PreparedDisc<R> {
         circle.hull(part, distance)
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let (first, second) = self.plane.normal.around();
         let (axes, radii) = ([first, second, self.plane.normal], [self.radius, self.hole_squared.sqrt()]);
         let directions = Directions::new(tessellation.sides());

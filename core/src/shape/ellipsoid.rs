@@ -218,7 +218,7 @@ impl<R: Real> Silhouette<R> for PreparedEllipsoid<'_, R> {
         normal_after_step(self, surface, step)
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let MappedBall { center, rows, radius, .. } = *self.0;
         // The columns of the inverse matrix, times the radius, are the three axes.
         let [x, y, z] = rows.map(Vec3::to_setup);

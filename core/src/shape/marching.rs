@@ -112,7 +112,7 @@ impl<R: Real> Lattice<R> {
         shape: &S,
         is_closed: bool,
         insides: impl Fn(&Row<R>) -> u32,
-        visit: &mut impl FnMut(&Facet<R>),
+        visit: &mut dyn FnMut(&Facet<R>),
     ) {
         let [count, rows, layers] = self.counts;
         let mut lower = [0; MOST_PLACES];
@@ -138,7 +138,7 @@ impl<R: Real> Lattice<R> {
     }
 
     /// Calls `visit` with the facets of a shape that has no inside.
-    fn each_open_facet<S: Intersect<R> + ?Sized>(&self, shape: &S, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_open_facet<S: Intersect<R> + ?Sized>(&self, shape: &S, visit: &mut dyn FnMut(&Facet<R>)) {
         let [columns, rows, layers] = self.counts.map(|count| count.saturating_sub(1));
         for z in 0..layers {
             for y in 0..rows {
@@ -205,7 +205,7 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
         self.inside.wrapping_shr(corner.into()) & 1 != 0
     }
 
-    fn each_facet(&mut self, is_closed: bool, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&mut self, is_closed: bool, visit: &mut dyn FnMut(&Facet<R>)) {
         if self.inside == 0 || self.inside == u8::MAX {
             return;
         }
@@ -217,7 +217,7 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
     /// Calls `visit` with the facets of a shape that has no inside. In each tetrahedron, corners lie behind
     /// the surface or in front of it. At the border of the shape the edges do not agree on that, and there is
     /// no facet.
-    fn each_open_facet(&mut self, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_open_facet(&mut self, visit: &mut dyn FnMut(&Facet<R>)) {
         let mut crossed = CrossedEdges::default();
         for from in 0..8u8 {
             for to in (from.saturating_add(1)..8).filter(|to| from & to == from) {
@@ -238,7 +238,7 @@ impl<'a, R: Real, S: Intersect<R> + ?Sized> Cell<'a, R, S> {
     }
 
     /// Calls `visit` with the facets in a tetrahedron.
-    fn cut(&mut self, corners: [u8; 4], is_closed: bool, visit: &mut impl FnMut(&Facet<R>)) {
+    fn cut(&mut self, corners: [u8; 4], is_closed: bool, visit: &mut dyn FnMut(&Facet<R>)) {
         let (part, [a, b, c, d]) = self.sorted(corners);
         let mut facet = |edges: [[u8; 2]; 3]| {
             let crossings = edges.map(|edge| self.crossing(edge));
@@ -419,7 +419,7 @@ fn meet_once<R: Real, S: Intersect<R> + ?Sized>(
 pub(super) fn each_facet_of_any<R: Real, S: Intersect<R> + ?Sized>(
     shape: &S,
     tessellation: &Tessellation<R>,
-    visit: &mut impl FnMut(&Facet<R>),
+    visit: &mut dyn FnMut(&Facet<R>),
 ) {
     let Some(bounds) = shape.bounds() else { return };
     let lattice = Lattice::around(bounds, tessellation);

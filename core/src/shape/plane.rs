@@ -176,7 +176,7 @@ impl<R: Real> Silhouette<R> for PreparedPlane<R> {
     /// Rings around the point below the eye, each four times as wide as the one before. They end where the
     /// horizon is less than a pixel away, at 4096 heights of the eye; in fixed point at 127 heights, or where
     /// no ray meets the plane any more.
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let center = project_onto_plane(tessellation.eye, self.normal, self.distance);
         let height = (self.normal.dot(tessellation.eye) - self.distance).abs();
         if !(height > R::offset(tessellation.eye.magnitude())) {

@@ -316,7 +316,7 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
         Some(Tip { apex: vertex(number)?, ends, radius: R::ZERO })
     }
 
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let normal = self.plane.normal;
         // Whether u and v are counterclockwise as seen from the front.
         let is_front = self.dropped.height(normal) > R::ZERO;

@@ -271,7 +271,7 @@ impl<R: Real> Intersect<R> for PreparedPolyhedron<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedPolyhedron<'_, R> {
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         for (part, plane) in (0..).zip(self.planes) {
             if let Some(outline) = self.face(part, plane) {
                 face(&outline.rounded(), plane.normal, part as u32, true, visit);

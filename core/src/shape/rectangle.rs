@@ -89,7 +89,7 @@ impl<R: Real> Silhouette<R> for PreparedRectangle<R> {
         (part == 0).then(|| self.patch.hull())
     }
 
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let [corner, right, up] = self.patch.edges();
         let corners = Rectangle::corners(corner, right, up).map(Vec3::from_setup);
         face(&corners, self.patch.plane.normal, 0, false, visit);

@@ -234,7 +234,7 @@ macro_rules! shape_set {
             fn each_facet(
                 &self,
                 tessellation: &$crate::shape::Tessellation<R>,
-                visit: &mut impl FnMut(&$crate::shape::Facet<R>),
+                visit: &mut dyn FnMut(&$crate::shape::Facet<R>),
             ) {
                 match self {
                     $(Self::$Variant(shape) => {

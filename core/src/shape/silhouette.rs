@@ -66,7 +66,7 @@ pub trait Silhouette<R: Real>: Intersect<R> {
     /// at most 24. Edges are cut off by up to a cell, and parts that are thinner may be lost. A shape without
     /// [`spans`](Intersect::spans) takes several times as long, and may end up to a cell before its border.
     /// A shape without bounds has no facets.
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         each_facet_of_any(self, tessellation, visit);
     }
 }

@@ -161,7 +161,7 @@ impl<R: Real> Silhouette<R> for PreparedSphere<R> {
         (surface.normal * self.radius + step).unit()
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         globe(tessellation, false, |normal| (self.center + normal * self.radius, normal), visit);
     }
 }

@@ -68,7 +68,7 @@ impl Grid {
     pub(super) fn each_facet<R: Real>(
         &self,
         corner: impl Fn(u16, u16) -> Corner<R>,
-        visit: &mut impl FnMut(&Facet<R>),
+        visit: &mut dyn FnMut(&Facet<R>),
     ) {
         let is_closed = self.is_closed;
         for row in 0..self.rows {
@@ -88,7 +88,7 @@ pub(super) fn triangle<R: Real>(
     corners: [Corner<R>; 3],
     part: u32,
     is_closed: bool,
-    visit: &mut impl FnMut(&Facet<R>),
+    visit: &mut dyn FnMut(&Facet<R>),
 ) {
     let [(a, _), (b, _), (c, _)] = corners;
     if a != b && b != c && c != a {
@@ -103,7 +103,7 @@ pub(super) fn face<R: Real>(
     normal: Vec3<R>,
     part: u32,
     is_closed: bool,
-    visit: &mut impl FnMut(&Facet<R>),
+    visit: &mut dyn FnMut(&Facet<R>),
 ) {
     let Some((first, rest)) = corners.split_first() else { return };
     for (second, third) in rest.iter().zip(rest.iter().skip(1)) {
@@ -117,7 +117,7 @@ pub(super) fn globe<R: Real>(
     tessellation: &Tessellation<R>,
     is_mirrored: bool,
     corner: impl Fn(Vec3<R>) -> Corner<R>,
-    visit: &mut impl FnMut(&Facet<R>),
+    visit: &mut dyn FnMut(&Facet<R>),
 ) {
     // An even number: then the directions serve for both coordinates.
     let columns = tessellation.sides() & !1;
@@ -147,7 +147,7 @@ impl<R: Real> Ring<R> {
         &self,
         directions: &Directions<R>,
         is_clockwise: bool,
-        visit: &mut impl FnMut(&Facet<R>),
+        visit: &mut dyn FnMut(&Facet<R>),
     ) {
         let [first, second, normal] = self.axes;
         let [outer, inner] = self.radii;

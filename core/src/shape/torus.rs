@@ -230,7 +230,7 @@ impl<R: Real> Silhouette<R> for PreparedTorus<R> {
         normal_after_step(self, surface, step)
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let columns = tessellation.sides();
         let rows = (columns / 2).max(MIN_SEGMENTS);
         let (around, about_tube) = (Directions::<R>::new(columns), Directions::<R>::new(rows));

@@ -141,7 +141,7 @@ impl<R: Real> Silhouette<R> for PreparedTriangle<'_, R> {
         self.normal_at(surface.point + step).unwrap_or(surface.normal)
     }
 
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let [a, ab, ac] = self.patch.edges();
         let flat = Facet::flat([a, a + ab, a + ac].map(Vec3::from_setup), self.patch.plane.normal);
         visit(&Facet { normals: self.normals.copied().unwrap_or(flat.normals), ..flat });

@@ -367,7 +367,7 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedCsg<'_, R, P> {
         self.solids.iter().flat_map(|solid| (0..).map_while(|number| solid.tip(number))).nth(number)
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let insides = |row: &Row<R>| self.insides(row);
         if let Some(bounds) = self.tree.bounds {
             return Lattice::around(bounds, tessellation).each_facet(self, true, insides, visit);

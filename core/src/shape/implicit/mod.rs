@@ -163,7 +163,7 @@ impl<D: Distance<R>, R: Real> Intersect<R> for PreparedImplicit<D, R> {
 }
 
 impl<D: Distance<R>, R: Real> Silhouette<R> for PreparedImplicit<D, R> {
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let is_inside = |point: Vec3<R>| self.field.distance(point) < R::ZERO;
         // The box may cut the surface open.
         let lattice = Lattice::within(self.room.bounds(), tessellation);

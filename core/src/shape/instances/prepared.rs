@@ -184,7 +184,7 @@ impl<R: Real, P: Silhouette<R>> Silhouette<R> for PreparedInstances<'_, R, P> {
         }
     }
 
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         for (index, pose) in (0u32..).zip(self.places.poses) {
             let Ray { origin: eye, .. } =
                 pose.inward(&Ray { origin: tessellation.eye, direction: Vec3::ZERO });

@@ -473,7 +473,7 @@ impl<R: Real> Silhouette<R> for PreparedMesh<'_, R> {
         (0..=u16::MAX).map_while(|triangle| self.0.rim(triangle)).for_each(visit);
     }
 
-    fn each_facet(&self, _: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, _: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         for triangle in 0..=u16::MAX {
             let Some(corners) = self.0.corners(triangle) else { break };
             let Some(normal) = normal(corners) else { continue };

@@ -270,7 +270,7 @@ impl<R: Real> Intersect<R> for PreparedQuadric<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedQuadric<'_, R> {
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         if self.0.capped {
             return each_facet_of_any(self, tessellation, visit);
         }

@@ -208,7 +208,7 @@ impl<R: Real> Intersect<R> for PreparedMetaballs<'_, R> {
 }
 
 impl<R: Real> Silhouette<R> for PreparedMetaballs<'_, R> {
-    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut impl FnMut(&Facet<R>)) {
+    fn each_facet(&self, tessellation: &Tessellation<R>, visit: &mut dyn FnMut(&Facet<R>)) {
         let Self(sum) = self;
         let is_inside = |point: Vec3<R>| sum.slope(point - sum.room.middle).0 < R::ZERO;
         let lattice = Lattice::around(sum.room.bounds(), tessellation);
