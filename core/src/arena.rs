@@ -117,29 +117,29 @@ impl<'m> Arena<'m> {
         if count == 0 {
             return Ok(&mut []);
         }
-        let free = core::mem::take(&mut self.free);
-        let padding = free.as_ptr().align_offset(align_of::<T>());
-        let taken = size_of::<T>()
-            .checked_mul(count)
-            .and_then(|bytes| bytes.checked_add(padding))
-            .and_then(|end| free.len().checked_sub(end).map(|_| end));
-        let Some(end) = taken else {
-            let missing = Self::bytes::<T>(count).saturating_sub(free.len());
-            self.free = free;
-            return Err(Fault::Memory { needed: self.lent.saturating_add(missing), lent: self.lent });
-        };
-        let Some((used, rest)) = free.split_at_mut_checked(end) else {
-            return Err(Fault::Memory { needed: end, lent: self.lent });
-        };
-        self.free = rest;
-        let Some(room) = used.get_mut(padding..) else {
-            return Err(Fault::Memory { needed: end, lent: self.lent });
-        };
+        // Saturating, as in `bytes`.
+        let room = self.take_bytes(size_of::<T>().saturating_mul(count), align_of::<T>())?;
         // SAFETY: `room` is exclusively borrowed for 'm, begins at a multiple of T's alignment, and holds
         // `count` times T's size; `MaybeUninit<T>` may hold any bytes.
         #[allow(unsafe_code)]
         let slots = unsafe { core::slice::from_raw_parts_mut(room.as_mut_ptr().cast(), count) };
         Ok(slots)
+    }
+
+    /// Cuts bytes off the front of the free memory, from a multiple of `align` on. It is one function for all
+    /// types, so that programs are small.
+    fn take_bytes(&mut self, bytes: usize, align: usize) -> Result<&'m mut [MaybeUninit<u8>], Fault> {
+        let free = core::mem::take(&mut self.free);
+        let padding = free.as_ptr().align_offset(align);
+        let end = padding.saturating_add(bytes);
+        if end > free.len() {
+            let missing = bytes.saturating_add(align - 1).saturating_sub(free.len());
+            self.free = free;
+            return Err(Fault::Memory { needed: self.lent.saturating_add(missing), lent: self.lent });
+        }
+        let (used, rest) = free.split_at_mut_checked(end).unwrap_or_default();
+        self.free = rest;
+        used.get_mut(padding..).ok_or(Fault::Memory { needed: end, lent: self.lent })
     }
 }
 

@@ -51,18 +51,13 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
     fn collect<E: Error>(
         self,
         count: Option<usize>,
-        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+        next: &mut dyn FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
         let Some(count) = count else { return self.collect_any(next) };
         let mut room = self.reader.memory.room(count).map_err(|fault| self.reader.fail(fault))?;
         while let Some(value) = next(self.reader)? {
-            room.push(value).map_err(|_| {
-                E::invalid_length(
-                    count,
-                    &"as many values as the format \
-                                                                    announced",
-                )
-            })?;
+            room.push(value)
+                .map_err(|_| E::invalid_length(count, &"as many values as the format announced"))?;
         }
         Ok(room.filled())
     }
@@ -72,7 +67,7 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
     #[cfg(feature = "std")]
     fn collect_any<E: Error>(
         self,
-        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+        next: &mut dyn FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
         let mut values = std::vec::Vec::new();
         while let Some(value) = next(self.reader)? {
@@ -84,14 +79,11 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
     #[cfg(not(feature = "std"))]
     fn collect_any<E: Error>(
         self,
-        mut next: impl FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
+        next: &mut dyn FnMut(&mut Reader<'m>) -> Result<Option<T>, E>,
     ) -> Result<&'m [T], E> {
         // Read the list to its end, so that a broken list fails with the format's own error.
         while next(self.reader)?.is_some() {}
-        Err(E::custom(
-            "this format does not store the lengths of lists; build with the feature `std` to read \
-                       it",
-        ))
+        Err(E::custom("this format does not store the lengths of lists; build with `std` to read it"))
     }
 }
 
@@ -103,11 +95,11 @@ impl<'m, T: Read<'m> + Copy + 'm> Visitor<'m> for List<'_, 'm, T> {
     }
 
     fn visit_seq<A: SeqAccess<'m>>(self, mut values: A) -> Result<&'m [T], A::Error> {
-        self.collect(values.size_hint(), |reader| values.next_element_seed(Seed::new(reader)))
+        self.collect(values.size_hint(), &mut |reader| values.next_element_seed(Seed::new(reader)))
     }
 
     fn visit_map<A: MapAccess<'m>>(self, mut map: A) -> Result<&'m [T], A::Error> {
-        self.collect(map.size_hint(), |reader| match map.next_key_seed(Key)? {
+        self.collect(map.size_hint(), &mut |reader| match map.next_key_seed(Key)? {
             Some(()) => map.next_value_seed(Seed::new(reader)).map(Some),
             None => Ok(None),
         })
