@@ -7,12 +7,16 @@
 //! their vertices are rounded to grids (Rossignac and Borrel, "Multi-resolution 3D Approximations for
 //! Rendering Complex Scenes", 1993), here of up to a pixel at their distance. Triangles that lose a corner
 //! are left out; the others still meet.
+//!
+//! The set of shapes is that of models: the code for all shapes would take several seconds more to compile.
 
 use core::mem::MaybeUninit;
 
 use bumpalo::Bump;
-use rayline::shape::{Mesh, Shape};
-use rayline::{Camera, Event, LinearRgb, Object, PreparedScene, Probe, Renderer, Scene, Settings, Vec3};
+use rayline::shape::{Instances, Mesh, Model, Shape};
+use rayline::{
+    Camera, Event, LinearRgb, Object, PreparedScene, Probe, Renderer, Scene, Settings, Vec3, prepared_bytes,
+};
 
 /// The pixels of the coarse picture, about.
 const PIXELS: f32 = 3072.0;
@@ -30,16 +34,31 @@ const BRIGHT: f32 = 0.5;
 /// The most triangles of a scene that is prepared as it is.
 const MANY: usize = 20_000;
 
-/// The factor for all lights of a scene by which the brightest of what they light is almost white, in a
-/// picture of these proportions. `None` if they light nothing that is seen.
+rayline::shape_set! {
+    /// The shapes of models.
+    enum ModelShape<'a>;
+    /// `ModelShape`, prepared.
+    enum PreparedModelShape {
+        /// A mesh.
+        Mesh(Mesh<'a>),
+        /// A mesh in several places.
+        Instances(Instances<'a, Mesh<'a>>),
+    }
+}
+
+/// The factor for all lights of a model by which the brightest of what they light is almost white, in a
+/// picture of these proportions. `None` if they light nothing that is seen. Only meshes and their instances
+/// are seen.
 pub(crate) fn factor(scene: &Scene<'_>, (width, height): (u32, u32)) -> Option<f32> {
     let aspect = width as f32 / height as f32;
     let lines = (PIXELS / aspect).sqrt().round().max(1.0);
     let settings = Settings::new((lines * aspect).round().max(1.0) as u32, lines as u32);
     let arena = Bump::new();
     let pixel = 2.0 * (scene.camera.vertical_fov * 0.5).tan() / lines;
-    let scene = Scene { objects: coarse(scene.objects, &scene.camera, pixel, &arena), ..*scene };
-    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+    let Scene { camera, background, objects, materials, lights, motions } = *scene;
+    let objects = coarse(objects, &camera, pixel, &arena);
+    let scene = Scene { camera, background, objects, materials, lights, motions };
+    let mut memory = vec![MaybeUninit::uninit(); prepared_bytes!(f32, scene)];
     let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).ok()?;
     let renderer = Renderer::new(&prepared, settings).ok()?;
     let (width, height) = (settings.width as u16, settings.height as u16);
@@ -58,37 +77,44 @@ pub(crate) fn factor(scene: &Scene<'_>, (width, height): (u32, u32)) -> Option<f
 /// The objects without what is smaller than a pixel, if they have many triangles. `pixel` is the size of a
 /// pixel at distance 1.
 fn coarse<'a>(
-    objects: &'a [Object<Shape<'a>>],
+    objects: &[Object<Shape<'a>>],
     camera: &Camera,
     pixel: f32,
     arena: &'a Bump,
-) -> &'a [Object<Shape<'a>>] {
+) -> &'a [Object<ModelShape<'a>>] {
     let triangles = objects.iter().map(|object| match object.shape {
         Shape::Mesh(mesh) => mesh.triangles.len(),
         _ => 0,
     });
-    if triangles.sum::<usize>() <= MANY {
-        return objects;
-    }
-    let rounded = |vertex: &Vec3| {
+    let are_many = triangles.sum::<usize>() > MANY;
+    let round = |vertex: &Vec3| {
         let size = ((*vertex - camera.eye).length() * pixel).max(1e-9);
         // The largest power of two up to the size.
         let cell = f32::from_bits(size.to_bits() & f32::INFINITY.to_bits());
         let round = |coordinate: f32| (coordinate / cell).round() * cell;
         Vec3::new(round(vertex.x), round(vertex.y), round(vertex.z))
     };
-    let shapes = objects.iter().filter_map(|object| {
-        let Shape::Mesh(mesh) = object.shape else { return Some(*object) };
-        let vertices = &*arena.alloc_slice_fill_iter(mesh.vertices.iter().map(rounded));
+    let coarse_mesh = |mesh: Mesh<'a>| {
+        let vertices = &*arena.alloc_slice_fill_iter(mesh.vertices.iter().map(round));
         let has_corners = |triangle: &[u16; 3]| {
             let [a, b, c] = triangle.map(|corner| vertices.get(usize::from(corner)));
             a != b && b != c && c != a
         };
         let left: Vec<_> = mesh.triangles.iter().copied().filter(has_corners).collect();
-        let shape = Shape::Mesh(Mesh { vertices, triangles: arena.alloc_slice_copy(&left), ..mesh });
-        (!left.is_empty()).then_some(Object { shape, ..*object })
+        (!left.is_empty()).then(|| Mesh { vertices, triangles: arena.alloc_slice_copy(&left), ..mesh })
+    };
+    let seen = objects.iter().filter_map(|object| {
+        let shape = match object.shape {
+            Shape::Mesh(mesh) if are_many => ModelShape::Mesh(coarse_mesh(mesh)?),
+            Shape::Mesh(mesh) => ModelShape::Mesh(mesh),
+            Shape::Instances(Instances { model: Model::Mesh(model), size, poses }) => {
+                ModelShape::Instances(Instances { model, size, poses })
+            }
+            _ => return None,
+        };
+        Some(Object { shape, material: object.material })
     });
-    arena.alloc_slice_copy(&shapes.collect::<Vec<_>>())
+    arena.alloc_slice_copy(&seen.collect::<Vec<_>>())
 }
 
 /// The light of one pixel.
@@ -134,7 +160,6 @@ impl Probe<f32> for Seen {
 
 #[cfg(test)]
 mod tests {
-    use rayline::shape::Sphere;
     use rayline::{Background, Light, Material, Optics, builtin};
 
     use super::*;
@@ -187,13 +212,13 @@ mod tests {
     #[test]
     fn the_brightest_hundredth_is_almost_white() {
         let gray = Material::matte(LinearRgb::gray(0.5));
-        let round = of(&[Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)], gray).unwrap();
+        let arena = Bump::new();
+        let round = of(&[ball(&arena, 49)], gray).unwrap();
         assert!((round / (1.8 / 0.995) - 1.0).abs() < 2e-3, "{round}");
         // As a mesh that is rounded to the grids: 64800 triangles, of which fewer than half stay.
-        let arena = Bump::new();
         let object = ball(&arena, 90);
         let objects = [object];
-        let [Object { shape: Shape::Mesh(rounded), .. }] = coarse(&objects, &VIEW, 0.021 / 48.0, &arena)
+        let [Object { shape: ModelShape::Mesh(rounded), .. }] = coarse(&objects, &VIEW, 0.021 / 48.0, &arena)
         else {
             unreachable!()
         };
@@ -204,7 +229,8 @@ mod tests {
 
     #[test]
     fn surfaces_that_are_bright_by_themselves_do_not_count() {
-        let ball = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)];
+        let arena = Bump::new();
+        let ball = [ball(&arena, 49)];
         let emits = |light| Optics { emission: LinearRgb::gray(light), ..Optics::PLAIN };
         let (faint, bright) = (emits(0.25), emits(0.6));
         let of_light =

@@ -38,7 +38,7 @@ pub use model::{Model, PreparedModel};
 pub use pose::Pose;
 pub use prepared::PreparedInstances;
 
-use super::{Geometry, Intersect};
+use super::{Geometry, Intersect, Mesh};
 use crate::arena::Arena;
 use crate::fault::{Fault, Inner, check_coordinate, check_number};
 use crate::hierarchy::Hierarchy;
@@ -121,6 +121,14 @@ impl<'a, S> Instances<'a, S> {
 
 impl Instances<'_> {
     /// [`Geometry::bytes`], usable in constants.
+    pub const fn const_bytes<R: Real>(&self) -> usize {
+        Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
+    }
+}
+
+impl Instances<'_, Mesh<'_>> {
+    /// [`Geometry::bytes`], usable in constants: for a [set of shapes](crate::shape_set) whose models are
+    /// meshes only.
     pub const fn const_bytes<R: Real>(&self) -> usize {
         Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
     }
