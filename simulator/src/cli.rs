@@ -35,7 +35,7 @@ pub(crate) enum Command {
     /// Record a film of a scene: the camera orbits once, or camera, objects and lights follow a script
     ///
     /// A script has key frames in the notation of .ron files: see the page of the module
-    /// `rayline_formats::animation`, and docs/classic.film.ron for an example.
+    /// `rayline_scenes::animation`, and docs/classic.film.ron for an example.
     Record(Record),
     /// List the built-in scenes
     Scenes,

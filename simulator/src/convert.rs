@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use bumpalo::Bump;
 use rayline::bake::BakeError;
 use rayline::{BytesError, Scene, Settings};
+use rayline_formats::Pictures;
 use rayline_formats::povray::{PovrayError, to_povray};
-use rayline_formats::{FILE_SETTINGS, Pictures, rust_source, to_bytes};
+use rayline_scenes::{FILE_SETTINGS, rust_source, to_bytes};
 
 use crate::file::{extension, is_nameless, write_beside};
 use crate::{FileError, Number, check_writable, ron};

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use rayline_formats::animation::Length;
+use rayline_scenes::animation::Length;
 
 use crate::Picture;
 use crate::file::{FileError, check_writable, extension, is_nameless, write_file};

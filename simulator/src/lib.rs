@@ -64,9 +64,9 @@ pub use panel::on_panel;
 pub use passes::{Pass, PassError, render_in_passes};
 pub use picture::{Picture, RenderError, render, render_watched};
 pub use rayline_formats::{
-    Exposure, ExposureError, Format, LoadError, LoadedScene, ModelView, OpenOptions, Up, animation, files,
-    gltf, nff, obj, povray, raster, ron,
+    Exposure, ExposureError, Format, ModelView, OpenOptions, Up, files, gltf, nff, obj, povray, raster,
 };
+pub use rayline_scenes::{LoadError, LoadedScene, animation, ron};
 pub use report::{ReportError, report_pixel};
 pub use stats::{Cuts, Hits, Rays, Stats};
 pub use terminal::half_blocks;

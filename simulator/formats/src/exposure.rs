@@ -47,7 +47,7 @@ impl Exposure {
     }
 
     /// A color of light with this exposure. What the core refuses stays beyond its limits.
-    pub(crate) fn of_color(self, color: LinearRgb) -> LinearRgb {
+    pub fn of_color(self, color: LinearRgb) -> LinearRgb {
         let [r, g, b] = color.channels().map(|channel| {
             let light = channel * self.factor();
             if light > MAX_COORDINATE && channel <= MAX_COORDINATE { MAX_COORDINATE } else { light }
@@ -56,7 +56,7 @@ impl Exposure {
     }
 
     /// The scene with this exposure. New parts of it are kept in `arena`.
-    pub(crate) fn of<'a>(self, scene: &Scene<'a>, arena: &'a Bump, notes: &mut Notes) -> Scene<'a> {
+    pub fn of<'a>(self, scene: &Scene<'a>, arena: &'a Bump, notes: &mut Notes) -> Scene<'a> {
         if self.0 == 0.0 {
             return *scene;
         }

@@ -171,7 +171,7 @@ impl Files {
     ///
     /// # Errors
     /// The errors of [`Raster::decode`] and of [`take_pixels`](Self::take_pixels).
-    pub(crate) fn decode(&self, bytes: &[u8]) -> io::Result<Raster> {
+    pub fn decode(&self, bytes: &[u8]) -> io::Result<Raster> {
         let picture = Raster::decode(bytes).map_err(refused)?;
         self.take_pixels(picture.pixels.len())?;
         Ok(picture)

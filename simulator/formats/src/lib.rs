@@ -1,25 +1,22 @@
-//! Scenes and images from files, for Rayline on the desktop.
+//! Scenes and images in the formats of other programs, for Rayline on the desktop.
 //!
-//! - [`LoadedScene`] opens a scene by name or file;
-//! - [`ron`] reads and writes Rayline's scene files, [`nff`], [`obj`] and [`gltf`] read other formats;
-//! - [`animation`] reads key frames of a scene;
-//! - [`to_bytes`] and [`rust_source`] write what programs for boards read;
-//! - [`Pictures`] are the files of images beside the file of a scene;
+//! - [`nff`], [`obj`] and [`gltf`] read scenes and models;
 //! - [`povray`] writes scenes in POV-Ray's language, and renders them with it;
 //! - [`raster`] reads and writes images;
+//! - [`Pictures`] are the files of images beside the file of a scene;
 //! - [`files`] reads the bytes of all of them, within limits.
 //!
-//! Rays are traced only to measure the light of glTF files, in a coarse picture. The workspace builds the
-//! crate with fewer optimizations than the rest: its code is long, and runs once for each file.
+//! `rayline-scenes` opens any scene, and has Rayline's own formats. Rays are traced only to measure the light
+//! of glTF files, in a coarse picture. The workspace builds the crate with fewer optimizations than the rest:
+//! its code is long, and runs once for each file.
 
-pub mod animation;
 mod exposure;
 pub mod files;
+mod format;
 pub mod gltf;
-mod loaded;
 mod meter;
 mod model;
-mod nearest;
+pub mod nearest;
 pub mod nff;
 mod notes;
 pub mod obj;
@@ -27,17 +24,15 @@ mod palette;
 mod pictures;
 pub mod povray;
 pub mod raster;
-pub mod ron;
-mod source;
-mod space;
+pub mod space;
 pub mod srgb;
-mod text;
+pub mod text;
 
 pub use exposure::{Exposure, ExposureError};
-pub use loaded::{FILE_SETTINGS, Format, LoadError, LoadedScene, OpenOptions};
-pub use model::{ModelView, Up};
+pub use format::{Format, OpenOptions};
+pub use model::{ModelView, Parted, Up, part};
+pub use notes::Notes;
 pub use pictures::Pictures;
-pub use source::{rust_source, to_bytes};
 
 /// Checks whether a scene can be drawn.
 #[cfg(test)]

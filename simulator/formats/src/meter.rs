@@ -8,7 +8,7 @@
 //! Rendering Complex Scenes", 1993), here of up to a pixel at their distance. Triangles that lose a corner
 //! are left out; the others still meet.
 //!
-//! The set of shapes is that of models: the code for all shapes would take several seconds more to compile.
+//! The set of shapes is that of models: the code for all shapes takes 3 s more to compile.
 
 use core::mem::MaybeUninit;
 

@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// The known name that is most similar to this one, if one is similar enough.
-pub(crate) fn nearest<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+pub fn nearest<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     names
         .into_iter()
         .map(|known| (strsim::jaro_winkler(&name.to_lowercase(), &known.to_lowercase()), known))
@@ -13,7 +13,7 @@ pub(crate) fn nearest<'n>(name: &str, names: impl IntoIterator<Item = &'n str>) 
 }
 
 /// The end of an error about an unknown name, which suggests a known one.
-pub(crate) struct DidYouMean<'n>(pub(crate) Option<&'n str>);
+pub struct DidYouMean<'n>(pub Option<&'n str>);
 
 impl fmt::Display for DidYouMean<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

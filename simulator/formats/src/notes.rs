@@ -2,7 +2,7 @@
 
 /// Notes about everything that was added to the contents of a file, or left out.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Notes(Vec<Note>);
+pub struct Notes(Vec<Note>);
 
 #[derive(Clone, Debug)]
 struct Note {
@@ -14,7 +14,7 @@ struct Note {
 
 impl Notes {
     /// Adds a note about a part of the file, or counts the part if there is such a note.
-    pub(crate) fn add(&mut self, part: impl Into<String>, what: impl Into<String>) {
+    pub fn add(&mut self, part: impl Into<String>, what: impl Into<String>) {
         let (part, what) = (part.into(), what.into());
         match self.0.iter_mut().find(|note| note.what == what) {
             Some(note) if note.first == part => {}
@@ -24,12 +24,12 @@ impl Notes {
     }
 
     /// Adds all notes of another list.
-    pub(crate) fn append(&mut self, other: Self) {
+    pub fn append(&mut self, other: Self) {
         self.0.extend(other.0);
     }
 
     /// The notes as lines of text.
-    pub(crate) fn lines(self) -> Vec<String> {
+    pub fn lines(self) -> Vec<String> {
         let line = |Note { what, first, more }| match more {
             0 => format!("{first}: {what}"),
             more => format!("{first}, and {more} more: {what}"),

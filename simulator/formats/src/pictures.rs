@@ -52,7 +52,7 @@ impl<'a> Pictures<'a> {
     ///
     /// # Errors
     /// The image has another number of pixels than width times height.
-    pub(crate) fn name_of(&mut self, image: &Image<'a>) -> io::Result<String> {
+    pub fn name_of(&mut self, image: &Image<'a>) -> io::Result<String> {
         let Image { width, height, pixels, .. } = *image;
         let size = (width, height);
         let mut known = self.files.iter();

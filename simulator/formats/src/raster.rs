@@ -219,18 +219,22 @@ pub(crate) fn to_indexed_png(
 
 /// An image whose pixels are numbers of colors.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Indexed {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+pub struct Indexed {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
     /// 4 bits a pixel, two of them in a byte, or 8.
-    pub(crate) depth: BitDepth,
-    pub(crate) indices: Vec<u8>,
-    pub(crate) palette: Vec<[u8; 3]>,
+    pub depth: BitDepth,
+    /// The number of each pixel's color.
+    pub indices: Vec<u8>,
+    /// Red, green and blue of each color.
+    pub palette: Vec<[u8; 3]>,
 }
 
 impl Indexed {
     /// Reads a PNG file with a palette of 16 or 256 colors; `None` for all others.
-    pub(crate) fn decode(bytes: &[u8]) -> Option<Self> {
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
         let limits = png::Limits { bytes: MOST_BYTES };
         let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
         decoder.set_transformations(Transformations::IDENTITY);

@@ -3,18 +3,19 @@
 use glam::{DMat3, DVec3, EulerRot};
 use rayline::Vec3;
 
-pub(crate) fn vector(vector: Vec3) -> DVec3 {
+/// A vector in `f64`.
+pub fn vector(vector: Vec3) -> DVec3 {
     DVec3::new(vector.x.into(), vector.y.into(), vector.z.into())
 }
 
 /// The rotation by angles in radians about x, then about y, then about z.
-pub(crate) fn rotation(angles: Vec3) -> DMat3 {
+pub fn rotation(angles: Vec3) -> DMat3 {
     let DVec3 { x, y, z } = vector(angles);
     DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x)
 }
 
 /// The angles of a [`rotation`].
-pub(crate) fn angles(rotation: &DMat3) -> Vec3 {
+pub fn angles(rotation: &DMat3) -> Vec3 {
     let (z, y, x) = rotation.to_euler(EulerRot::ZYX);
     Vec3::new(x as f32, y as f32, z as f32)
 }

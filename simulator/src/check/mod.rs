@@ -165,7 +165,7 @@ fn both(a: (u32, u64, u64), b: (u32, u64, u64)) -> (u32, u64, u64) {
 /// An estimate of the flash that the description takes, in bytes: the size of its `.rayline` file, where most
 /// numbers take as many bytes as in memory.
 fn description_bytes(scene: &Scene<'_>) -> u64 {
-    rayline_formats::to_bytes(scene).map_or(0, |bytes| bytes.len() as u64)
+    rayline_scenes::to_bytes(scene).map_or(0, |bytes| bytes.len() as u64)
 }
 
 /// The resources that a scene takes of several boards; displayed as a table.

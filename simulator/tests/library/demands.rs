@@ -100,7 +100,7 @@ fn estimated_flash_includes_the_hierarchy() {
     }
     // In fixed point the hierarchy replaces code that is as large.
     let code =
-        |scene| demand(scene, "bluepill").flash - rayline_formats::to_bytes(scene).unwrap().len() as u64;
+        |scene| demand(scene, "bluepill").flash - rayline_scenes::to_bytes(scene).unwrap().len() as u64;
     assert_eq!(code(&FLAKE), code(&FLAKE_10));
 }
 

@@ -174,11 +174,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<I
 }
 
 /// Reads a scene by the reader of its files.
-pub(crate) fn read_with<'a>(
-    arena: &'a Bump,
-    options: &OpenOptions,
-    files: &Files,
-) -> Result<Import<'a>, GltfError> {
+pub fn read_with<'a>(arena: &'a Bump, options: &OpenOptions, files: &Files) -> Result<Import<'a>, GltfError> {
     let path = files.scene();
     let error = |Wrong { place, fault }| GltfError { path: path.to_owned(), place, fault };
     let unreadable = |reason: std::io::Error| error(GltfFault::Unreadable(reason.to_string()).into());

@@ -9,7 +9,7 @@ mod pieces;
 pub(crate) mod polygon;
 pub(crate) mod view;
 
-pub(crate) use coplanar::{Parted, part};
+pub use coplanar::{Parted, part};
 pub(crate) use far::Moved;
 pub(crate) use files::{Beside, beside};
 pub(crate) use pictures::{Pictures, Wrapping, mean_of_codes};

@@ -27,7 +27,7 @@
 //!   vertex, with interpolated normals.
 //!
 //! Colors are meant as codes: in the pictures published with the databases, codes are 255 times the numbers.
-//! So [`LoadedScene`](crate::LoadedScene) gives a scene from NFF the transfer
+//! So `LoadedScene` gives a scene from NFF the transfer
 //! [`Linear`](rayline::Transfer::Linear), and `rayline convert` keeps it in the settings of a `.ron` file.
 //!
 //! Everything that is added to the contents of a file, or left out, is told in [`Import::notes`]:

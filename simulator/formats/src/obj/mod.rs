@@ -80,7 +80,7 @@ pub struct Import<'a> {
     /// The name in the file of each object's mesh.
     names: Vec<String>,
     /// Whether the model was moved or scaled, because it lies or reaches too far.
-    pub(crate) is_moved: bool,
+    pub is_moved: bool,
 }
 
 impl Import<'_> {
@@ -104,7 +104,7 @@ pub fn read<'a>(arena: &'a Bump, path: &Path, options: &OpenOptions) -> Result<I
 }
 
 /// Reads a scene by the reader of its files. `path` may be a file that the scene refers to.
-pub(crate) fn read_with<'a>(
+pub fn read_with<'a>(
     arena: &'a Bump,
     path: &Path,
     view: ModelView,

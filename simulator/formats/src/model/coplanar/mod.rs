@@ -52,16 +52,17 @@ const MOST_STEPS: u64 = 1 << 24;
 const MOST_OF_INSTANCES: usize = 1 << 20;
 
 /// A scene whose meshes were moved apart.
-pub(crate) struct Parted<'a> {
-    pub(crate) objects: &'a [Object<Shape<'a>>],
+pub struct Parted<'a> {
+    /// All objects.
+    pub objects: &'a [Object<Shape<'a>>],
     /// The positions of objects that were moved.
-    pub(crate) moved: Vec<usize>,
+    pub moved: Vec<usize>,
     /// Whether all pairs of meshes were compared.
-    pub(crate) is_whole: bool,
+    pub is_whole: bool,
 }
 
 /// Moves meshes that lie in one plane apart.
-pub(crate) fn part<'a>(scene: &Scene<'a>, arena: &'a Bump) -> Parted<'a> {
+pub fn part<'a>(scene: &Scene<'a>, arena: &'a Bump) -> Parted<'a> {
     let (mut bodies, is_listed) = bodies(scene);
     let nothing = Parted { objects: scene.objects, moved: Vec::new(), is_whole: true };
     if bodies.first().map(|body| body.object) == bodies.last().map(|body| body.object) {

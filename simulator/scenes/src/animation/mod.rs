@@ -46,11 +46,11 @@ use std::path::Path;
 use bumpalo::Bump;
 use rayline::shape::Shape;
 use rayline::{Camera, Light, Object, Scene};
+use rayline_formats::nearest::nearest;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
 
 use crate::LoadedScene;
-use crate::nearest::nearest;
 use crate::ron;
 
 pub use error::{AnimationError, AnimationFault};

@@ -1,7 +1,7 @@
 //! Tests of meshes in one plane, in files.
 
 use bumpalo::Bump;
-use rayline_formats::LoadedScene;
+use rayline_scenes::LoadedScene;
 
 /// Files of all formats that have meshes; the second mesh moves, and a note names it.
 #[test]

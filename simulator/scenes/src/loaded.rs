@@ -8,17 +8,14 @@ use std::path::{Path, PathBuf};
 use bumpalo::Bump;
 use rayline::builtin;
 use rayline::{BytesError, ObjectId, Part, Scene, SceneError, Settings, Transfer};
+use rayline_formats::files::Files;
+use rayline_formats::gltf::{self, GltfError};
+use rayline_formats::nearest::{DidYouMean, nearest};
+use rayline_formats::nff::{self, NffError};
+use rayline_formats::obj::{self, ObjError};
+use rayline_formats::{Exposure, Format, ModelView, Notes, OpenOptions, Parted, part};
 
-use crate::exposure::Exposure;
-use crate::files::Files;
-use crate::gltf::{self, GltfError};
-use crate::model::{self, ModelView, Parted};
-use crate::nearest::{DidYouMean, nearest};
-use crate::nff::{self, NffError};
-use crate::notes::Notes;
-use crate::obj::{self, ObjError};
 use crate::ron::{self, Position, RonError};
-use crate::text::without_mark;
 
 /// A built-in scene or a scene from a file, with the settings of its picture.
 #[derive(Clone, Debug)]
@@ -35,65 +32,6 @@ pub struct LoadedScene<'a> {
     exposure: Exposure,
     /// The file that it was read from; `None` for a built-in scene.
     file: Option<(PathBuf, Import<'a>)>,
-}
-
-/// The format of a scene's file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Rayline's own text format: [`ron`].
-    Ron,
-    /// Rayline's own bytes: [`Scene::from_bytes`].
-    Rayline,
-    /// Neutral File Format: [`nff`].
-    Nff,
-    /// Wavefront OBJ: [`obj`].
-    Obj,
-    /// glTF, as JSON or as a binary file: [`gltf`].
-    Gltf,
-}
-
-impl Format {
-    /// The formats with the extensions of their files.
-    pub const EXTENSIONS: [(&str, Self); 6] = [
-        ("ron", Self::Ron),
-        ("rayline", Self::Rayline),
-        ("nff", Self::Nff),
-        ("obj", Self::Obj),
-        ("gltf", Self::Gltf),
-        ("glb", Self::Gltf),
-    ];
-
-    /// The format that a file's name tells.
-    fn of_name(path: &Path) -> Option<Self> {
-        let extension = path.extension()?;
-        let known = Self::EXTENSIONS.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name))?;
-        Some(known.1)
-    }
-
-    /// The format that the first bytes tell, for those formats that cannot be mistaken.
-    fn of_bytes(bytes: &[u8]) -> Option<Self> {
-        let text = without_mark(bytes).trim_ascii_start();
-        match text {
-            [b'g', b'l', b'T', b'F', ..] | [b'{', ..] => Some(Self::Gltf),
-            [b'R', b'A', b'Y', b'L', ..] => Some(Self::Rayline),
-            [b'S', b'c', b'e', b'n', b'e', ..] | [b'(' | b'/', ..] => Some(Self::Ron),
-            _ => None,
-        }
-    }
-}
-
-/// How files are opened.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct OpenOptions {
-    /// The view of a model without a camera of its own.
-    pub view: ModelView,
-    /// The format of the file; `None`: as its name tells, or the first bytes of standard input.
-    pub format: Option<Format>,
-    /// The exposure, in place of that of the file. Lights of glTF files are measured in the middle of the
-    /// scene then, and not by what the camera sees: see [`gltf`].
-    pub exposure: Option<Exposure>,
-    /// Lets files refer to any other file, not only to those in the folder of the scene or below it.
-    pub allow_paths: bool,
 }
 
 /// The usual settings of files in Rayline's own formats.
@@ -173,8 +111,8 @@ impl<'a> LoadedScene<'a> {
     }
 
     /// As [`open`](Self::open), with options. A scene of the name
-    /// [`STANDARD_INPUT`](crate::files::STANDARD_INPUT) is read from there, and the files that it refers to
-    /// are those in the current folder.
+    /// [`STANDARD_INPUT`](rayline_formats::files::STANDARD_INPUT) is read from there, and the files that it
+    /// refers to are those in the current folder.
     ///
     /// # Errors
     /// The scene does not exist or cannot be read, or has a camera of its own where the options have a view.
@@ -212,7 +150,7 @@ impl<'a> LoadedScene<'a> {
 
     /// The scene, whose meshes do not lie in one plane where they overlap.
     fn parted(mut self, arena: &'a Bump) -> Self {
-        let Parted { objects, moved, is_whole } = model::part(&self.scene, arena);
+        let Parted { objects, moved, is_whole } = part(&self.scene, arena);
         self.scene.objects = objects;
         let mut notes = Notes::default();
         if let Some((path, import)) = &self.file {

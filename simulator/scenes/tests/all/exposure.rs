@@ -2,7 +2,8 @@
 
 use bumpalo::Bump;
 use rayline::{Background, Lamp, Light, LinearRgb, Pixels};
-use rayline_formats::{Exposure, ExposureError, LoadedScene};
+use rayline_formats::{Exposure, ExposureError};
+use rayline_scenes::LoadedScene;
 
 use crate::check;
 

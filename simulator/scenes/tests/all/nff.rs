@@ -2,7 +2,7 @@
 
 use bumpalo::Bump;
 use rayline::{Settings, Transfer};
-use rayline_formats::{FILE_SETTINGS, LoadedScene, ron};
+use rayline_scenes::{FILE_SETTINGS, LoadedScene, ron};
 
 const VIEW: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 90 hither 1 resolution 40 30\n";
 

@@ -9,8 +9,7 @@ use rayline::{
     Background, Encoding, Ends, Figure, Filter, Image, Map, Material, Panorama, Pixels, Placed, Scene,
     Texture,
 };
-
-use crate::Pictures;
+use rayline_formats::Pictures;
 
 /// The images of a scene that are replaced by marks.
 pub(super) struct Marked<'p, 'a> {

@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 use rayline::read::Fields;
 use rayline::shape::Mesh;
 use rayline::{Image, Material};
+use rayline_formats::nearest::{DidYouMean, nearest};
 use ron::error::SpannedError;
-
-use crate::nearest::{DidYouMean, nearest};
 
 /// A position in a file, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

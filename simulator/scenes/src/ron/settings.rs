@@ -6,9 +6,8 @@ use rayline::{
     AreaLights, Background, Camera, Dither, Integrator, Light, Look, Material, Motion, Object, Sampling,
     Scene, Settings, Transfer,
 };
+use rayline_formats::Exposure;
 use serde::{Deserialize, Serialize};
-
-use crate::Exposure;
 
 /// The field `settings` of a scene's file. Settings that are left out have their usual values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -3,8 +3,8 @@
 use bumpalo::Bump;
 use rayline::shape::Shape;
 use rayline::{Light, LinearRgb, Object, Scene, Vec3};
-use rayline_formats::LoadedScene;
-use rayline_formats::animation::{Animation, AnimationError, Length};
+use rayline_scenes::LoadedScene;
+use rayline_scenes::animation::{Animation, AnimationError, Length};
 
 const SCENE: &str = r#"Scene(
     camera: (eye: (0, 0, 6), target: (0, 0, 0), up: (0, 1, 0), vertical_fov: 0.7),

@@ -1,7 +1,8 @@
 //! Tests of odd lines, which are read as far as they can be, and of far, bent and smooth models.
 
 use rayline::math::Aabb;
-use rayline_formats::{LoadedScene, ModelView, Up};
+use rayline_formats::{ModelView, Up};
+use rayline_scenes::LoadedScene;
 
 use super::*;
 

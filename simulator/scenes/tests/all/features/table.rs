@@ -3,8 +3,8 @@
 use bumpalo::Bump;
 use rayline::shape::{Mesh, Shape};
 use rayline::{Material, PreparedScene};
-use rayline_formats::LoadedScene;
 use rayline_formats::raster::to_png;
+use rayline_scenes::LoadedScene;
 
 /// A row: the feature, its outcome, and the rest. What stands in quotes there is in the note or the error.
 struct Row<'d> {

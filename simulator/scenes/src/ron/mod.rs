@@ -62,12 +62,11 @@ use std::path::Path;
 use bumpalo::Bump;
 use rayline::read::{Reader, Seed};
 use rayline::{Fault, Part, Scene, Settings};
+use rayline_formats::files::{self, Files};
+use rayline_formats::{Pictures, text};
 use ron::Options;
 use ron::extensions::Extensions;
 use serde::de::DeserializeOwned;
-
-use crate::files::{self, Files};
-use crate::{Pictures, text};
 
 /// The reason why RON cannot express a scene.
 pub use ::ron::Error as FormatError;

@@ -10,13 +10,12 @@ use png::BitDepth;
 use rayline::materials::{ALUMINUM, CHROMIUM, COPPER, DIAMOND, FLINT, GLASS, GOLD, ICE, IRON, SILVER, WATER};
 use rayline::shape::Shape;
 use rayline::{Encoding, Ends, Filter, Image, Material, Pixels};
+use rayline_formats::files::Files;
+use rayline_formats::raster::Indexed;
+use rayline_formats::{ModelView, obj};
 
 use super::RonFault;
 use super::scan::object_names;
-use crate::files::Files;
-use crate::model::ModelView;
-use crate::obj;
-use crate::raster::Indexed;
 
 /// The materials that a file may refer to by name in place of a description.
 pub const PRESETS: [(&str, Material<'static>); 11] = [

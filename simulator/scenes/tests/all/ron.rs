@@ -16,8 +16,9 @@ use rayline::{
     Sampling, Scene, Settings, Sides, Sky, Space, Squares, Stripes, Texture, Vec3, Wood, builtin,
 };
 
-use rayline_formats::ron::{FileSettings, Import, Position, RonFault, read, write, write_beside};
-use rayline_formats::{FILE_SETTINGS, LoadedScene, Pictures};
+use rayline_formats::Pictures;
+use rayline_scenes::ron::{FileSettings, Import, Position, RonFault, read, write, write_beside};
+use rayline_scenes::{FILE_SETTINGS, LoadedScene};
 
 use crate::check;
 

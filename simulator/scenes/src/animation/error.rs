@@ -3,7 +3,8 @@
 use core::fmt;
 use std::path::PathBuf;
 
-use crate::nearest::DidYouMean;
+use rayline_formats::nearest::DidYouMean;
+
 use crate::ron::RonError;
 
 /// The reason why an animation cannot be read.

@@ -2,7 +2,7 @@
 
 use rayline::shape::Shape;
 use rayline::{Background, Light, LinearRgb, Transfer};
-use rayline_formats::LoadedScene;
+use rayline_scenes::LoadedScene;
 
 use super::table::{compare, material, near, open};
 

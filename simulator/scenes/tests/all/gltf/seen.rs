@@ -5,7 +5,8 @@ use std::fs;
 use rayline::{Camera, Light, LinearRgb, Vec3};
 
 use super::*;
-use rayline_formats::{Exposure, LoadedScene};
+use rayline_formats::Exposure;
+use rayline_scenes::LoadedScene;
 
 /// The cube with a camera that is moved and turned to the side.
 fn seen() -> Value {

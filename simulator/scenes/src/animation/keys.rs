@@ -1,11 +1,11 @@
 //! Key frames as they stand in a file, and the values of the scene that they give.
 
 use rayline::{Camera, Lamp, Light, LinearRgb, Vec3};
+use rayline_formats::Exposure;
 use serde::Deserialize;
 
 use super::error::AnimationFault;
 use super::placement::Placement;
-use crate::Exposure;
 
 /// The camera at a key frame.
 #[derive(Clone, Copy, Debug, Deserialize)]

@@ -7,8 +7,7 @@ use rayline::shape::{
     Cone, Cuboid, Cylinder, Disc, Ellipsoid, Instances, Model, Plane, Pose, Rectangle, Shape, Sphere, Torus,
     Triangle,
 };
-
-use crate::space::{self, vector};
+use rayline_formats::space::{self, vector};
 
 /// A rotation about a point, and a way.
 #[derive(Clone, Copy, Debug, PartialEq)]

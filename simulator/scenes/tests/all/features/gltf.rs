@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use rayline::shape::{Instances, Shape};
 use rayline::{Fresnel, Light, Optics, Sides, Texture, Vec3};
-use rayline_formats::LoadedScene;
+use rayline_scenes::LoadedScene;
 use serde_json::{Value, json};
 
 use super::table::{compare, material, mesh, near, open};

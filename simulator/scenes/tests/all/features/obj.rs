@@ -1,7 +1,7 @@
 //! A file for each row about OBJ and MTL.
 
 use rayline::Texture;
-use rayline_formats::LoadedScene;
+use rayline_scenes::LoadedScene;
 
 use super::table::{compare, material, mesh, near, open};
 
