@@ -147,7 +147,7 @@ pub(crate) struct Affine<T> {
 }
 
 impl<T> Affine<T> {
-    /// This function, followed by a linear one.
+    /// The function whose values are `linear` of the values of this function.
     pub(crate) fn map<U>(self, mut linear: impl FnMut(T) -> U) -> Affine<U> {
         Affine { middle: linear(self.middle), right: linear(self.right), down: linear(self.down) }
     }

@@ -66,13 +66,14 @@
 //! # Exact and realtime
 //!
 //! [`Renderer::draw`] draws exactly if it is lent a line of colors: it traces every pixel. Acceleration never
-//! changes a byte: objects, and their shadows on the floor, have outlines in the picture, so that each line
-//! knows the objects that it can show; each light knows the objects that can shade a surface; and more than
-//! 32 objects lie in a hierarchy of boxes. In floating point, neighboring pixels go through the hierarchy
-//! together.
+//! changes a byte. Objects, and their shadows on the floor, have outlines in the picture, from which the
+//! objects that each line can show are computed. The objects that can shade a surface are listed for each
+//! light. More than 32 objects lie in a hierarchy of boxes. In floating point, neighboring pixels go through
+//! the hierarchy together.
 //!
-//! If it is lent [`Realtime::lend`], it traces a grid of pixels, more pixels where neighbors differ, and
-//! interpolates the rest. [`Realtime`] says what this gains and what can be lost.
+//! If the memory comes from [`Realtime::lend`], [`Renderer::draw`] traces a grid of pixels, traces more
+//! pixels where neighbors differ, and interpolates the rest. [`Realtime`] describes what this gains and what
+//! can be lost.
 //!
 //! # Conventions
 //!

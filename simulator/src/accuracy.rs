@@ -1,9 +1,9 @@
 //! Losses by rounding in scenes that are too large for a number system, or too far from the origin.
 //!
-//! Rays leave a surface by a distance in proportion to its coordinates ([`Real::offset`]): 1e-5 of them in
-//! `f32`, and a 13th of that from huge balls. Things that are nearer to the surface throw no shadow on
-//! it, and are not mirrored. A scene need not be moved for that as long as the distance is less than a pixel
-//! or two.
+//! Rays leave a surface by a distance in proportion to its coordinates ([`Real::offset`]): 1e-5 of the
+//! coordinates in `f32`, and a 13th of this distance from huge balls. Things nearer to the surface throw no
+//! shadow on it, and are not mirrored in it. As long as the distance is less than a pixel or two, the scene
+//! need not be moved.
 
 use rayline::math::Fixed;
 use rayline::shape::{Geometry as _, Shape, Sphere};
@@ -11,8 +11,8 @@ use rayline::{Real, Scene};
 
 use crate::Number;
 
-/// Distances are told beyond this share of the way from the eye to the camera's target: about two lines of a
-/// picture with 240 lines.
+/// A lost distance is reported beyond this share of the way from the eye to the camera's target: about two
+/// lines of a picture with 240 lines.
 const SEEN: f32 = 1.0 / 256.0;
 
 /// Balls of a larger radius or place are huge: see `shape/sphere.rs` of the core.
@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(told(&[ball(away, 1.0)], camera, Number::F64), [""; 0]);
     }
 
-    /// None of the built-in scenes is told anything.
+    /// The built-in scenes get no notes.
     #[test]
     fn usual_scenes_have_no_notes() {
         for builtin in rayline::builtin::ALL {

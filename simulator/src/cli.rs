@@ -64,9 +64,10 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Draw a scene by ray tracing and by scan conversion, side by side
     ///
-    /// Scan conversion cuts all objects into facets and keeps the nearest of each pixel of a line. It is
-    /// fast, but knows of no shadows, mirrors and glass: --mode preview. The table tells time and memory of
-    /// both, on one thread, and how they grow with the pixels and with the objects of the scene.
+    /// Scan conversion, as in --mode preview, cuts all objects into facets and keeps the nearest facet at
+    /// each pixel of a line. It is fast, but draws no shadows, and only the background in mirrors and glass.
+    /// The table has the time and the memory of both methods, on one thread, and their growth with the pixels
+    /// and with the objects of the scene.
     Compare(CompareArgs),
     /// Render all .ron scenes of a directory, and write a page that shows them
     ///
@@ -77,7 +78,7 @@ pub(crate) enum Command {
     ///
     /// Arrow keys or dragging with the mouse orbit; +, - or the wheel change the distance; Home returns to
     /// the scene's own camera. N, M and C switch the number system, the mode and the color of the display. S
-    /// saves a picture, Q quits. The title tells the rays and the time of the last picture.
+    /// saves a picture, Q quits. The title shows the rays and the time of the last picture.
     Window(Window),
     /// Measure the speed of rendering, and print tables in Markdown
     ///
@@ -218,7 +219,7 @@ pub(crate) struct CheckArgs {
     /// Width and height of the picture
     #[arg(long, value_name = "WxH", default_value = "160x120", value_parser = size)]
     pub(crate) size: (u32, u32),
-    /// Width and height of the board's display, to hear whether the picture fits it
+    /// Width and height of the board's display; if they differ from --size, the part that fits is reported
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub(crate) panel: Option<(u32, u32)>,
     /// The most reflections and refractions along a path of light, 0 to 16 [default: the scene's own; 6 for
@@ -318,10 +319,10 @@ pub(crate) struct SceneArgs {
     /// Make all light of the scene brighter or darker by this number of stops, -20 to 20: 1 doubles it, -1
     /// halves it [default: the scene's own, else 0]
     ///
-    /// This is the light of lamps, of surfaces that emit it, of the background, and ambient light. The lights
-    /// of a glTF file have no measure in the picture: without this option, they are exposed for what the
-    /// camera sees, and a note tells the factor. With it, 0 means that the lights make a white surface in the
-    /// middle of the scene white.
+    /// The number applies to the light of lamps, of surfaces that emit light, and of the background, and to
+    /// ambient light. The lights of a glTF file have no measure in the picture: without this option, they are
+    /// exposed for what the camera sees, and a note states the factor. With this option, 0 means that the
+    /// lights make a white surface in the middle of the scene white.
     #[arg(
         long,
         value_name = "STOPS",
@@ -390,8 +391,8 @@ pub(crate) struct Appearance {
     transfer: Option<Transfer>,
     #[command(flatten)]
     sampling: SamplingArgs,
-    /// Follow mirrored and refracted rays alone, or paths of scattered rays as well, by which surfaces light
-    /// each other: path-tracing takes 64 samples and as many rays as they need unless told otherwise
+    /// Follow mirrored and refracted rays alone, or also scattered rays, by which surfaces light each other:
+    /// path-tracing takes 64 samples, and as many rays as these need, unless other options set these numbers
     /// [default: the scene's own, else whitted]
     #[arg(long, value_name = "HOW", value_parser = named(&INTEGRATORS))]
     integrator: Option<Integrator>,
@@ -442,7 +443,7 @@ impl PictureArgs {
     /// The look of the panel that shows the picture, if any is asked for.
     ///
     /// # Errors
-    /// A theme of two colors is asked for, and a display of more.
+    /// The options name a theme of two colors, and a display of more colors.
     pub(crate) fn panel(&self) -> Result<Option<OutputSettings>, String> {
         match (self.panel.theme, self.look.color) {
             (Some(_), Some(color)) if color != Display::Mono => {
@@ -554,7 +555,7 @@ fn named<T: Copy + Send + Sync>(values: &'static [(&'static str, T)]) -> impl Ty
 }
 
 impl SamplingArgs {
-    /// The samples that these options ask for in place of `own` ones.
+    /// The sampling `own` of the scene, with the changes of these options.
     fn over(&self, own: Sampling) -> Sampling {
         let adaptive = self.adaptive.map(|at_first| Adaptive { at_first, ..Adaptive::NEW });
         Sampling {

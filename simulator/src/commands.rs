@@ -321,7 +321,7 @@ fn fit(arguments: &CheckArgs) -> Outcome {
     }
 }
 
-/// Tells how much of a picture a panel of another size shows, and which size fits it.
+/// The text that reports how much of a picture a panel of another size shows, and which size fits the panel.
 fn shown_part((width, height): (u32, u32), (wide, high): (u32, u32)) -> String {
     let (columns, lines) = (width.min(wide), height.min(high));
     let of = |part: u64, width: u32, height: u32| part * 100 / (u64::from(width) * u64::from(height));
@@ -387,7 +387,7 @@ fn window(arguments: &Window) -> Outcome {
     let mut save = |seen: &Scene<'_>, options: &RenderOptions| -> Outcome {
         let start = Instant::now();
         let picture = rayline_simulator::render(seen, options)?;
-        // The user was not asked for a name, so choose one that does not exist.
+        // The user gave no name, so choose a name that no file has yet.
         let file = file.untaken();
         file.write(&picture)?;
         say(&file, &picture, start.elapsed(), Report::Output)

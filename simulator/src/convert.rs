@@ -142,7 +142,8 @@ impl SceneContents<'_, '_> {
         self.pictures.count()
     }
 
-    /// The files that are so large that their size should be told first, with their lengths.
+    /// The files of more than 50 MB, with their lengths, so that the caller can report the lengths before the
+    /// files are written.
     pub fn large_files(&self) -> Vec<(PathBuf, usize)> {
         let scene = (self.path.to_owned(), self.bytes.len());
         let pictures = self.pictures.files().map(|(path, bytes)| (path, bytes.len()));
@@ -158,7 +159,7 @@ impl SceneContents<'_, '_> {
     }
 }
 
-/// The size of a file in bytes above which it is told before the file is written.
+/// The size in bytes above which the length of a file is reported before the file is written.
 const LARGE: usize = 50_000_000;
 
 impl fmt::Display for ConvertError {

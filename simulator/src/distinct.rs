@@ -54,7 +54,7 @@ fn look(object: &Object<Shape<'_>>) -> u64 {
     object.material.0.hash(&mut text.0);
     // Hashing cannot fail.
     let _ = match &object.shape {
-        // Meshes are long: two of their vertices are enough to tell most of them apart.
+        // Meshes are long: their counts and two of their vertices distinguish most of them.
         Shape::Mesh(Mesh { vertices, triangles, .. }) => {
             write!(
                 text,

@@ -63,8 +63,8 @@ impl PictureFile {
         &self.path
     }
 
-    /// This file, or if it exists, the first that does not exist with a number after its name, counted from
-    /// 2.
+    /// This file, or if a file of this name exists, the file with the first free number after its name, from
+    /// 2 on.
     pub fn untaken(&self) -> Self {
         let numbered = |number: u32| {
             let [name, extension] = [self.path.file_stem(), self.path.extension()];
@@ -145,8 +145,8 @@ pub fn is_standard_output(path: &Path) -> bool {
     matches!(Way::to(path), Ok(Way::Output))
 }
 
-/// Whether a path has no extension that tells a format because it is no file: it is standard output, or a
-/// device or pipe.
+/// Whether a path is no file but standard output, a device or a pipe: such a path has no extension that gives
+/// a format.
 pub(crate) fn is_nameless(path: &Path) -> bool {
     !matches!(Way::to(path), Ok(Way::Replace(_)) | Err(_))
 }

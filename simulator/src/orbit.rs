@@ -26,8 +26,8 @@ impl Orbit {
         (distance > 0.0).then_some(Self { camera: Camera { target, ..camera } })
     }
 
-    /// An orbit around what the scene's camera sees in the middle of its picture; around the camera's target,
-    /// if that is nothing.
+    /// An orbit around the point that the scene's camera sees in the middle of its picture; around the
+    /// camera's target, if the camera sees no object there.
     ///
     /// # Errors
     /// The scene is refused.

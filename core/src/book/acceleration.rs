@@ -1,5 +1,5 @@
-//! This chapter teaches how a ray finds what it meets without asking every object, and how a picture is drawn
-//! without tracing every pixel.
+//! This chapter teaches how the nearest hit of a ray is found without a test of every object, and how a
+//! picture is drawn without tracing every pixel.
 //!
 #![doc = concat!(
     "![A forest of instances, which lie in a hierarchy of boxes](data:image/png;base64,",
@@ -10,9 +10,9 @@
 //! # The idea
 //!
 //! Whitted found in 1980 that up to 95 % of the time of a ray tracer goes into intersections. A picture of
-//! *p* pixels with *r* rays each and *n* objects takes p · r · n tests, if every ray asks every object. There
-//! are three ways to take fewer: test boxes first, so that most objects are never asked; know for a ray where
-//! it comes from, so that most objects cannot be in its way; and trace fewer pixels.
+//! *p* pixels with *r* rays each and *n* objects takes p · r · n tests, if every ray is tested against every
+//! object. There are three ways to take fewer: test boxes first, so that most objects are never tested; use
+//! the known origin of a ray, so that most objects cannot be in its way; and trace fewer pixels.
 //!
 //! # Boxes
 //!
@@ -44,8 +44,8 @@
 //!
 //! # Known origins
 //!
-//! - A camera ray of line *y* lies in the plane of that line. Objects have outlines in the picture, so that a
-//!   line knows the objects that it can show (`render/outline`).
+//! - A camera ray of line *y* lies in the plane of that line. Objects have outlines in the picture, from
+//!   which the objects that a line can show are computed (`render/outline`).
 //! - A shadow ray runs between a surface and a light. For each pair of these, the objects that reach into the
 //!   space around both are listed once (Haines and Greenberg, "The Light Buffer", IEEE CG&A 1986). A list is
 //!   a word of 32 bits, one for each object.
@@ -147,7 +147,7 @@
 //! # Exercises
 //!
 //! 1. Which box is best around a long, thin cylinder that lies across the axes? *None along the axes is good:
-//!    most of the box is empty, and rays through the empty part ask the cylinder in vain.*
+//!    most of the box is empty, and rays through the empty part are tested against the cylinder in vain.*
 //! 2. Why do both neighbors have to see the same shadows before the pixels between them are interpolated?
 //!    *The edge of a shadow on one object lies between them otherwise.*
 //! 3. A box is tested with d.x = 0. Which numbers are t₁ and t₂? *Both are infinite; their signs say whether

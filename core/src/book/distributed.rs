@@ -1,9 +1,9 @@
 //! This chapter teaches soft shadows, depth of field, motion blur and blurred reflections: all of them are
 //! means over many rays, and some of the means can be computed without rays.
 //!
-//! Cook, Porter and Carpenter ("Distributed Ray Tracing", SIGGRAPH 1984) saw that a pixel that takes several
-//! samples anyway can spend them on more than edges. Sample i starts at another place on the lens, at another
-//! time, goes on in another direction of a lobe, and looks for another point of each lamp. The mean of all
+//! Cook, Porter and Carpenter ("Distributed Ray Tracing", SIGGRAPH 1984) found that the several samples of a
+//! pixel can serve for more than edges. Sample i starts at another place on the lens, at another time, goes
+//! on in another direction of a lobe, and sends shadow rays to another point of each lamp. The mean of all
 //! samples then has every blur at once, and no effect multiplies the number of rays of another.
 //!
 //! # The formulas

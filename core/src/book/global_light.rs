@@ -1,10 +1,10 @@
 //! This chapter teaches light that comes from other surfaces: the rendering equation, and paths that solve
 //! it.
 //!
-//! Whitted's rays know light that comes straight from a lamp, or over mirrors and glass. All other light is
-//! one constant, the ambient light. But a ceiling whose lamp shines down is bright, a red wall makes the
-//! floor beside it red, and a glass ball gathers light in a spot below it. All of that is light which
-//! surfaces scatter onto each other.
+//! Whitted's rays bring only light that comes straight from a lamp, or over mirrors and glass. All other
+//! light is one constant, the ambient light. But a ceiling whose lamp shines down is bright, a red wall makes
+//! the floor beside it red, and a glass ball gathers light in a spot below it. In all three cases, surfaces
+//! scatter light onto each other.
 //!
 //! # The formulas
 //!
@@ -145,17 +145,18 @@
 //! [`IrradianceVolume`] holds the light in between, for balls and for things that move. No lamp is left: a
 //! pixel takes one ray and four texels, also on a processor that traces no paths in a lifetime.
 //!
-//! Radiosity knows no mirrors and no glass. Photons do (Jensen, "Global Illumination using Photon Maps", EGWR
-//! 1996): rays that leave the lamps toward such objects, each with a share of the lamp's flux Φ, and that are
-//! mirrored, refracted and absorbed as rays from the eye are. Where photons end on a matte surface,
+//! Radiosity has no mirrors and no glass; photons bring the light that comes over both (Jensen, "Global
+//! Illumination using Photon Maps", EGWR 1996). A photon is a ray that leaves a lamp toward a mirror or
+//! glass, with a share of the lamp's flux Φ. Photons are mirrored, refracted and absorbed like rays from the
+//! eye. Where photons end on a matte surface,
 //!
 //! ```text
 //! E(x) = Σ ΔΦ k(|x - xₚ| / r) / A,   k(d) = 1 - d,   A = Σ k A_texel
 //! ```
 //!
-//! is the light that they bring: each spreads its flux over the texels around it by Jensen's cone filter,
-//! within the distance r of its 24th neighbor. So a caustic is sharp where photons gather, and smooth where
-//! they are few. Radiosity then scatters this light on. `--photons` says how many leave.
+//! is the light that the photons bring. Each photon spreads its flux over the texels around it by Jensen's
+//! cone filter, within the distance r of its 24th neighbor. So a caustic is sharp where photons gather, and
+//! smooth where they are few. Radiosity then scatters this light on. `--photons` sets how many photons leave.
 //!
 //! No light may count twice. A shadow ray goes straight through glass; beside photons, glass ends it, as in
 //! path tracing. But with `--light indirect` the device sends shadow rays of its own, and so photons that

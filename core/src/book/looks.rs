@@ -3,7 +3,7 @@
 //!
 //! A photograph shows light. A drawing shows what matters: where one thing ends and the next begins, and
 //! which way a surface turns. Saito and Takahashi ("Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990)
-//! found that a renderer knows all of that for each pixel, and that lines and tones can be made of it
+//! found that a renderer computes both at each pixel, and that lines and tones can be made from these data
 //! afterwards. Drawings suit small displays: a line of one pixel is sharp on an OLED of 128 by 64 pixels,
 //! where a gradient is noise.
 //!
@@ -37,15 +37,16 @@
 //! | dithering | [`Dither`](crate::Dither), `blue_noise` | `render/thresholds.rs` |
 //! | palette | [`Palette`](crate::Palette), `Palette::parts` | `render/palette.rs` |
 //!
-//! - **No frame buffer.** Filters of the papers read a buffer of depths and normals. Here a pixel asks its
-//!   neighbors by rays without light (Choudhury and Parker, "Ray Tracing NPR-Style Feature Lines", NPAR
-//!   2009). From left to right, the neighbor to the right is the next pixel: two rays a pixel are left, and
-//!   none where outlines tell that there is only sky. A square of 16 pixels that is traced at once takes 24.
+//! - **No frame buffer.** Filters of the papers read a buffer of depths and normals. Here the neighbors of a
+//!   pixel are traced by rays without light (Choudhury and Parker, "Ray Tracing NPR-Style Feature Lines",
+//!   NPAR 2009). From left to right, the neighbor to the right is the next pixel: two rays a pixel are left,
+//!   and none where the outlines of objects show that there is only sky. A square of 16 pixels that is traced
+//!   at once takes 24 rays.
 //! - **Any order of lines.** The ink of a pixel depends on nothing but the scene and its place, so that lines
-//!   and cores need not talk to each other.
-//! - **Realtime quality** looks for ink where neighbors on its grid differ. Digests of 7 bits are no sure
-//!   sign: once, a ball and the sky had the same one, and the ball had no line. So the corners of each cell
-//!   are compared by what they see, too.
+//!   and cores exchange no data.
+//! - **Realtime quality** searches for ink where neighbors on its grid differ. Digests of 7 bits are not
+//!   enough: a ball and the sky once had the same digest, and the ball had no line. So the things that rays
+//!   meet at the corners of each cell are compared, too.
 //! - **Toon tones are made of single samples**, not of the mean of a pixel. The mean of a white sample and a
 //!   black one would be a gray step: a rim around each thing.
 //! - **Gooch's tones need the normal**, so they are made where surfaces are shaded. They have no shadows, and

@@ -69,8 +69,9 @@
 //!   KB of flash). Between these it is interpolated in integers, with an error below 0.2 of 255 levels, and
 //!   with the same bytes on every processor.
 //! - **Some pixels take no ray.** If a scene has up to 32 objects and a background of one color, and the
-//!   picture takes one sample a pixel and is not dithered, a line knows where no object can be seen, and
-//!   fills in the color of the background there (`render/line.rs`; feature `candidates`).
+//!   picture takes one sample a pixel and is not dithered, outlines show where on a line no object can be
+//!   seen. These pixels get the color of the background without a ray (`render/line.rs`; feature
+//!   `candidates`).
 //!
 //! # Try it
 //!

@@ -65,8 +65,9 @@
 //!   they met different objects, facets or shadows, or if their contrast is above 0.3 in green, 0.4 in red or
 //!   0.6 in blue light, all others follow. Nothing is split recursively, and `samples` bounds the time.
 //! - **Fixed point** weighs each sample before it adds it, because the sum of many may overflow.
-//! - **One sample** lies in the center, so that outlines tell which objects it can show. R2 and the box are
-//!   in every build; all else needs the feature `distributed`.
+//! - **One sample** lies in the center of the pixel. For this place, the outlines in the picture give the
+//!   objects that the sample can show. R2 and the box are in every build; all else needs the feature
+//!   `distributed`.
 //!
 //! # Try it
 //!

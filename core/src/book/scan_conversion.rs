@@ -1,10 +1,10 @@
 //! This chapter teaches the other way to draw: polygon scan conversion with a Z-buffer, and when to choose
 //! which.
 //!
-//! Ray tracing takes one pixel after the other and asks which surface lies behind it. Scan conversion takes
-//! one surface after the other and asks which pixels lie before it. It is what graphics processors do. A
-//! sphere is no sphere there but a polyhedron, and a point in shadow is lit, because no surface knows of
-//! another one; in return a facet costs hardly more than the pixels that it covers.
+//! Ray tracing takes one pixel after the other and finds the surface behind it. Scan conversion, the method
+//! of graphics processors, takes one surface after the other and finds the pixels in front of it. In scan
+//! conversion a sphere is no sphere but a polyhedron, and a point in shadow is lit, because each surface is
+//! drawn without regard to the others; in return a facet costs hardly more than the pixels that it covers.
 //!
 //! # The formulas
 //!
@@ -22,9 +22,9 @@
 //! width and height of the picture at the distance 1; d and d' are the distances of an edge's ends from a
 //! plane. Facets are clipped before they are projected (Sutherland and Hodgman, "Reentrant Polygon Clipping",
 //! CACM 1974): behind the eye, z is negative and the quotients mean nothing. The three numbers α, β and γ are
-//! linear in the picture, which is wrong in perspective, but for light nobody sees it (Gouraud, "Continuous
-//! Shading of Curved Surfaces", IEEE Transactions on Computers 1971). For textures everybody sees it, so they
-//! are asked for the point P in space.
+//! linear in the picture, which is wrong in perspective. In light, this error is not noticed (Gouraud,
+//! "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 1971). In textures it is plain, so
+//! textures are evaluated at the point P in space.
 //!
 //! # In the code
 //!

@@ -217,7 +217,7 @@ trait BoxTest<R, const W: usize> {
     fn any_met(&self, node: &Node<R, W>, visit: impl FnMut(usize) -> bool) -> bool;
 }
 
-/// A test against a ray, which also tells where boxes are met.
+/// A test against a ray, which also computes where boxes are met.
 trait RayTest<R, const W: usize>: BoxTest<R, W> {
     /// Calls `visit` with the places of the boxes that the ray meets, and with a key for each box that grows
     /// with the distance from the ray's origin.

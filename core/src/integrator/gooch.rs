@@ -1,8 +1,8 @@
 //! Gooch's tones: cool on the side turned away from the light, warm on the side turned to it.
 //!
-//! They cannot be made of a pixel's light: the whole side turned away has ambient light alone, and shows its
-//! form only by the angle between normal and lamp. So they take the place of ambient and diffuse light at a
-//! hit. As in drawings, there are no shadows, and no shadow rays are traced.
+//! The tones cannot be computed from the light of a pixel. On the side turned away, a pixel has ambient light
+//! alone, but the form shows only by the angle between normal and lamp. So the tones replace ambient and
+//! diffuse light at a hit. As in drawings, there are no shadows, and no shadow rays are traced.
 
 use super::Trace;
 use super::shaded_hit::{FacingLight, LampLight, ShadedHit, ShadowRays};

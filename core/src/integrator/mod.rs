@@ -4,8 +4,8 @@
 //!
 //! 1. [`Path`] holds the ray at hand and the light that was found so far. Rays that wait are on a stack
 //!    beside it.
-//! 2. The scene says what the ray meets ([`PreparedScene::closest_from`]): nothing, so that it sees the
-//!    background, or a hit.
+//! 2. [`PreparedScene::closest_from`] finds what the ray meets: a hit, or nothing, so that the background is
+//!    seen.
 //! 3. [`ShadedHit`] is that hit with the color and the normal to shade with. It adds up ambient light and the
 //!    light of each lamp that a shadow ray reaches ([`shadow_rays`]).
 //! 4. A mirror or glass sends on a reflected and a refracted ray. The reflected ray is next, the refracted
@@ -148,8 +148,8 @@ struct Trace<'t, 'm, R: Real, S: Geometry + 'm, P> {
     seen: Seen,
     /// The numbers that the rays draw.
     numbers: RayNumbers,
-    /// π times the density with which the direction of the ray at hand was drawn, if shadow rays look for the
-    /// same lamps.
+    /// π times the density with which the direction of the ray at hand was drawn, if shadow rays are sent to
+    /// the same lamps.
     #[cfg(feature = "path-tracing")]
     drawn: Option<R>,
     probe: &'t mut P,

@@ -64,7 +64,7 @@ impl<R: Real> Path<R> {
                 break;
             }
             self.keep_unit();
-            // They held for the first ray alone.
+            // The blockers are valid for the first ray alone.
             blockers = &Blockers::UNKNOWN;
         }
         waiting.clear();

@@ -230,8 +230,9 @@ fn share_of_ray<R: Real, S: Geometry, P: Probe<R>>(
     area.weight_between(from, to).map_or(R::ONE, |weight| R::ONE - share_of_lamp(density, weight))
 }
 
-/// The share of a lamp's light that shadow rays bring, by the power heuristic: `density` is π times that of
-/// the other ray's direction, and `weight` that of the lamp's point, whose density is the inverse.
+/// The share of a lamp's light that shadow rays bring, by the power heuristic. `density` is π times the
+/// density of the other ray's direction. `weight` is the weight of the lamp's point, the inverse of π times
+/// the density of that point.
 fn share_of_lamp<R: Real>(density: R, weight: R) -> R {
     let ratio = density * weight;
     // Without the square of a number above 1, which may be beyond the range of fixed point.

@@ -13,7 +13,7 @@ use crate::shape::Geometry;
 use crate::surface::Surface;
 use crate::throughput::Throughput;
 
-/// A hit as the ray sees it that met it.
+/// A hit with the values for shading, as seen from the ray that met it.
 pub(super) struct ShadedHit<'s, R: Real> {
     pub(super) hit: &'s Hit<R>,
     pub(super) material: &'s PreparedMaterial<'s, R>,
@@ -427,8 +427,8 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     /// The direction of the refracted ray by Snell's law (Glassner (ed.), "An Introduction to Ray Tracing",
     /// 1989, p. 289); `None` under total internal reflection.
     ///
-    /// The geometric normal alone tells which side is inside. A material states the indices of refraction on
-    /// both sides of its surface, so that a ray need not remember which media it is in.
+    /// The geometric normal points away from the inside. A material states the indices of refraction on both
+    /// sides of its surface, so that a ray need not store the media that it is in.
     fn refracted(&self) -> Option<Vec3<R>> {
         let eta = self.eta();
         if eta == R::ONE {

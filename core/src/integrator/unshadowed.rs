@@ -1,4 +1,4 @@
-//! The light of a place without any ray: what scan conversion knows of light.
+//! The light of a place without any ray, for scan conversion.
 
 use super::shaded_hit::{LampLight, ShadedHit};
 use crate::color::LinearRgb;

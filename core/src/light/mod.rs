@@ -165,7 +165,7 @@ impl Light {
             // An ambient light is kept in the list with direction zero, so that no surface receives light
             // from it.
             Self::Ambient { color } => (Source::Toward(Vec3::ZERO), color),
-            // So are objects and the sky, whose light is found apart.
+            // Objects and the sky have direction zero, too: their light is computed elsewhere.
             Self::Object(_) | Self::Sky if cfg!(feature = "distributed") => {
                 (Source::Toward(Vec3::ZERO), LinearRgb::gray(0.0))
             }

@@ -251,7 +251,7 @@ impl<'m, R: Real> PreparedMaterial<'m, R> {
         }
     }
 
-    /// The ambient light that a map says; `None` where the scene's holds.
+    /// The ambient light of a map; `None` where no map replaces the scene's ambient light.
     #[inline]
     pub(crate) fn ambient_light(&self) -> Option<LinearRgb<R>> {
         #[cfg(feature = "textures")]

@@ -125,8 +125,8 @@ pub trait Real: Kernel {
 
 /// The operations of a number system that only this crate and its tests use. The trait seals [`Real`].
 ///
-/// Some have a default that is right for all number systems, because one of them or one processor has a
-/// faster way.
+/// Some operations have a default that is right for all number systems. A number system or a processor with a
+/// faster way overrides the default.
 pub trait Kernel:
     Copy
     + Debug

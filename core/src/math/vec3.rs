@@ -102,8 +102,8 @@ impl<R: Real> Vec3<R> {
         (length > R::ZERO).then_some(unit)
     }
 
-    /// This unit vector without the error that its length has after computations with it. In fixed point the
-    /// vector itself.
+    /// A unit vector whose length is off by rounding, made a unit vector again. In fixed point the vector is
+    /// returned as it is.
     #[inline]
     pub(crate) fn unit_again(self) -> Self {
         if R::IS_FIXED_POINT { self } else { self.unit() }
@@ -142,8 +142,8 @@ impl<R: Real> Vec3<R> {
         !R::IS_FIXED_POINT || self.magnitude() < R::FARTHEST
     }
 
-    /// This vector or its opposite, whichever points against `direction`; its scalar product with
-    /// `-direction`, which is at least 0; and `true` if it is the opposite.
+    /// Of this vector and its opposite, the one that points against `direction`; the scalar product of the
+    /// result with `-direction`, which is at least 0; and `true` if the result is the opposite.
     pub fn facing(self, direction: Self) -> (Self, R, bool) {
         let along = self.dot(direction);
         if along > R::ZERO { (-self, along, true) } else { (self, -along, false) }

@@ -333,7 +333,7 @@ impl<R: Real> BoundingBall<R> {
         let largest = R::from_setup(self.center.magnitude() + self.radius);
         let astray = shadow_ray_deviation((largest, magnitude.larger(largest)), light);
         if let Form::Flat { normal, distance } = other.form {
-            // What lies in a plane shades nothing if light and receiver are both on one side of it.
+            // An object in a plane shades nothing if light and receiver are both on one side of the plane.
             let (normal, distance) = (normal.to_setup(), distance.to_setup());
             let height = normal.dot(self.center) - distance;
             // The light's height above the plane, and by how much it must be beside the plane: heights in the

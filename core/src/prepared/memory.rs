@@ -87,9 +87,9 @@ macro_rules! prepared_bytes {
 }
 
 /// How many bytes to lend to [`PreparedScene::new`](crate::PreparedScene::new), for the number system `R` and
-/// the shapes `S`, where only the numbers of items are known: for so many objects, materials and lights, and
-/// for `more`, what single ones take beyond that. The [guide on
-/// shapes](crate::shape::guide#how-much-memory-to-lend) tells what takes more.
+/// the shapes `S`, if only the numbers of objects, materials and lights are known. `more` is the sum of the
+/// bytes that single items take in addition; the [guide on
+/// shapes](crate::shape::guide#how-much-memory-to-lend) lists these items.
 ///
 /// ```
 /// use rayline::{Workspace, prepared_bytes, shape::Sphere};

@@ -99,7 +99,7 @@ impl<R: Real> Hit<R> {
         Departure { object: self.object, outward: Ray::is_outward(self.surface.normal, direction) }
     }
 
-    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) tells.
+    /// A ray that leaves the surface, to the side that [`departure`](Self::departure) returned.
     #[inline]
     pub(crate) fn spawn(&self, direction: Vec3<R>, from: Departure) -> Ray<R> {
         let Surface { point, normal, magnitude, .. } = self.surface;
@@ -194,9 +194,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
 
     /// Looks at the same scene from elsewhere.
     ///
-    /// In fixed point the scene was scaled for the eye that it was prepared with. An eye that is no farther
-    /// from the origin is always near enough; how far away others may be, [`Fixed`](crate::math::Fixed)
-    /// tells.
+    /// In fixed point, the scene was scaled for the eye with which it was prepared. A new eye that is no
+    /// farther from the origin than that eye is always near enough. [`Fixed`](crate::math::Fixed) states how
+    /// far away other eyes may be.
     ///
     /// # Errors
     /// What is wrong with the camera; the old one stays.
@@ -312,7 +312,7 @@ fn ambient<R: Real>(lights: &[Light]) -> Result<Option<LinearRgb<R>>, SceneError
     Ok(sum.map(LinearRgb::to))
 }
 
-/// Stores what each description becomes, or tells which of them is wrong.
+/// Stores the prepared form of each description, or returns an error for the description that is wrong.
 fn prepare_all<'m, D, P: Copy>(
     arena: &mut Arena<'m>,
     descriptions: &[D],

@@ -208,9 +208,9 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         Some(!(object.material.transmittance > R::ZERO))
     }
 
-    /// The light that gets through layers: the `first`, and those that `next` finds in the rest of the ray,
-    /// `most` in all if that is known. The shares that they let through are multiplied in the order of the
-    /// ray, so that rounding does not depend on what is known of the ray.
+    /// The light that gets through layers: the layer `first`, and the layers that `next` finds in the rest of
+    /// the ray. There are at most `most` layers, if this number is known. The shares of the layers are
+    /// multiplied in the order along the ray, so that rounding does not depend on how the layers are found.
     fn light_through_layers(
         &self,
         ray: &Ray<R>,
@@ -258,7 +258,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         let light = light * at.transmittance;
         let Some(optics) = at.optics() else { return light };
         let light = light * optics.transmission_color();
-        // The side that the ray comes from tells which medium the light crossed since the surface before.
+        // Since the surface before, the light crossed the medium on the side that the ray comes from.
         surface
             .and_then(|surface| {
                 let comes_from_front = !(surface.normal.dot(ray.direction) > R::ZERO);

@@ -1,11 +1,11 @@
 //! Contours: lines where neighboring pixels see different things.
 //!
-//! A pixel has ink if it differs from its neighbor to the right or from the one below: these two differences
-//! find each edge once, so lines are one pixel wide. The ink of a pixel is a pure function of scene, settings
-//! and place, and so the same in any order of lines. No memory is lent: what the neighbors see is traced
-//! again, by rays without light. From left to right, the neighbor to the right is the next pixel, so that two
-//! rays a pixel are left, and none where the outlines of objects tell that all three pixels see the
-//! background.
+//! A pixel has ink if it differs from its neighbor to the right or from its neighbor below: these two
+//! differences find each edge once, so lines are one pixel wide. The ink of a pixel depends on scene,
+//! settings and place alone, and is the same in any order of lines. No memory is lent: the neighbors of a
+//! pixel are traced again, by rays without light. From left to right, the neighbor to the right is the next
+//! pixel, so that two rays a pixel are left. No ray is needed where the outlines of objects show that all
+//! three pixels see the background.
 
 use super::line_candidates::LineCandidates;
 use super::look::Contours;
@@ -49,7 +49,7 @@ impl<R: Real> PreparedContours<R> {
     }
 }
 
-/// The share of ink in a pixel, and the rays that it took to know.
+/// The share of ink in a pixel, and the number of rays that were traced to find this share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Ink {
     /// 0 to 32768.
@@ -95,8 +95,8 @@ impl<R: Real> Mark<R> {
         if turned < contours.cosine && !(is_bent && turned > R::from_f32(SHARP)) {
             return true;
         }
-        // A step lies off the planes of both: neighbors on one slanted plane lie on it, and neighbors on a
-        // bent surface lie near it for at least one of them.
+        // A step is off the tangent planes of both points. Neighbors on one slanted plane lie on this plane,
+        // and neighbors on a bent surface lie near the tangent plane of at least one of them.
         let way = there.point - here.point;
         let step = contours.depth * t.smaller(*u);
         let is_off = |normal: Vec3<R>| normal.dot(way).abs() > step;
@@ -129,7 +129,7 @@ impl<R: Real> InkWalk<R> {
         let mut rays = 0;
         let mut mark = |x, y| {
             let among = among(x, y);
-            // Without sets of objects, an empty one says nothing.
+            // In a scene without sets of objects, an empty set does not mean that nothing is seen.
             if among.is_empty() && renderer.outlines.count().is_some() {
                 return Mark::NOTHING;
             }
@@ -214,8 +214,8 @@ impl<R: Real, S: Geometry> Renderer<'_, '_, R, S> {
         Some(self.mark_of_pixel((x, y), among))
     }
 
-    /// Whether pixels at the corners of a square of this length see different things, if the picture has
-    /// contours, and the rays that it took to know.
+    /// Whether pixels at the corners of a square of this length see different things, and the number of rays
+    /// that this test took. `false` if the picture has no contours.
     pub(super) fn has_edge_in(&self, (left, top): (u16, u16), length: u16, among: ObjectSet) -> (bool, u32) {
         let Some(contours) = &self.contours else { return (false, 0) };
         let mut rays = 0;

@@ -28,9 +28,9 @@ use super::{Light16, Quantizer, Tone, ToneScale};
 /// }
 /// ```
 pub trait DisplayColor: PixelColor {
-    /// The scale of the tones that realtime quality interpolates. The default is light itself. A color that
-    /// holds another one, such as an [`Rgb565`] with its bytes swapped, takes the scale and
-    /// [`from_tone`](Self::from_tone) from that.
+    /// The scale of the tones that realtime quality interpolates. The default is light itself. A type that
+    /// wraps another color, such as an [`Rgb565`] with its bytes swapped, uses the scale and
+    /// [`from_tone`](Self::from_tone) of that color.
     const TONES: ToneScale = ToneScale::LIGHT;
 
     /// The color of a pixel that shows `light`.

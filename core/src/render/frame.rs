@@ -25,7 +25,7 @@ pub struct Frame<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> {
     lines: Range<u32>,
     /// How many lines were to be drawn.
     total: u32,
-    /// The region of the picture that the display showed when it was last asked; the whole picture before.
+    /// The part of the picture that the display showed at the last step; the whole picture before the first.
     pub(super) shown: Region,
     pub(super) painter: Q::Painter<'m, S>,
 }
@@ -63,9 +63,9 @@ impl<'r, 'm, R: Real, S: Geometry + 'm, Q: Quality<R>> Frame<'r, 'm, R, S, Q> {
     /// Goes on with other lines of the same picture, which may begin and end anywhere. Lines that were not
     /// yet on the display are not drawn.
     ///
-    /// In realtime quality, the frame keeps what it knows of the whole picture, and a row of samples that
-    /// lies above the new lines if these follow the lines drawn last. The frame's budget of rays begins
-    /// anew.
+    /// In realtime quality, the frame keeps the data of the whole picture. If the new lines follow the lines
+    /// drawn last, the frame also keeps the row of samples above the new lines. The frame's budget of rays
+    /// begins anew.
     ///
     /// # Errors
     /// If the picture has no such lines. The frame is then as before.

@@ -15,8 +15,8 @@ use crate::shape::Geometry;
 
 /// A picture in exact quality that embedded-graphics places, as it places bitmaps: see [`Renderer::image`].
 ///
-/// The display takes all pixels in one window. Each is traced when the display asks for it, so that no
-/// memory is lent; for scenes of many objects, [`Renderer::draw`] with several lines is faster.
+/// The display takes all pixels in one window. Each pixel is traced when the display reads it, so no memory
+/// is lent; for scenes of many objects, [`Renderer::draw`] with several lines is faster.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderedImage<'r, 'm, R: Real, S: Geometry + 'm, C> {
     renderer: &'r Renderer<'r, 'm, R, S>,

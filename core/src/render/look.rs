@@ -3,9 +3,9 @@
 //! A [`Look`] has two parts that go together in any way. [`Tones`] say how light becomes tone: as it is, in a
 //! few steps, or from cool to warm. [`Contours`] are dark lines around objects and along edges.
 //!
-//! Each part works where what it must know is known, and so in every quality:
+//! Each part is computed at the place in the code that has its input, and so works in every quality:
 //!
-//! | part | must know | place |
+//! | part | input | place |
 //! |---|---|---|
 //! | steps of toon tones | the light of one sample | `toon.rs`, before the mean of a pixel's samples |
 //! | Gooch's tones | the normal, and the directions of lamps, also behind a surface | `integrator/gooch.rs` |
@@ -65,10 +65,10 @@ pub enum Tones {
 /// contours: no mirror image, shadow or texture has one. With several samples, each of them is compared with
 /// the places a pixel beside it, so that lines are smooth.
 ///
-/// Contours take rays without light: up to 2 for each pixel of one sample, up to 3 for each of
-/// several samples and in scenes with a hierarchy. These rays come on top of
-/// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel), and probes do not see them. Realtime
-/// quality looks for contours where neighbors on its grid differ, and where it traces more.
+/// Contours take rays without light: up to 2 for each pixel of one sample, up to 3 for each of several
+/// samples and in scenes with a hierarchy. These rays come on top of
+/// [`Settings::rays_per_pixel`](super::Settings::rays_per_pixel), and probes do not record them. Realtime
+/// quality traces contours where neighbors on its grid differ, and where it traces more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

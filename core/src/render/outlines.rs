@@ -106,7 +106,7 @@ impl Outlines {
     }
 
     /// The number of objects with an outline; `None` if no outlines are known. Without the feature
-    /// `candidates`, the compiler sees that this is `None`.
+    /// `candidates`, this is a constant `None`.
     #[inline]
     pub(super) fn count(&self) -> Option<usize> {
         if cfg!(feature = "candidates") { self.count } else { None }

@@ -1,11 +1,12 @@
 //! Palettes: panels of a few colors that are no levels of channels, as e-paper of black, white and red.
 //!
-//! A pixel that is not dithered has the nearest color, as the eye sees it: by the codes of sRGB. A dithered
-//! pixel is one of [`PARTS`] that together have the color of the light. They are found one after the other:
-//! each is the color nearest to the light and to what the ones before it lack. Sorted from dark to bright,
-//! the threshold of the pixel chooses one (Knoll, "Pattern Dithering", US patent 6,606,166 of 1999, expired;
-//! as described by Yliluoma, "Arbitrary-Palette Positional Dithering Algorithm", 2011). Unlike error
-//! diffusion, a pixel needs no other pixel, so lines may come in any order.
+//! A pixel that is not dithered has the nearest color by the codes of sRGB, which are close to how the eye
+//! sees differences. A dithered pixel has one of [`PARTS`] colors, whose mean is the light. These colors are
+//! chosen one after the other: each is the color of the palette nearest to the sum of the light and the error
+//! that the colors before have left. The chosen colors are sorted from dark to bright, and the threshold of
+//! the pixel picks one of them (Knoll, "Pattern Dithering", US patent 6,606,166 of 1999, expired; as
+//! described by Yliluoma, "Arbitrary-Palette Positional Dithering Algorithm", 2011). Unlike in error
+//! diffusion, a pixel depends on no other pixel, so lines may come in any order.
 
 use super::quantize::{encode_srgb, light_of_srgb};
 use super::{Light16, Quantizer};

@@ -35,7 +35,7 @@ pub(super) enum Aim {
 }
 
 impl Aim {
-    /// Whether it is the corner. Without the feature, the compiler sees that it is not.
+    /// Whether rays go to the corner. Without the feature `distributed`, this is a constant `false`.
     const fn is_corner(self) -> bool {
         cfg!(feature = "distributed") && matches!(self, Self::Corner)
     }
@@ -200,8 +200,9 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
         self.light_along_watched(ray, place, sample, &mut ())
     }
 
-    /// [`light_along`](Self::light_along), with the events on the way told to a probe. Light goes either way:
-    /// the rays are also those of a photon that leaves the origin, and their throughput is its share.
+    /// [`light_along`](Self::light_along), with a probe that records the events on the way. The rays serve
+    /// for light in either direction: they are also the rays of a photon that leaves the origin, and their
+    /// throughput is the share of the photon's flux.
     pub fn light_along_watched(
         &self,
         ray: &Ray<R>,

@@ -1,4 +1,4 @@
-//! How a picture is drawn: the memory that a program lends says it.
+//! The quality of a picture, which follows from the type of the memory that a program lends.
 //!
 //! Exact quality needs a line of colors and nothing else. Realtime quality needs a band of colors, a row of
 //! [samples](super::Sample) and its own settings. So the argument that lends memory is also the one that

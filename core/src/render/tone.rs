@@ -149,7 +149,7 @@ impl ToneScale {
         self.tone(self.light(tone, curve).mixed(other, share), curve)
     }
 
-    /// The light of this tone, as exactly as the tone tells.
+    /// The light of a tone, as exact as the bits of the tone.
     pub(super) fn light(self, tone: Tone, curve: Transfer) -> Light16 {
         match self.0 {
             Channels::Light => tone.to_light(),

@@ -73,8 +73,8 @@ impl<R: Real> Outline<R> {
     }
 }
 
-/// The items for which there is room: `collect` would panic at one too many, and the compiler does not see
-/// that there is none.
+/// The items for which there is room. `collect` would panic at one item too many, and the compiler cannot
+/// prove that there is no such item.
 pub(crate) fn list<T, const N: usize>(items: impl Iterator<Item = T>) -> Vec<T, N> {
     let mut list = Vec::new();
     for item in items.take(N) {

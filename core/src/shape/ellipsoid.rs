@@ -291,7 +291,7 @@ mod tests {
         let length = gx.hypot(gy);
         let normal = [gx / length, gy / length, 0.0];
         assert_meets(slanted, Vec3::new(5.0, 0.5, 0.0), LEFT, 5.0 - x, normal);
-        // It reaches no higher than 1.
+        // The ellipsoid reaches no higher than 1.
         assert_misses(slanted, Vec3::new(5.0, 1.01, 0.0), LEFT);
     }
 

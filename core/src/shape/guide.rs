@@ -124,10 +124,11 @@
 //!
 //! # How much memory to lend
 //!
-//! The macro [`prepared_bytes!`](crate::prepared_bytes!) tells how many bytes
-//! [`PreparedScene::new`](crate::PreparedScene::new) takes for a constant scene of any set of shapes. It asks
-//! each shape for its `const_bytes`: a `const fn`, because traits have none, that returns what
-//! [`Geometry::bytes`](super::Geometry::bytes) returns. Here is a shape that stores a list:
+//! The macro [`prepared_bytes!`](crate::prepared_bytes!) computes how many bytes
+//! [`PreparedScene::new`](crate::PreparedScene::new) takes for a constant scene of any set of shapes. For
+//! each shape the macro calls the method `const_bytes`, which returns the same number as
+//! [`Geometry::bytes`](super::Geometry::bytes). This method is a `const fn` of the type itself, because a
+//! trait cannot have a `const fn`. The example is a shape that stores a list:
 //!
 //! ```
 //! # use rayline::math::{Aabb, Extent, Interval, Ray, Scale};

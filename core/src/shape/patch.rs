@@ -16,8 +16,8 @@ pub(super) struct Patch<R: Real> {
 }
 
 impl<R: Real> Patch<R> {
-    /// The patch with the edges `right` and `up`, in the scene's units. It is refused if the edges lie on one
-    /// line, or if it is thinner than the number system can tell.
+    /// The patch with the edges `right` and `up`, in the scene's units. The patch is refused if the edges lie
+    /// on one line, or if the patch is too thin for the number system.
     pub(super) fn new(
         corner: Vec3<R::Setup>,
         right: Vec3<R::Setup>,

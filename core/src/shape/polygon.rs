@@ -292,8 +292,8 @@ impl<R: Real> Silhouette<R> for PreparedPolygon<'_, R> {
         let Aabb { min, max } = bounds_of(self.vertices().map(place))?;
         let size = max - min;
         if size.x < size.y * R::from_u16(SLENDER) {
-            // Not slender: most often a face of a solid, which is seen narrow only next to another face. Its
-            // bounds do.
+            // Not slender: most often a face of a solid, which looks narrow only next to another face. The
+            // bounds of the polygon are enough.
             return self.bounds().map(Hull::aligned);
         }
         let edges = [along * size.x, across * size.y, Vec3::ZERO];

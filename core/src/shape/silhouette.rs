@@ -16,11 +16,11 @@ use crate::surface::Surface;
 /// highlights of a pixel or two, and small things that the shape mirrors. Exact quality calls none of these
 /// methods.
 pub trait Silhouette<R: Real>: Intersect<R> {
-    /// Whether [`each_rim`](Self::each_rim) visits any rims. Where it is `false` for all shapes of a program,
-    /// the code that looks for rims is not linked.
+    /// Whether [`each_rim`](Self::each_rim) visits any rims. If this is `false` for all shapes of a program,
+    /// the code that finds the cells of rims is not linked.
     const HAS_RIMS: bool = false;
 
-    /// A simple solid that encloses the shape, or a part of it, so that the renderer can tell where the shape
+    /// A simple solid that encloses the shape, or a part of it: the renderer computes from it where the shape
     /// is thin.
     ///
     /// Part 0 encloses the whole shape. A shape that is loosely enclosed, such as a ring, has further hulls
@@ -51,9 +51,9 @@ pub trait Silhouette<R: Real>: Intersect<R> {
     /// there are none.
     fn each_rim(&self, _visit: impl FnMut(Rim<R>)) {}
 
-    /// The unit normal to shade with at a small `step` along the surface away from `surface`. Its difference
-    /// to the normal at `surface` tells how much the shape is curved there. By default the normal does not
-    /// change: the shape is treated as flat.
+    /// The unit normal to shade with at a small `step` along the surface away from `surface`. The difference
+    /// between this normal and the normal at `surface` is a measure of the curvature there. By default the
+    /// normal does not change: the shape is treated as flat.
     fn normal_beside(&self, surface: &Surface<R>, _step: Vec3<R>) -> Vec3<R> {
         surface.shading_normal
     }
@@ -140,7 +140,7 @@ impl<R: Real> Hull<R> {
 
 /// A place where a shape tapers to a point: it lies between the `apex` and the line between the two `ends`,
 /// widened by `radius`. A corner of a triangle has two different ends and no radius; the point of a cone has
-/// both ends in the middle of its base, and the base's radius. A shape need not tell of tips that are blunt.
+/// both ends in the middle of its base, and the base's radius. A shape need not list blunt tips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tip<R> {
     /// The point.

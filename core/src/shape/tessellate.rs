@@ -112,7 +112,7 @@ pub(super) fn face<R: Real>(
 }
 
 /// Calls `visit` with the facets of the image of a ball. `corner` maps a point of the unit ball to the
-/// surface. The poles of the ball lie along y. `is_mirrored` tells whether the image is a mirror image.
+/// surface. The poles of the ball lie along y. `is_mirrored` is `true` if the image is a mirror image.
 pub(super) fn globe<R: Real>(
     tessellation: &Tessellation<R>,
     is_mirrored: bool,

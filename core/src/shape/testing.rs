@@ -313,7 +313,8 @@ fn assert_no_self_hits_in<R: Real, G: Geometry>(shape: G, middle: Vec3, extent: 
     assert!(hits > rays / 20, "only {hits} of {rays} rays met {shape:?}");
 }
 
-/// Asserts what the [form](super::Form) of a shape tells about the number of hits of a ray up to `max`.
+/// Asserts that a ray has no more hits up to `max` than the [form](super::Form) of a shape allows, and that
+/// its parts meet nothing if the whole ray meets nothing.
 fn assert_parts_meet_no_more<R: Real>(prepared: &impl Intersect<R>, ray: &Ray<R>, max: R) {
     let Some(most) = prepared.form().most_hits() else { return };
     let mut range = Interval { min: R::ZERO, max };

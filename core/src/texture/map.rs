@@ -211,7 +211,7 @@ pub(crate) struct Coefficients<R> {
     pub(crate) transmittance: R,
     /// The factors of colors of the optics; `None` where no map changes them.
     pub(crate) optics: Option<OpticsShares<R>>,
-    /// The ambient light in place of the scene's; `None` where no map says it.
+    /// The ambient light in place of the scene's; `None` where no map replaces it.
     pub(crate) ambient_light: Option<LinearRgb<R>>,
 }
 

@@ -28,7 +28,7 @@ const MARGIN: usize = 64;
 
 #[allow(unsafe_code)]
 unsafe extern "C" {
-    /// The end of the statics, which the linker knows.
+    /// The end of the statics: a symbol that the linker defines.
     static __bss_end: u8;
 }
 

@@ -2,9 +2,9 @@
 //!
 //! The host writes the scenes into one file, `scenes`: the number of bytes of a scene, as four bytes with the
 //! lowest first, then those bytes, then the next scene. So one program draws any number of scenes with the
-//! RAM that one of them needs; scene data that a program of its own would have in flash is in RAM here.
-//! Scenes within the program were rejected: the program would be built again for each change of a scene, and
-//! would need more flash than most boards have.
+//! RAM for one scene at a time. Here the data of a scene lie in RAM; a program for one scene alone would have
+//! these data in flash. Scenes within the program were rejected: the program would be built again for each
+//! change of a scene, and would need more flash than most boards have.
 //!
 //! The report begins with the digest of arithmetic on many numbers, which covers cases that no picture
 //! reaches. For each scene it has the memory that the scene needs, and, if the board has that much, the

@@ -41,10 +41,11 @@
 //! together with its partner. Pixels 0 and 1 are partners, 2 and 3, and so on. Drawing a pixel without its
 //! partner is the error [`Error::Unpaired`], so that no neighbor is overwritten.
 //!
-//! So areas begin at an even column and are an even number of columns wide. Pictures, filled rectangles, and
-//! text with a background and letters of even width can be like that. Lines, circles and text without a
-//! background cannot: draw them into a
-//! [`Framebuffer`](embedded_graphics::framebuffer::Framebuffer) as large as they are, and that on the panel.
+//! So an area must begin at an even column and be an even number of columns wide. Pictures, filled
+//! rectangles, and text with a background and letters of even width can meet this rule. Lines, circles and
+//! text without a background cannot: draw these into a
+//! [`Framebuffer`](embedded_graphics::framebuffer::Framebuffer) of their size, and draw the framebuffer on
+//! the panel.
 //!
 //! # Orientation, offset and brightness
 //!

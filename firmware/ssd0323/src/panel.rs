@@ -44,8 +44,8 @@ pub struct Ssd0323<S, P> {
 }
 
 impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
-    /// Sets a panel up that is connected as [`Setup::PLAIN`] says. Reset it first. The panel keeps the
-    /// picture in its memory; at first, that holds any pixels, so clear it.
+    /// Sets up a panel that is connected as in [`Setup::PLAIN`]. Reset the panel first. The panel keeps the
+    /// picture in its memory, which at first holds any pixels: clear the panel.
     ///
     /// # Errors
     /// An error of the bus or of the pin.
@@ -53,8 +53,8 @@ impl<S: SpiBus, P: OutputPin> Ssd0323<S, P> {
         Self::with_setup(bus, data_command, Setup::PLAIN)
     }
 
-    /// Sets a panel up. Reset it first. The panel keeps the picture in its memory; at first, that holds any
-    /// pixels, so clear it.
+    /// Sets up a panel. Reset the panel first. The panel keeps the picture in its memory, which at first
+    /// holds any pixels: clear the panel.
     ///
     /// # Errors
     /// An error of the bus or of the pin.

@@ -46,7 +46,8 @@ impl Exposure {
         f64::from(self.0).exp2() as f32
     }
 
-    /// A color of light with this exposure. What the core refuses stays beyond its limits.
+    /// A color of light with this exposure. A channel of at most [`MAX_COORDINATE`] stays within this limit.
+    /// A larger channel is multiplied without the limit: the core refuses it if it is still too large.
     pub fn of_color(self, color: LinearRgb) -> LinearRgb {
         let [r, g, b] = color.channels().map(|channel| {
             let light = channel * self.factor();

@@ -1,7 +1,7 @@
 //! Reading of files: which are read, how much of them, and where the references of a scene may lead.
 //!
-//! - Only regular files and standard input are read. A named pipe may let the program wait for ever, and a
-//!   device may never end. The opened file is asked, so that symbolic links are covered as well.
+//! - Only regular files and standard input are read: reading a named pipe may wait for ever, and a device may
+//!   never end. The kind of the opened file is checked, so that symbolic links are covered as well.
 //! - Everything has a limit: the constants of this module, and those of [`rayline::limits`].
 //! - A file may refer only to files in the folder of the scene or below it, see [`Files::reference`].
 
@@ -209,7 +209,7 @@ pub fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 fn read_file(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    // Opening alone may act on a device, so the path is asked first.
+    // Opening alone may act on a device, so the kind of file is checked by its path first.
     check_regular(path.metadata()?.file_type())?;
     let mut options = File::options();
     options.read(true);

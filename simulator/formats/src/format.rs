@@ -32,14 +32,14 @@ impl Format {
         ("glb", Self::Gltf),
     ];
 
-    /// The format that a file's name tells.
+    /// The format of a file by the extension of its name.
     pub fn of_name(path: &Path) -> Option<Self> {
         let extension = path.extension()?;
         let known = Self::EXTENSIONS.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name))?;
         Some(known.1)
     }
 
-    /// The format that the first bytes tell, for those formats that cannot be mistaken.
+    /// The format of a file by its first bytes; `None` if these bytes do not identify a format.
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let text = without_mark(bytes).trim_ascii_start();
         match text {
@@ -56,7 +56,7 @@ impl Format {
 pub struct OpenOptions {
     /// The view of a model without a camera of its own.
     pub view: ModelView,
-    /// The format of the file; `None`: as its name tells, or the first bytes of standard input.
+    /// The format of the file; `None`: by the name of the file, or by the first bytes of standard input.
     pub format: Option<Format>,
     /// The exposure, in place of that of the file. Lights of glTF files are measured in the middle of the
     /// scene then, and not by what the camera sees: see [`gltf`](crate::gltf).

@@ -1,7 +1,7 @@
-//! A light meter: how bright the lights of a scene make what its camera sees.
+//! A light meter: it measures how bright the lights of a scene make the surfaces that its camera sees.
 //!
-//! A coarse picture is traced. The probe adds up the light of each pixel, that of lights apart from all other
-//! light, so that one picture is enough to know it for any strength of the lights.
+//! A coarse picture is traced. For each pixel, the probe adds up the light of lights and all other light in
+//! separate sums. So one picture is enough to compute the brightness for any strength of the lights.
 //!
 //! Large scenes take long to prepare, and most of their triangles are much smaller than these pixels. So
 //! their vertices are rounded to grids (Rossignac and Borrel, "Multi-resolution 3D Approximations for
@@ -27,8 +27,8 @@ const TARGET: f32 = 0.9;
 /// The share of the pixels in the light that may become brighter.
 const BRIGHTER: f32 = 0.01;
 
-/// A pixel that is as bright without the lights is not looked at: it shows the sky, or a surface that emits
-/// light. The lights must not become dark for it.
+/// A pixel that is this bright without the lights does not count: it shows the sky, or a surface that emits
+/// light. The lights must not become dark because of such a pixel.
 const BRIGHT: f32 = 0.5;
 
 /// The most triangles of a scene that is prepared as it is.

@@ -4,8 +4,8 @@
 //!    with texels, and meshes by their vertices; [`probe`] measures the light of lamps there by rays. Faces
 //!    on which the light changes fast get finer texels, until the budget of bytes is spent ([`refine`]).
 //! 2. [`photon`] follows light from lamps over mirrors and through glass, in directions that [`emission`]
-//!    draws; [`photon_map`] makes texels as bright as the photons that arrive say, with [`nearby`]. These
-//!    photons leave before step 1, so that texels are fine where they gather.
+//!    draws. [`photon_map`] computes the light of texels from the photons that arrive, with [`nearby`].
+//!    Photons are traced before step 1, so that texels are fine where photons gather.
 //! 3. [`radiosity`] lets all these surfaces scatter light onto each other.
 //! 4. [`volume`] finds the light in between, for all other objects and for things that move.
 //! 5. [`texture`] writes the light into images and materials.
@@ -146,8 +146,8 @@ pub enum LightStep {
     Space,
 }
 
-/// Computes the light of a scene, and returns the scene with it. `progress` is told the step at hand and its
-/// share that is done, from 0 to 1.
+/// Computes the light of a scene, and returns the scene with this light. `progress` is called with the step
+/// at hand and the finished share of the step, from 0 to 1.
 ///
 /// # Errors
 /// The scene or an option was refused, or nothing in the scene can hold light.
@@ -316,8 +316,8 @@ impl<'a> Assembly<'_, 'a> {
         self.scene.material_of(&self.scene.objects[object])
     }
 
-    /// Stores the light of all surfaces. Other objects get their materials as they were; those of them that
-    /// scatter light are returned.
+    /// Stores the light of all surfaces. Other objects keep their materials. Returns the positions of those
+    /// other objects that scatter light.
     fn store(
         &mut self,
         resting: &Resting<'a>,

@@ -25,7 +25,7 @@ use crate::picture::memory_for;
 const LEAST: f32 = 1e-3;
 /// The most bounces of a photon.
 const BOUNCES: u8 = rayline::limits::MAX_BOUNCES;
-/// The photons after which the progress is told.
+/// The most photons that are traced between two calls of `progress`.
 const AT_ONCE: usize = 8192;
 
 /// What is to be traced.
@@ -48,9 +48,10 @@ struct State {
     way: u32,
     /// Whether it counts.
     counts: bool,
-    /// The square of the index of refraction at the lamp over that of the medium at hand. In a denser medium
-    /// light is brighter by the inverse of it, and dims again where it comes out. The core leaves out both,
-    /// and so do photons.
+    /// The squared index of refraction at the lamp over the squared index of the medium at hand. Physical
+    /// light in a denser medium is brighter by the inverse of this ratio, and becomes dimmer again where it
+    /// leaves the medium. The core computes neither change, so the flux of photons is multiplied by this
+    /// ratio.
     density: f64,
     /// The index of refraction before the surface at its end over that behind it.
     eta: f64,
@@ -76,7 +77,7 @@ struct Trail<'t> {
     flights: Vec<Flight>,
 }
 
-/// Traces photons from all lamps. `progress` is told the share that is done.
+/// Traces photons from all lamps. `progress` is called with the finished share.
 ///
 /// # Errors
 /// A scene or settings that the core refuses.

@@ -1,11 +1,12 @@
 //! The photon map: where light arrives that mirrors and glass sent on, and how bright it is there (Jensen,
 //! "Global Illumination using Photon Maps", EGWR 1996).
 //!
-//! Jensen looks for the photons that are nearest to a place. Here each photon spreads its flux over the
-//! texels around it, with the weights of Jensen's cone filter, and all of it arrives: no light is lost at the
-//! rims of surfaces. Its radius is the distance of its [`NEIGHBORS`]th neighbor among the photons of the same
-//! way (Breiman, Meisel and Purcell, "Variable Kernel Estimates of Multivariate Densities", Technometrics
-//! 1977), so that it shrinks where light is gathered, and with the number of photons.
+//! Jensen's method searches for the photons that are nearest to a place. Here each photon spreads its flux
+//! over the texels around it, with the weights of Jensen's cone filter. The texels receive the whole flux: no
+//! light is lost at the rims of surfaces. The radius of a photon is the distance of its [`NEIGHBORS`]th
+//! neighbor among the photons of the same way (Breiman, Meisel and Purcell, "Variable Kernel Estimates of
+//! Multivariate Densities", Technometrics 1977). So the radius shrinks where light is gathered, and with the
+//! number of photons.
 
 use rayon::prelude::*;
 
@@ -27,7 +28,8 @@ pub(super) struct Photon {
     /// The unit normal, on the side from which it comes.
     pub(super) normal: Vector,
     pub(super) flux: Light,
-    /// Its beam, and what happened on its way: photons of the same way were neighbors when they left.
+    /// The beam of the photon, and the record of its bounces. Photons of the same way left the lamp as
+    /// neighbors.
     pub(super) way: (usize, u32),
 }
 

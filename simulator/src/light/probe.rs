@@ -1,4 +1,4 @@
-//! What the light on a surface is: measured by rays of the core, in scenes whose materials show one thing.
+//! Measures the light on a surface by rays of the core, in scenes whose materials show one quantity alone.
 
 use bumpalo::Bump;
 use rayline::math::{Interval, Ray};
@@ -34,7 +34,7 @@ impl LightProbe<'_> {
         self.white.closest_hit(&ray, Interval::AHEAD).is_some_and(|hit| {
             let Some(object) = self.scene.objects.get(hit.object) else { return false };
             let material = self.scene.material_of(object);
-            // What is in water is seen.
+            // A place behind a transparent surface is visible, such as a place in water.
             if material.is_some_and(|material| material.transmittance > 0.0) {
                 return false;
             }
@@ -63,8 +63,8 @@ impl LightProbe<'_> {
         self.glowing.light_along(&self.toward(place), (0, 0), 0)
     }
 
-    /// The light that a texel shows in white under its lamps, with the light that it emits. Light comes to
-    /// these places of it.
+    /// The light of a texel in white under the lamps, with the light that it emits. The light is measured at
+    /// `places` of the texel.
     pub(super) fn shown(&self, places: &[(Vector, Vector)], texel: usize) -> Light {
         if places.is_empty() {
             return Light::BLACK;

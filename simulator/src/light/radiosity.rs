@@ -73,7 +73,8 @@ impl Surfaces {
         self.lattices.iter_mut().map(|lattice| &mut lattice.texels).chain(meshes)
     }
 
-    /// Lets the surfaces scatter light until all is in balance; `progress` is told the share that is done.
+    /// Scatters light between the surfaces until little of it is left to scatter; `progress` is called with
+    /// the finished share.
     pub(super) fn solve(&mut self, probe: &LightProbe<'_>, progress: &dyn Fn(f64)) {
         for texel in self.all().flatten() {
             texel.unshot = texel.arriving() * texel.reflectance + texel.emission;

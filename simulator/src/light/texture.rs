@@ -13,8 +13,8 @@ use super::{Light, LightOptions, LightTexels};
 /// A surface of this light, before tone curves, is surely white on displays.
 const WHITEST: f64 = 4.0;
 
-/// The light at texels. Those that cannot be seen continue the ones beside them, so that interpolation
-/// brings no darkness from inside of bodies.
+/// The light at texels. A texel that cannot be seen takes the mean light of the texels around it, so that
+/// interpolation brings no darkness from inside of bodies.
 fn light(lattice: &Lattice, options: &LightOptions) -> Vec<Light> {
     let (width, height) = (lattice.width, lattice.height);
     let known = |texel: &Texel| (texel.area > 0.0).then(|| arriving(texel, options));
@@ -46,8 +46,8 @@ fn brightest<'l>(light: impl IntoIterator<Item = &'l Light>) -> f64 {
     light.into_iter().fold(0.0, |most: f64, Light { r, g, b }| most.max(*r).max(*g).max(*b))
 }
 
-/// The brightest light that is stored of texels with this light. Where they hold caustics, what is far beyond
-/// the white of a display is cut off, so that codes are left for dark places.
+/// The brightest light that is stored, for texels whose brightest light is `light`. Where the texels hold
+/// caustics, light far beyond the white of a display is cut off, so that codes are left for dark places.
 fn most_stored<'t>(
     light: f64,
     texels: impl Iterator<Item = &'t Texel> + Clone,
@@ -132,7 +132,7 @@ pub(super) fn lit<'a>(
     let mut maps = Vec::new();
     for own in material.maps {
         match own.onto {
-            // It was for the ambient light that the map replaces.
+            // Leave out a map of ambient light: the new map replaces this light.
             Onto::Ambient => {}
             Onto::Diffuse => {
                 maps.push(Map { onto: Onto::Ambient, ..*own });

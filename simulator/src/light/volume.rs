@@ -181,7 +181,7 @@ fn of_surfaces(
 /// The light of lamps and of the sky that a ray sees in mirrors and through glass.
 struct Images<'l> {
     lights: &'l [Lamp],
-    /// That of a lamp at hand.
+    /// The throughput of a ray that met a lamp, until the light of the lamp is added.
     throughput: Option<Light>,
     light: Light,
 }
@@ -249,7 +249,7 @@ fn directions(count: usize) -> impl Iterator<Item = Vector> {
     })
 }
 
-/// The light of all points. Those inside of bodies get that of the nearest point outside.
+/// The light of all points. A point inside of a body gets the light of the nearest point outside.
 fn filled(light: Vec<Option<Harmonics>>, points: &[Vector]) -> Vec<Harmonics> {
     let nearest = |point: &Vector| {
         let seen = light.iter().zip(points).filter_map(|(light, other)| Some((light.as_ref()?, other)));

@@ -1,6 +1,6 @@
 //! The window: a scene that is drawn line by line, as on a board, into embedded-graphics' simulator.
 //!
-//! - `screen` opens the window, shows the simulator's pictures in it, and collects what the user wants;
+//! - `screen` opens the window, shows the simulator's pictures in it, and collects the user's input;
 //! - `request` translates keys and the mouse;
 //! - `view` draws the scene, and moves its camera.
 //!
@@ -72,8 +72,8 @@ pub struct WindowScene<'w> {
 ///
 /// Arrow keys or the mouse orbit the point in the middle of the picture; plus, minus or the wheel change the
 /// distance to it; Home brings the scene's own camera back. N, M and C switch the number system, the mode and
-/// the color of the display. S saves. The title tells time and rays of the last picture. If a new version of
-/// the file is broken, the last picture stays, with the error over it.
+/// the color of the display. S saves. The title shows the time and the rays of the last picture. If a new
+/// version of the file is broken, the last picture stays, with the error over it.
 ///
 /// # Errors
 /// There is no display, the first version of the scene is refused, or `save` failed.

@@ -117,7 +117,7 @@ fn lines_of_an_ellipse_are_the_hull_of_each_and_its_height_is_known() {
     let viewport = viewport(CAMERA);
     let outline = Vantage::eye(&viewport).outline(Vec3::new(1.0, 0.5, 0.0), 1.0);
     let height = (0..SIZE.1).filter(|y| outline.span(*y) != Span::NOWHERE).count() as u32;
-    // It is less than a line higher on either side.
+    // The outline is less than a line higher on either side.
     assert!(outline.is_lower_than(height + 1) && !outline.is_lower_than(height - 2), "{height}");
     for top in 0..SIZE.1 {
         for bottom in top..SIZE.1 {

@@ -1,4 +1,4 @@
-//! A facet as it is seen in the picture, and what a pixel knows of it.
+//! A facet in the picture, and the record of one pixel: its depth and its facet.
 
 use crate::math::{Real, Vec3};
 
@@ -86,7 +86,7 @@ pub(super) fn unpacked<R: Real>(units: [i16; 3]) -> Vec3<R> {
     Vec3::new(x, y, z)
 }
 
-// The documentation of `Preview` tells it.
+// The documentation of `Preview` states these sizes.
 const _: () = assert!(size_of::<PreviewFacet>() <= 68 && size_of::<PreviewPixel>() <= 8);
 
 /// No facet.

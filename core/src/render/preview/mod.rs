@@ -1,9 +1,9 @@
 //! A preview by scan conversion: facets in place of surfaces, a Z-buffer of one line in place of rays.
 //!
-//! The other way to draw. Ray tracing asks for each pixel which surface lies behind it; scan conversion asks
-//! for each surface which pixels lie before it. Its time grows with the facets and with the pixels that they
-//! cover, and hardly with their product, but it knows of no shadows, mirrors and glass. Here it is what a
-//! slow chip shows while things move, before it traces:
+//! Ray tracing finds for each pixel the surface behind it; scan conversion finds for each surface the pixels
+//! in front of it. The time of scan conversion grows with the facets and with the pixels that they cover, and
+//! hardly with the product of both numbers. But scan conversion draws no shadows, mirror images or
+//! refraction. Here it draws what a slow chip shows while things move, before a picture is traced:
 //!
 //! 1. [`setup`] cuts every object of the prepared scene into facets
 //!    ([`each_facet`](crate::shape::Silhouette::each_facet)), lights their [`corner`]s without shadow rays,
@@ -16,8 +16,8 @@
 //!    1974) of one line (Wylie, Romney, Evans and Erdahl, "Half-Tone Perspective Drawings by Computer",
 //!    AFIPS 1967). Facets that reach the next line stay in a list.
 //! 4. [`painter`] colors each pixel once, by the facet that is seen there: light is interpolated between the
-//!    corners (Gouraud, "Continuous Shading of Curved Surfaces", IEEE ToC 1971). Textures are asked for the
-//!    point of the scene that the pixel's depth gives, so their perspective is right.
+//!    corners (Gouraud, "Continuous Shading of Curved Surfaces", IEEE ToC 1971). Textures are evaluated at
+//!    the point of the scene that follows from the pixel's depth, so their perspective is right.
 //!
 //! # Depth
 //! Along a line, not the depth z of a plane is linear but 1/z, so the buffer holds 1/z: as a whole number in

@@ -17,8 +17,8 @@ impl Scan {
     /// Before the first line.
     pub(super) const BEGIN: Self = Self { line: 0, begun: 0, active: NONE };
 
-    /// Finds what is seen at the pixels of a line from column `left` on. Lines can be asked for in any order;
-    /// from top to bottom is the fastest.
+    /// Finds the facet and the depth at the pixels of a line, from column `left` on. The lines may come in
+    /// any order; from top to bottom is the fastest.
     pub(super) fn line(
         &mut self,
         facets: &mut [PreviewFacet],

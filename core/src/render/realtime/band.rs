@@ -99,13 +99,13 @@ struct GridRow {
     end: u32,
 }
 
-/// Draws bands. It keeps what is known of the whole picture, and what one cell or band hands to the next.
+/// Draws bands. Holds the data of the whole picture, and the data that one cell or band passes to the next.
 #[derive(Debug)]
 pub(super) struct BandPainter<'m, R: Real, S: Geometry + 'm> {
     /// When rays end.
     limits: RayLimits<R>,
-    /// The scene without its lights, in which rays end earlier: those that are left out of the digests are
-    /// not traced.
+    /// The scene without its lights. Its rays end earlier: a ray that does not count in the digests is not
+    /// traced.
     unlit: UnlitScene<'m, R, S>,
     quality: Realtime,
     small: SmallThings<R>,
@@ -371,7 +371,7 @@ fn paint_inked<R: Real, S: Geometry, C: DisplayColor, P: Probe<R>>(
     tracer: &mut Tracer<'_, CellView<'_, '_, R, S>, P>,
 ) {
     let mut walk = InkWalk::BEGIN;
-    // In a cell whose points are all traced for their tones, the digests tell nothing.
+    // If all points of a cell are traced for their tones alone, no digests can be compared.
     let squares = if is_all_traced { u8::MAX } else { tracer.squares_with_edges(paint.size) };
     #[cfg(feature = "distributed")]
     let mut near = OutlinesNear::in_cell(paint.size);

@@ -12,8 +12,9 @@ pub(super) struct Crossings {
 
 /// A straight line through a square of four pixels.
 ///
-/// It is kept as a function that is linear over the square: twice the signed area of the triangle between the
-/// line's two ends and a point. Its sign tells on which side of the line the point lies.
+/// The line is stored as a function that is linear over the square: twice the signed area of the triangle
+/// between a point and the two ends of the line. The sign of the function shows on which side of the line the
+/// point lies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     is_steep: bool,
@@ -22,7 +23,7 @@ pub(super) struct Edge {
     /// How much the function grows from one point to the next: in a row of a steep edge or a column of a flat
     /// one.
     along: i32,
-    /// How much it grows from one such row or column to the next.
+    /// How much the function grows from one of these rows or columns to the next.
     across: i32,
 }
 
@@ -106,7 +107,7 @@ mod tests {
                 }
             }
         }
-        // It is half a pixel from the points beside it in the first row.
+        // The line is half a pixel from the points beside it in the first row.
         assert!(edge.is_near(1, 0, 9) && !edge.is_near(1, 0, 8) && !edge.is_near(3, 0, 9));
         assert!(edge.is_near(2, 2, 1));
     }

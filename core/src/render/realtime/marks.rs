@@ -37,7 +37,7 @@ pub(super) struct MarkProbe<'c, 'm, R: Real, S: Geometry + 'm, P> {
     bounces: u32,
     /// Whether a small highlight shows.
     near_glint: bool,
-    /// Looks for small things beside the rays, if the scene can have any.
+    /// Finds small things beside the rays, if the scene can have any.
     watch: Option<&'c mut Watch<R>>,
     /// Rays of this throughput or less are left out of the digests: [`FAINT`], or 1 to leave out all rays.
     faint: R,
@@ -141,7 +141,7 @@ impl<'c, 'm, R: Real, S: Geometry + 'm, P: Probe<R>> MarkProbe<'c, 'm, R, S, P> 
         if through >= R::ONE {
             self.near_glint |= sharp && cosine() > R::from_f32(NEAR_GLINT) && shows(R::ONE);
         } else if material.diffuse > R::ZERO || !sharp || shows(R::from_f32(SHOWS)) {
-            // The number of bounces tells a mirrored shadow from one that is seen directly.
+            // The number of bounces distinguishes a mirrored shadow from a shadow that is seen directly.
             let what = self.bounces << 25 | 1 << 24 | (light as u32) << 17 | through.to_q16();
             self.shade = fold(self.shade, what);
         }

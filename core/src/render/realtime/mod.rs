@@ -14,8 +14,8 @@
 //!   traced.
 //! - **A pixel between two neighbors needs no lights** if they met different objects under the same lights,
 //!   and are two pixels apart. It is traced without lights, only to find out which of the two it is like.
-//! - **Where no object can be seen** before a background of one color, nothing is traced. Most cells know
-//!   that before the first ray.
+//! - **Where no object can be seen** before a background of one color, nothing is traced. For most cells,
+//!   this is computed before the first ray.
 //!
 //! A fourth one makes edges smooth without samples, if wanted ([`Edges`]): rays go through the **corners of
 //! pixels**, and a pixel whose corners differ shows a mixture of what is on both sides of the edge

@@ -1,4 +1,4 @@
-//! The pixels of a cell, as the drawing of the cell asks for them.
+//! The source of the pixels for the drawing of a cell.
 
 use super::sample::Sample;
 

@@ -119,7 +119,7 @@ impl Realtime {
         Self { edges: Edges::Smooth, ..self }
     }
 
-    /// Whether edges are smooth. Without the feature, the compiler sees that they are not.
+    /// Whether edges are smooth. Without the feature `distributed`, this is a constant `false`.
     pub(super) const fn is_smooth(&self) -> bool {
         cfg!(feature = "distributed") && matches!(self.edges, Edges::Smooth)
     }

@@ -152,7 +152,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> Tracer<'_, CellView<'_, '_, R, S>, P> {
 
     /// The squares of four pixels of a cell whose corners see different things, a bit for each.
     ///
-    /// Digests say the same of two things of 128, and between two such things they would lose a whole line.
+    /// Two different things have the same digest in one of 128 cases. Digests alone would then lose the whole
+    /// line between these things.
     #[cfg(feature = "looks")]
     pub(super) fn squares_with_edges(&mut self, size: usize) -> u8 {
         let squares = size.div_ceil(SQUARE);
@@ -223,8 +224,8 @@ impl<R: Real, S: Geometry, P: Probe<R>> PixelSource for Tracer<'_, CellView<'_, 
             return self.trace(x, y);
         }
         if a.path() != b.path() && a.is_shaded_like(b) {
-            // Nothing new stands before the lights between two pixels so close: a trace without lights tells
-            // which of the two this one is like.
+            // No other object stands before the lights between two pixels so close. So a trace without lights
+            // is enough to find which of the two pixels this pixel is like.
             let path = self.trace_for(Purpose::Objects, x, y).path();
             if path == a.path() {
                 return a.untraced();

@@ -2,9 +2,9 @@
 //! (Roth, "Ray Casting for Modeling Solids", Computer Graphics and Image Processing 18, 1982).
 //!
 //! Roth combines lists of parts, one list for each node of the tree. Here the boundaries of all solids stand
-//! in one list, in the order along the ray. Each boundary flips a bit, which tells whether the ray is inside
-//! that solid. The tree is evaluated on the bits, and where its value changes there is a surface. This takes
-//! one array and one word, however the tree is nested, and no recursion.
+//! in one list, in the order along the ray. Each boundary flips the bit of its solid, which is 1 while the
+//! ray is inside that solid. The tree is evaluated on the bits, and where its value changes there is a
+//! surface. This method takes one array and one word, however the tree is nested, and no recursion.
 //!
 //! # Coinciding faces
 //! Two solids that share a face, such as a block and the hole that goes through it, have boundaries there

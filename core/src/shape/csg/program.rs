@@ -48,8 +48,7 @@ impl<'m> Program<'m> {
         self.subtracted.wrapping_shr(solid.into()) & 1 != 0
     }
 
-    /// Whether a place is inside the combined solid, by a bit for each solid that tells whether the place is
-    /// inside that.
+    /// Whether a place is inside the combined solid. Bit i of `solids` is 1 if the place is inside solid i.
     pub(super) fn is_inside(&self, solids: Bits) -> bool {
         // The stack is a word, too: the lowest bit is its top.
         let (mut rest, mut stack): (Bits, Bits) = (solids, 0);

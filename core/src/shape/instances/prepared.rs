@@ -10,8 +10,8 @@ use crate::surface::Surface;
 /// [`Instances`](super::Instances), prepared.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedInstances<'m, R, P> {
-    // By value, not by reference: so a set of shapes whose instances are of the same set would contain
-    // itself, which the compiler refuses. This rules out recursion.
+    // By value, not by reference: a set of shapes whose instances are of the same set would contain itself,
+    // and does not compile. This rules out recursion.
     model: P,
     places: &'m Places<'m, R>,
 }
@@ -75,7 +75,7 @@ impl<'m, R: Real, P: Intersect<R>> PreparedInstances<'m, R, P> {
             if let Some(pose) = poses.get(index)
                 && let Some(met) = self.model.intersect(&pose.inward(ray), around)
             {
-                // It is the very same distance, but where two surfaces of one model are next to each other.
+                // `met` equals `t`, except where two surfaces of one model lie next to each other.
                 let off = (met - t).abs();
                 if found.is_none_or(|(least, first, _)| off < least || off == least && index < first) {
                     found = Some((off, index, pose));

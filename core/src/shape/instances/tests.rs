@@ -222,7 +222,7 @@ fn the_hull_is_turned_too() {
     assert_eq!(prepared.hull(1), None);
 }
 
-/// A solid that counts how often one of its hulls is asked for.
+/// A solid that counts the calls of its method `hull`.
 #[derive(Clone, Copy, Debug)]
 struct Counted(&'static AtomicUsize);
 

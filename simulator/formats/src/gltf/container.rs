@@ -92,7 +92,7 @@ fn parse(json: &[u8]) -> Result<Root, Wrong> {
     }
     let root: Root = match serde_json::from_slice(json) {
         Ok(root) => root,
-        // The first error has a position, so it is the one to tell.
+        // If both ways of reading fail, report the error of the first: it has a position.
         Err(error) => parse_loosely(json).ok_or_else(|| broken(error))?,
     };
     let required = || unknown_extensions(&root.extensions_required);

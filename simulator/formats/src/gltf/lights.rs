@@ -45,8 +45,8 @@ const NEAREST: f32 = 2e-3;
 /// The largest light of a lamp near its position, in units of white.
 const BRIGHTEST: f32 = 16.0;
 
-/// The factor of the lights while they are measured. So faint, lamps fall off by the inverse square even near
-/// to their positions.
+/// The factor of the lights while they are measured. Lamps as faint as this fall off by the inverse square
+/// even near to their positions.
 const FAINT: f64 = 1.0 / 1024.0;
 
 /// The least and the largest factor of the exposure: -20 and 2 stops. At twice the distance there is a
@@ -93,8 +93,8 @@ impl Lights<'_> {
         self.all.iter().map(light).collect()
     }
 
-    /// The lights, exposed for what the camera sees in a picture of this size: the brightest of what they
-    /// light is almost white. The scene is that without them.
+    /// The lights with the exposure that makes the brightest lit pixels almost white, in a picture of this
+    /// size. `scene` is the scene without lights.
     pub(super) fn exposed(
         &self,
         scene: &Scene<'_>,

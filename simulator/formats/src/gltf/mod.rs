@@ -79,11 +79,11 @@
 //! transmission textures are left out.
 //!
 //! # Lights
-//! Files measure light in lux and candela, but do not say how bright the picture shall be. So all lights are
-//! multiplied by one factor, which a note tells. It is chosen by what the camera sees, in a coarse picture of
-//! some 3000 pixels: of those pixels that the lights reach, one in 100 becomes brighter than 0.9 of white.
-//! Pixels that are brighter than half of white without the lights do not count. The lights become at most
-//! four times as bright as by the rule below, so that dark materials stay dark.
+//! Files measure light in lux and candela, but do not define how bright the picture is. So all lights are
+//! multiplied by one factor, which a note states. The factor comes from a coarse picture of some 3000 pixels:
+//! of the pixels that the lights reach, one in 100 becomes brighter than 0.9 of white. Pixels that are
+//! brighter than half of white without the lights do not count. The lights become at most four times as
+//! bright as by the rule below, so that dark materials stay dark.
 //!
 //! Where the camera sees nothing that the lights reach, and with an [exposure](crate::OpenOptions::exposure),
 //! the factor is chosen for the illuminances of a surface that faces each light in the middle of the scene (a

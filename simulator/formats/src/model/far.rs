@@ -35,7 +35,8 @@ impl Moved {
         if (center.abs() + half).max_element() <= most {
             return Self::NOT;
         }
-        // Round the center: the note tells it, and coordinates with few digits keep them.
+        // Round the center to whole numbers: the note is then short, and a coordinate of few digits still has
+        // few digits when it is moved.
         let center = DVec3::from_array(center.to_array().map(f64::round));
         let scale = if reach <= most { 1.0 } else { 10f64.powf((most / reach).log10().floor()) };
         Self { center, scale }

@@ -106,8 +106,8 @@ fn pieces(triangles: &[[u32; 3]], vertices: usize, most: usize) -> Vec<Piece> {
     pieces
 }
 
-/// Whether a triangle is thicker than two millionths of its sides. The core accepts triangles half as thick,
-/// so it never refuses one that passes this test, or a mesh with one.
+/// Whether a triangle is thicker than two millionths of its sides. The limit of the core is half of this, so
+/// the core never refuses a triangle that passes this test, or a mesh with such a triangle.
 pub(crate) fn has_area(corners: [Vec3; 3]) -> bool {
     let [a, b, c] = corners.map(Vec3::to::<f64>);
     let (ab, ac) = (b - a, c - a);

@@ -30,7 +30,7 @@
 //! So `LoadedScene` gives a scene from NFF the transfer
 //! [`Linear`](rayline::Transfer::Linear), and `rayline convert` keeps it in the settings of a `.ron` file.
 //!
-//! Everything that is added to the contents of a file, or left out, is told in [`Import::notes`]:
+//! [`Import::notes`] lists everything that is added to the contents of a file, or left out:
 //!
 //! | in the file | becomes |
 //! |---|---|

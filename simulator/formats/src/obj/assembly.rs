@@ -67,7 +67,7 @@ enum Uvs {
     Reduced,
 }
 
-/// The source of a corner's normal, which tells vertices at one place apart.
+/// The source of a corner's normal, which distinguishes vertices at one place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Source {
     /// The mesh has no normals.
@@ -149,8 +149,8 @@ impl<'c> Faces<'c> {
         self.corners(placed).iter().map(|corner| self.moved.vertex(self.file_vertex(corner.vertex))).collect()
     }
 
-    /// The unit normal of a face; zero for a face without an area. Normals of the file tell which side is the
-    /// front, whatever the order of the corners.
+    /// The unit normal of a face; zero for a face without an area. If the file has normals, they decide which
+    /// side is the front, whatever the order of the corners.
     fn face_normal(&self, placed: &Placed) -> DVec3 {
         let normal = polygon::normal(&self.places(placed)).try_normalize().unwrap_or(DVec3::ZERO);
         let given = self.corners(placed).iter().find_map(|corner| self.given_normal(corner));

@@ -8,8 +8,8 @@ use crate::text;
 const NAMED: [&str; 11] =
     ["usemtl", "newmtl", "mtllib", "usemap", "maplib", "o", "g", "bump", "disp", "decal", "norm"];
 
-/// The statements of a file without comments, with the numbers of their first lines, from 1. `foreign` hears
-/// the number of each line that is not UTF-8.
+/// The statements of a file without comments, with the numbers of their first lines, from 1. `foreign` is
+/// called with the number of each line that is not UTF-8.
 ///
 /// A line that ends in a backslash continues on the next. A backslash at the end of a comment does not count:
 /// it may be part of the name of a folder.

@@ -17,9 +17,9 @@
 //!   color.
 //! - POV-Ray keeps a list of the interiors that a ray is inside of. So the faces of one material are written
 //!   as a union with one interior, which makes a closed solid of them. POV-Ray's indices of refraction are
-//!   absolute. So are those of materials with an `outside`; a sphere inside of a transparent sphere gets the
-//!   product of both indices. Bodies that are made of open surfaces with a medium on each side cannot be
-//!   expressed by POV-Ray's list.
+//!   absolute. The index of a material with an `outside` is absolute, too; a sphere inside of a transparent
+//!   sphere gets the product of both indices. Bodies that are made of open surfaces with a medium on each
+//!   side cannot be expressed by POV-Ray's list.
 //! - In POV-Ray a transmitted ray does not count as a bounce if the index is exactly 1, so a slightly larger
 //!   index is written.
 //! - Under total internal reflection POV-Ray mirrors all light, but the core mirrors reflectance plus

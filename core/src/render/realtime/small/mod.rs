@@ -1,4 +1,4 @@
-//! Looks for things so small that no pixel of the grid may see them.
+//! The search for things that are so small that they may lie between the pixels of the grid.
 //!
 //! The place of some of them is known before the first ray:
 //! - **Thin objects.** A shape is enclosed by a few hulls (see [`Hull`](crate::shape::Hull)). The picture of
@@ -52,7 +52,7 @@ pub(super) struct SmallThings<R> {
     tapering: ObjectSet,
     /// The cells that show the rim of a mesh, if there are any.
     rims: Option<RimCells>,
-    /// Looks for the others, if the scene can have any.
+    /// The search beside traced rays for all other small things, if the scene can have any.
     pub(super) watch: Option<Watch<R>>,
 }
 

@@ -1,9 +1,9 @@
 //! The cells that may show the rim of a mesh. They are verified once they are drawn.
 //!
-//! A mesh may be thin somewhere, like a teapot at its handle, and nothing tells where. But it ends at its
-//! rims: where its normals turn away from the eye, or along the edges of flat triangles. A part narrower than
-//! a cell has a rim in that cell. The cells with a rim, or with the shadow of one on the largest flat object,
-//! are found once for a picture.
+//! A mesh may be thin somewhere, like a teapot at its handle, and stores no list of thin parts. But in the
+//! picture, a mesh ends at its rims: where its normals turn away from the eye, or along the edges of flat
+//! triangles. A part narrower than a cell has a rim in that cell. The cells with a rim, or with the shadow of
+//! a rim on the largest flat object, are found once for a picture.
 
 use super::super::grid::Grid;
 use super::shadow_projection::ShadowProjection;

@@ -1,6 +1,6 @@
 //! The points of the grid near a sharp tip, the shadow of one, or a low shadow.
 //!
-//! Such points are marked as if they were near a small highlight: every second pixel between them is traced.
+//! These points are marked as if they were near a small highlight: every second pixel between them is traced.
 //!
 //! *Tips* of triangles, polygons and cones end between the points of the grid, where their picture is a
 //! narrow [`taper`](super::taper), and so do their shadows on the largest flat object.
@@ -31,8 +31,8 @@ pub(in crate::render::realtime) struct TipPoints {
     is_empty: bool,
 }
 
-/// The objects with a tip that is sharp as it is seen, or whose shadow is; none in a scene of more objects
-/// than a set holds, as there would be too many.
+/// The objects with a tip that is sharp in the picture, or with a tip whose shadow is sharp there. Empty in a
+/// scene of more objects than a set holds, which would have too many tips.
 pub(super) fn tapering_objects<R: Real, S: Geometry>(
     renderer: &Renderer<'_, '_, R, S>,
     grid: Grid,

@@ -1,10 +1,10 @@
 //! Watches the rays of traced pixels for small things beside them, whose place is not known before the first
 //! ray: thin things that are mirrored, refracted or stand before a light, and highlights.
 //!
-//! A corner of a cell stands for the pixels up to half the cell's diagonal away. In cells of eight pixels,
-//! the points halfway between the corners stand for half of that. If one of these pixels could see something
-//! tiny, as the [`Cone`] around the ray tells, the squares around the point are traced in full. Other points
-//! than these are not watched.
+//! A corner of a cell stands for the pixels up to half the cell's diagonal away. In cells of eight pixels, a
+//! point halfway between the corners stands for the pixels up to half this distance away. If the [`Cone`]
+//! around the ray shows that one of these pixels could see something tiny, the squares around the point are
+//! traced in full. No other points are watched.
 //!
 //! A scene with more objects than a set holds is searched with its hierarchy, and only for slender things:
 //! shadows and mirror images of rows of poles suffer most, and a search for all small things would trace most

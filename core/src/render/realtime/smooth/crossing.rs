@@ -8,7 +8,7 @@
 //! Between two cells of a texture on a flat object, the edge is found by bisection along the surface, which
 //! takes no ray.
 //!
-//! One ray through the middle of a cell tells which outlines may cross the cell at all: few, as a rule.
+//! One ray through the middle of a cell finds the outlines that may cross the cell at all: few, as a rule.
 
 use crate::light::Source;
 use crate::math::{Ray, Real, Vec3};

@@ -40,7 +40,7 @@ pub(super) struct OutlinesNear<R> {
 }
 
 impl<R> OutlinesNear<R> {
-    /// None are found yet, in a cell of this size in pixels.
+    /// No outlines and shadows yet, in a cell of this size in pixels.
     pub(super) const fn in_cell(size: usize) -> Self {
         Self { size, objects: None, shadows: None }
     }
@@ -67,7 +67,7 @@ struct Corners {
     bottom_right: Corner,
 }
 
-/// The edges in a pixel, as far as its corners tell.
+/// The edges in a pixel, as far as its corners show them.
 #[derive(Clone, Copy, Debug)]
 enum EdgesInside {
     /// All corners saw the same things.

@@ -61,8 +61,8 @@ impl Squares<'_> {
         Camera { eye: point(eye), target: point(self.middle), up, vertical_fov: 0.7, lens: None }
     }
 
-    /// The number of pixels in which several squares overlap, and that of those which do not show the first
-    /// one. Pixels nearer to an edge than a hundredth are left out.
+    /// The number of pixels in which several squares overlap, and the number of these pixels that do not show
+    /// the first square. Pixels nearer to an edge than a hundredth are left out.
     fn count<R: Real>(&self, scene: &Scene<'_>) -> (usize, usize) {
         let camera = scene.camera;
         let [eye, target] = [camera.eye, camera.target].map(vector);
