@@ -141,7 +141,7 @@ impl<R: Real> ShadedHit<'_, R> {
         // The tone has the diffuse light.
         let facing = FacingLight { toward, distance, cosine: R::ZERO, highlight_cosine, share: None };
         let highlight = lamps.add(&facing, self.material, color, Throughput::even(R::ONE));
-        let shown = color * (self.material.specular * highlight);
+        let shown = self.lit(color, R::ZERO, highlight);
         trace.probe.record(Event::Light { light: index, toward, through: R::ONE, shown });
     }
 

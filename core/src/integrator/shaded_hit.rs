@@ -295,7 +295,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
     }
 
     /// The light of one lamp that leaves the hit if nothing is in the way: for events.
-    fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
+    pub(super) fn lit(&self, color: LinearRgb<R>, cosine: R, highlight: R) -> LinearRgb<R> {
         let shown = self.color * (self.material.diffuse * cosine);
         let highlight = LinearRgb::even(self.material.specular * highlight);
         let highlight =

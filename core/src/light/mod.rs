@@ -192,8 +192,10 @@ pub(crate) struct PreparedLight<'m, R> {
     lamp: Option<&'m PreparedLamp<R>>,
 }
 
+/// The place of a light, or the direction toward it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Source<R> {
+    /// The position of a light.
     At(Vec3<R>),
     /// A light beyond the range of the number system: its position, scaled into range, and the scale, a power
     /// of two. Never in floating point.
@@ -238,7 +240,6 @@ impl<'m, R: Real> PreparedLight<'m, R> {
 
     /// Whether the light has no direction of its own: ambient light, the sky, and objects, whose light is
     /// found apart.
-    #[cfg(feature = "looks")]
     pub(crate) fn comes_from_all_around(&self) -> bool {
         matches!(self.source, Source::Toward(toward) if toward == Vec3::ZERO)
     }

@@ -9,6 +9,6 @@ pub(crate) enum Among<'l> {
     All,
     /// The objects of a set: in scenes of up to [`FEW_OBJECTS`](crate::limits::FEW_OBJECTS).
     Few(ObjectSet),
-    /// The objects at these positions, in ascending order.
+    /// The objects at these positions: in ascending order for the closest hit, in any order for shadow rays.
     Listed(&'l [u16]),
 }

@@ -1,4 +1,4 @@
-//! The first question of a ray: which object does it meet first?
+//! The first object that a ray meets.
 
 use super::candidates::Candidates;
 use super::objects::PreparedObject;

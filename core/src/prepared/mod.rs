@@ -1,5 +1,17 @@
-//! A scene that was checked and converted, and the two questions that a ray has: what does it meet first
-//! ([`closest`]), and how much light gets through between two points ([`shadow`])?
+//! A scene that was checked and converted: all that rays need.
+//!
+//! | file | [`PreparedScene`] computes |
+//! |---|---|
+//! | `closest` | the first object that a ray meets |
+//! | `shadow` | the light that gets through between two points |
+//! | `wide_lights` | the share of a lamp with a size, or of the sky, that objects hide |
+//! | `objects` | hits, normals and textures of objects; the hierarchy of boxes around them |
+//! | `candidates`, `object_set`, `among` | the objects that a ray can meet at all |
+//! | `departure` | the object that a ray leaves, and the side that it leaves to |
+//! | `search` | the objects in a part of space |
+//! | `distributed` | objects that move, and the lamps and the sky that have a size |
+//! | `memory` | the bytes to lend |
+//! | `error` | the part of a scene that was refused |
 
 mod among;
 pub(crate) mod candidates;
@@ -39,9 +51,7 @@ use crate::fault::Fault;
 use crate::hierarchy::{Hierarchy, WIDE};
 use crate::light::{Light, PreparedLight};
 use crate::limits::MAX_COUNT;
-use crate::material::Material;
 use crate::math::{Aabb, Ray, Real, Scale, Vec3};
-use crate::motion::Motion;
 use crate::scene::Scene;
 use crate::shape::{Form, Geometry, Intersect, Shape};
 use crate::surface::Surface;
@@ -113,16 +123,12 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
     /// # Errors
     /// The first part that is wrong, and why. The caller's scene and memory can be used again.
     pub fn new(scene: &Scene<'m, S>, memory: &'m mut [MaybeUninit<u8>]) -> Result<Self, SceneError> {
-        let Scene { camera, background, objects, materials, lights, motions } = *scene;
+        let Scene { camera, background, objects, materials, lights, .. } = *scene;
         let scale = scene.scale::<R>();
         let camera = camera.prepare(scale).map_err(Part::Camera.error())?;
         check_counts(scene)?;
-        let parts = (objects.iter().map(|object| object.shape.bytes::<R>()))
-            .chain(materials.iter().map(Material::bytes::<R>))
-            .chain(lights.iter().map(Light::bytes::<R>));
-        let more = background.bytes::<R>().saturating_add(Motion::bytes::<R>(motions.len()));
-        let more = parts.fold(more, usize::saturating_add);
-        let needed = prepared_bytes::<R, S>(objects.len(), materials.len(), lights.len(), more);
+        let shapes = objects.iter().map(|object| object.shape.bytes::<R>());
+        let needed = scene.bytes_with_shapes::<R>(shapes.fold(0, usize::saturating_add));
         if memory.len() < needed {
             return Err(Part::Memory.error()(Fault::Memory { needed, lent: memory.len() }));
         }
@@ -151,7 +157,7 @@ impl<'m, R: Real, S: Geometry + 'm> PreparedScene<'m, R, S> {
         #[cfg(feature = "distributed")]
         let distributed = Distributed::new(scene, prepared_objects, scale, arena)?;
         #[cfg(not(feature = "distributed"))]
-        if !motions.is_empty() {
+        if !scene.motions.is_empty() {
             return Err(Part::Motion(0).error()(Fault::WithoutFeature { feature: "distributed" }));
         }
         let prepared_objects = &*prepared_objects;

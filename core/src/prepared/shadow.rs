@@ -1,4 +1,4 @@
-//! The second question of a ray: how much light gets through between two points?
+//! How much light gets through between two points.
 
 use super::candidates::BoundingBall;
 use super::closest::NO_OBJECT;

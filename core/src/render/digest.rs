@@ -1,4 +1,4 @@
-//! One number for a whole picture.
+//! A checksum of a picture's bytes, to compare boards.
 
 /// One number for a whole picture, the same on every processor: a board that reports it shows that it drew
 /// the right bytes. The hash is FNV-1a with 64 bits (Fowler, Noll and Vo 1991).

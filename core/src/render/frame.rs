@@ -38,7 +38,7 @@ pub struct Progress {
     pub lines_done: u32,
     /// Lines that there are to draw.
     pub lines_total: u32,
-    /// Rays that this step spent; in realtime quality, 1 for a cell that takes none.
+    /// The work of this step in rays. A cell, a pixel or a pixel of a preview that takes no ray counts as 1.
     pub rays: u32,
 }
 

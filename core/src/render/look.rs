@@ -43,11 +43,12 @@ pub enum Tones {
     /// As it is.
     #[default]
     Light,
-    /// In steps, as in cartoons: of the luminance, so that hues stay (after Lake, Marshall, Harris and
-    /// Blackstein, "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR 2000).
+    /// In steps of the brightest channel, as in cartoons. The other channels keep their shares of it, so that
+    /// hues stay (after Lake, Marshall, Harris and Blackstein, "Stylized Rendering Techniques for Scalable
+    /// Real-Time 3D Animation", NPAR 2000).
     ///
-    /// The steps are even to the eye: step k of 0 to n has the luminance (k / n)². Shadows, mirror images and
-    /// the background have steps, too.
+    /// The steps are even to the eye: in step k of 0 to n, the brightest channel is (k / n)². Shadows, mirror
+    /// images and the background have steps, too.
     Toon {
         /// The number of steps, black and white among them: 2 to 16.
         steps: u8,

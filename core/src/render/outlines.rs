@@ -93,6 +93,10 @@ impl Outlines {
         }
         let mut places = self.shadows.iter_mut();
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
+            if light.comes_from_all_around() {
+                *others = ObjectSet::NONE;
+                continue;
+            }
             *others = scene.may_shade(self.receiver, index);
             let projector = Projector::new(&light.source, plane, viewport);
             for object in *others {
@@ -135,5 +139,39 @@ impl Outlines {
     pub(super) fn low_shadows(&self, lines: u32) -> impl Iterator<Item = &Outline> {
         let shadows = self.shadows.iter().map(|shadow| &shadow.outline);
         shadows.filter(move |outline| outline.is_lower_than(lines))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::mem::MaybeUninit;
+
+    use super::*;
+    use crate::builtin::CLASSIC;
+    use crate::color::LinearRgb;
+    use crate::light::Light;
+    use crate::math::Vec3;
+    use crate::render::{Renderer, Settings};
+    use crate::scene::{Object, Scene};
+    use crate::shape::{Plane, Shape, Sphere};
+
+    /// Ambient light has no place and no shadows, so it takes no outlines from the lamps behind it in the
+    /// list.
+    #[test]
+    fn lights_without_a_place_have_no_shadows() {
+        let ambient = [Light::Ambient { color: LinearRgb::WHITE }];
+        let lights = [&ambient, CLASSIC.lights].concat();
+        let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>() + 1024];
+        let floor = Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0)));
+        let ball = Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0));
+        let objects = [floor, ball].map(|shape| Object::new(shape, 0));
+        let scene = Scene { objects: &objects, lights: &lights, ..CLASSIC };
+        let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap();
+        let renderer = Renderer::new(&prepared, Settings::new(64, 48)).unwrap();
+        let Outlines { shadows, others, .. } = &renderer.outlines;
+        let found = shadows.iter().filter(|shadow| !matches!(shadow.outline, Outline::Nowhere));
+        let lamps: Vec<u8> = found.map(|shadow| shadow.light).collect();
+        assert!(!lamps.is_empty() && !lamps.contains(&0), "{lamps:?}");
+        assert!(others[0].is_empty());
     }
 }

@@ -126,7 +126,7 @@ impl<'m, R: Real, S: Geometry + 'm> Renderer<'_, 'm, R, S> {
     }
 
     /// As [`light_at`](Self::light_at), in another scene and with other limits.
-    // For `classic` on an M4F, 610 instructions a pixel; without it, 625.
+    // Forced: without it, `classic` takes an M4F 1.02 times the instructions.
     #[inline(always)]
     pub(super) fn light_in(
         &self,

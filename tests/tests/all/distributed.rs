@@ -863,6 +863,42 @@ fn a_ball_hides_its_share_of_the_sky() {
     assert_ball_hides_its_share::<Fixed>();
 }
 
+/// A place on the floor in the middle of glass balls, one inside of the other.
+#[test]
+fn the_sky_behind_too_many_layers_is_counted() {
+    let clear = Material { transmittance: 0.9, ..Material::matte(LinearRgb::BLACK) };
+    let cuts = |layers: u8| {
+        let floor = Shape::Disc(Disc::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 2.0));
+        let shell = |number| Shape::Sphere(Sphere::new(Vec3::ZERO, 10.0 + f32::from(number)));
+        let mut objects = vec![Object::new(floor, 0)];
+        objects.extend((0..layers).map(|number| Object::new(shell(number), 1)));
+        let scene = Scene {
+            camera: Camera {
+                eye: Vec3::new(0.0, 3.0, 0.0),
+                target: Vec3::ZERO,
+                up: Vec3::new(1.0, 0.0, 0.0),
+                vertical_fov: 0.1,
+                lens: None,
+            },
+            background: Background::Solid(LinearRgb::WHITE),
+            objects: &objects,
+            materials: &[Material::matte(LinearRgb::WHITE), clear],
+            lights: &[Light::Sky],
+            motions: &[],
+        };
+        let settings = Settings { area_lights: AreaLights::Sampled, ..Settings::new(1, 1) };
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
+        let prepared = PreparedScene::<f32>::new(&scene, &mut memory).expect("a legal scene");
+        let mut counts = RayCounts::default();
+        Renderer::new(&prepared, settings).expect("legal settings").pixel(0, 0, &mut counts);
+        assert!(counts.shadow > 0, "rays to the sky");
+        (counts.cut_shadow_layers, counts.shadow)
+    };
+    assert_eq!(cuts(8).0, 0);
+    let (cut, rays) = cuts(9);
+    assert_eq!(cut, rays, "every ray to the sky meets nine layers");
+}
+
 #[test]
 fn a_scene_has_one_sky() {
     let arena = Bump::new();

@@ -12,9 +12,9 @@ use rayline::builtin::{CLASSIC, FLAKE, PRISM, WHITTED};
 use rayline::math::Fixed;
 use rayline::shape::{Cuboid, Mesh, Plane, Shape, Sphere};
 use rayline::{
-    Background, Camera, Contours, Gooch, Integrator, Light, LinearRgb, Look, Material, Object, Pattern,
-    PixelSum, PreparedScene, Real, Realtime, Renderer, Sample, Sampling, Scene, Settings, SettingsError,
-    Texture, Tones, Transfer, Vec3,
+    Background, Camera, Contours, Event, Gooch, Integrator, Light, LinearRgb, Look, Material, Object, Optics,
+    Pattern, PixelSum, PreparedScene, Probe, Real, Realtime, Renderer, Sample, Sampling, Scene, Settings,
+    SettingsError, Texture, Tones, Transfer, Vec3,
 };
 use rayline_simulator::{LoadedScene, Number, SceneFile};
 use rayline_tests::Screen;
@@ -332,6 +332,35 @@ fn goochs_tones_are_those_of_the_formula() {
     }
     check::<f32>(1e-3);
     check::<Fixed>(2e-3);
+}
+
+/// The event of a highlight on colored metal reports the light that the pixel gets, with the metal's color.
+#[test]
+fn events_of_goochs_highlights_have_the_color_of_metal() {
+    struct Shown(LinearRgb);
+
+    impl Probe<f32> for Shown {
+        fn record(&mut self, event: Event<f32>) {
+            if let Event::Surface { shown } | Event::Light { shown, .. } = event {
+                self.0 = self.0 + shown;
+            }
+        }
+    }
+
+    let optics = Optics { reflection_color: LinearRgb::new(1.0, 0.5, 0.25), ..Optics::PLAIN };
+    let metal = Material { specular: 0.5, shininess: 20.0, optics: Some(&optics), ..WHITE[0] };
+    let objects = [Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), 0)];
+    let direction = Vec3::new(0.0, 0.0, -1.0);
+    let lights = [Light::Directional { direction, color: LinearRgb::WHITE }];
+    let materials = [metal];
+    let scene = scene(&objects, &materials, &lights);
+    with_renderer::<f32, _>(&scene, Settings { look: GOOCH, ..Settings::new(101, 101) }, |renderer| {
+        let mut shown = Shown(LinearRgb::BLACK);
+        let (light, _) = renderer.pixel(50, 50, &mut shown);
+        for (light, shown) in light.channels().into_iter().zip(shown.0.channels()) {
+            assert!((light - shown).abs() < 1e-5, "{light}, but the events have {shown}");
+        }
+    });
 }
 
 /// Looks that make no sense are refused, with an error that says what to do.
