@@ -225,12 +225,7 @@ impl<'p, 'm, R: Real, S: Geometry + 'm> Renderer<'p, 'm, R, S> {
         }
         let region = Region { top: y, bottom: last.saturating_add(1), ..self.whole() };
         let pixels = height as usize * usize::from(self.width);
-        let lines = lines.get_mut(..pixels).unwrap_or_default();
-        // One call counts no more rays than a `u32` holds.
-        let mut traced = 0;
-        while traced < pixels {
-            trace_region(self, &region, lines, &mut traced, u32::MAX, probe);
-        }
+        trace_region(self, &region, lines.get_mut(..pixels).unwrap_or_default(), &mut 0, u32::MAX, probe);
         Ok(())
     }
 

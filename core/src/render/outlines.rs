@@ -93,11 +93,11 @@ impl Outlines {
         }
         let mut places = self.shadows.iter_mut();
         for (index, (light, others)) in scene.lights.iter().zip(&mut self.others).enumerate() {
-            if light.comes_from_all_around() {
-                *others = ObjectSet::NONE;
-                continue;
-            }
-            *others = scene.may_shade(self.receiver, index);
+            *others = if light.comes_from_all_around() {
+                ObjectSet::NONE
+            } else {
+                scene.may_shade(self.receiver, index)
+            };
             let projector = Projector::new(&light.source, plane, viewport);
             for object in *others {
                 let Some((center, radius)) = scene.ball_of_shadow(object, &light.source) else { continue };

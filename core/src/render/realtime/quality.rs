@@ -41,10 +41,10 @@ use crate::render::pixel::Aim;
 ///
 /// | size | exact | grid of eight | grid of four |
 /// |---|---|---|---|
-/// | 320×240 | 920 | 361 | 429 |
-/// | 160×120 | 940 | 569 | 620 |
-/// | 128×96 | 943 | 884 | 730 |
-/// | 64×48 | 991 | 1,310 | 1,182 |
+/// | 320×240 | 911 | 362 | 429 |
+/// | 160×120 | 930 | 568 | 620 |
+/// | 128×96 | 933 | 877 | 730 |
+/// | 64×48 | 980 | 1,305 | 1,182 |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Realtime {
