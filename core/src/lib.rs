@@ -88,8 +88,8 @@
 //!   on.
 //! - Once scene, settings and buffers are accepted, only the display can fail.
 //! - A trace of a pixel spends at most [`Settings::rays_per_pixel`] rays, and what was left out is counted
-//!   ([`RayCounts`]). Realtime quality traces some pixels twice, and the rays of
-//!   [contours](Look::contours) come on top.
+//!   ([`RayCounts`]). Realtime quality traces some pixels twice, and the rays of contours (feature `looks`)
+//!   come on top.
 //!
 //! # Features and profiles
 //!
