@@ -6,8 +6,8 @@
 //! - [`to_bytes`] and [`rust_source`] write what programs for boards read.
 //!
 //! The formats of other programs are in `rayline-formats`. serde makes the code of Rayline's own formats, for
-//! each type of a scene once more: it is long, and runs once for each file. So the workspace builds this
-//! crate without optimizations, which saves 15 s of processor time in a first build.
+//! each type of a scene once more: it is long, and runs once for each file. So a release is built without
+//! optimizations of this crate, which saves 15 s of processor time in a first build.
 
 pub mod animation;
 mod loaded;
