@@ -118,7 +118,8 @@ impl<'m> Arena<'m> {
             return Ok(&mut []);
         }
         // Saturating, as in `bytes`.
-        let room = self.take_bytes(size_of::<T>().saturating_mul(count), align_of::<T>())?;
+        let padding = self.free.as_ptr().align_offset(align_of::<T>());
+        let room = self.take_bytes(padding, size_of::<T>().saturating_mul(count))?;
         // SAFETY: `room` is exclusively borrowed for 'm, begins at a multiple of T's alignment, and holds
         // `count` times T's size; `MaybeUninit<T>` may hold any bytes.
         #[allow(unsafe_code)]
@@ -126,14 +127,13 @@ impl<'m> Arena<'m> {
         Ok(slots)
     }
 
-    /// Cuts bytes off the front of the free memory, from a multiple of `align` on. It is one function for all
-    /// types, so that programs are small.
-    fn take_bytes(&mut self, bytes: usize, align: usize) -> Result<&'m mut [MaybeUninit<u8>], Fault> {
+    /// Cuts bytes off the front of the free memory, after the padding. It is one function for all types, so
+    /// that programs are small.
+    fn take_bytes(&mut self, padding: usize, bytes: usize) -> Result<&'m mut [MaybeUninit<u8>], Fault> {
         let free = core::mem::take(&mut self.free);
-        let padding = free.as_ptr().align_offset(align);
         let end = padding.saturating_add(bytes);
         if end > free.len() {
-            let missing = bytes.saturating_add(align - 1).saturating_sub(free.len());
+            let missing = end.saturating_sub(free.len());
             self.free = free;
             return Err(Fault::Memory { needed: self.lent.saturating_add(missing), lent: self.lent });
         }
