@@ -147,9 +147,11 @@ mod tests {
     use core::mem::MaybeUninit;
 
     use super::*;
-    use crate::builtin::CLASSIC;
+    use crate::background::Background;
+    use crate::camera::Camera;
     use crate::color::LinearRgb;
     use crate::light::Light;
+    use crate::material::Material;
     use crate::math::Vec3;
     use crate::render::{Renderer, Settings};
     use crate::scene::{Object, Scene};
@@ -162,11 +164,20 @@ mod tests {
         let ambient = [Light::Ambient { color: LinearRgb::WHITE }];
         let lamp = [Light::Point { position: Vec3::new(4.0, 6.0, 5.0), color: LinearRgb::WHITE }];
         let lights = [ambient, lamp].concat();
-        let mut memory = vec![MaybeUninit::uninit(); CLASSIC.bytes::<f32>() + 1024];
         let floor = Shape::Plane(Plane::new(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0)));
         let ball = Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0));
         let objects = [floor, ball].map(|shape| Object::new(shape, 0));
-        let scene = Scene { objects: &objects, lights: &lights, ..CLASSIC };
+        let camera = Camera {
+            eye: Vec3::new(0.0, 2.0, 6.0),
+            target: Vec3::new(0.0, 1.0, 0.0),
+            up: Vec3::new(0.0, 1.0, 0.0),
+            vertical_fov: 0.7,
+            lens: None,
+        };
+        let materials = &[Material::matte(LinearRgb::WHITE)];
+        let background = Background::BLACK;
+        let scene = Scene { camera, background, objects: &objects, materials, lights: &lights, motions: &[] };
+        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
         let prepared = PreparedScene::<f32, _>::new(&scene, &mut memory).unwrap();
         let renderer = Renderer::new(&prepared, Settings::new(64, 48)).unwrap();
         let Outlines { shadows, others, .. } = &renderer.outlines;
