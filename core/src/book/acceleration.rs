@@ -10,9 +10,9 @@
 //! # The idea
 //!
 //! Whitted found in 1980 that up to 95 % of the time of a ray tracer goes into intersections. A picture of
-//! *p* pixels with *r* rays each and *n* objects takes p · r · n tests, if every ray is tested against every
-//! object. There are three ways to take fewer: test boxes first, so that most objects are never tested; use
-//! the known origin of a ray, so that most objects cannot be in its way; and trace fewer pixels.
+//! *p* pixels with *r* rays each and *n* objects takes p · r · n tests, if every ray is tested against
+//! every object. There are three ways to take fewer: test boxes first, so that most objects are never
+//! tested; use the known origin of a ray, so that most objects cannot be in its way; and trace fewer pixels.
 //!
 //! # Boxes
 //!

@@ -52,8 +52,8 @@
 //!
 //! - **N faces the eye.** A surface has two sides, and the normal is turned to that of the incoming ray.
 //! - **No shadow ray in vain.** No shadow ray is traced to a lamp behind the surface, to a lamp whose falloff
-//!   or cone leaves no light, or, without diffuse light, where (R · L)^n is below 2⁻²⁴. In scenes of up to 32
-//!   objects, the objects that can stand between each surface and each lamp are listed (feature
+//!   or cone leaves no light, or, without diffuse light, where (R · L)^n is below 2⁻²⁴. In scenes of up to
+//!   32 objects, the objects that can stand between each surface and each lamp are listed (feature
 //!   `candidates`).
 //! - **Shadow rays end at the lamp.** Objects behind it have no effect. An opaque surface ends the search at
 //!   once; only glass needs its hits in order.

@@ -43,10 +43,11 @@ use path::{Path, Waiting};
 
 use crate::color::LinearRgb;
 use crate::math::{Ray, Real};
-use crate::prepared::{ObjectSet, PreparedScene};
-use crate::probe::Probe;
+use crate::prepared::{ObjectSet, PreparedScene, Through};
+use crate::probe::{Cut, Event, Probe};
 use crate::sampling::RayNumbers;
 use crate::shape::Geometry;
+use crate::throughput::Throughput;
 
 /// When rays are no longer followed.
 #[derive(Clone, Copy, Debug)]
@@ -174,6 +175,16 @@ impl<'t, 'm, R: Real, S: Geometry + 'm, P> Trace<'t, 'm, R, S, P> {
             #[cfg(feature = "path-tracing")]
             drawn: None,
             probe,
+        }
+    }
+}
+
+impl<R: Real, S: Geometry, P: Probe<R>> Trace<'_, '_, R, S, P> {
+    /// Records if a shadow ray met more layers than are followed.
+    #[inline]
+    fn count_layers(&mut self, through: &Through<Throughput<R>>) {
+        if let Through::TooManyLayers = through {
+            self.probe.record(Event::Cut(Cut::ShadowLayers));
         }
     }
 }

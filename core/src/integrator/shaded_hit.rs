@@ -185,9 +185,7 @@ impl<'s, R: Real> ShadedHit<'s, R> {
         facing: &FacingLight<R>,
         through: Through<Throughput<R>>,
     ) -> Throughput<R> {
-        if let Through::TooManyLayers = through {
-            trace.probe.record(Event::Cut(Cut::ShadowLayers));
-        }
+        trace.count_layers(&through);
         if !matches!(through, Through::All) {
             trace.seen.shadow(light);
         }

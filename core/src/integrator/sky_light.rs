@@ -5,7 +5,7 @@ use super::{AreaLights, Trace};
 use crate::color::LinearRgb;
 use crate::limits::{AREA_RAYS, MAX_AREA_RAYS};
 use crate::math::Real;
-use crate::prepared::{Among, Through};
+use crate::prepared::Among;
 use crate::probe::{Cut, Event, Probe};
 use crate::sampling::{Dimension, hemisphere};
 use crate::shape::Geometry;
@@ -46,9 +46,7 @@ impl<R: Real> ShadedHit<'_, R> {
             let toward = hemisphere(self.normal, pair);
             let ray = self.hit.spawn(toward, self.departure(toward, false));
             let through = trace.scene.light_through_among(&ray, R::FARTHEST, Among::All);
-            if let Through::TooManyLayers = through {
-                trace.probe.record(Event::Cut(Cut::ShadowLayers));
-            }
+            trace.count_layers(&through);
             let throughput = through.throughput();
             let sky = trace.scene.background.color(toward).scaled(share);
             let shown = self.scattered(throughput.of(sky));

@@ -83,7 +83,9 @@ impl<'m, T: Read<'m> + Copy + 'm> List<'_, 'm, T> {
     ) -> Result<&'m [T], E> {
         // Read the list to its end, so that a broken list fails with the format's own error.
         while next(self.reader)?.is_some() {}
-        Err(E::custom("this format does not store the lengths of lists; build with `std` to read it"))
+        Err(E::custom(
+            "this format does not store the lengths of lists; build with the feature `std` to read it",
+        ))
     }
 }
 

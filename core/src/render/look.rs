@@ -47,8 +47,8 @@ pub enum Tones {
     /// hues stay (after Lake, Marshall, Harris and Blackstein, "Stylized Rendering Techniques for Scalable
     /// Real-Time 3D Animation", NPAR 2000).
     ///
-    /// The steps are even to the eye: in step k of 0 to n, the brightest channel is (k / n)². Shadows, mirror
-    /// images and the background have steps, too.
+    /// The steps are even to the eye: in step k of 0 to n, the brightest channel is (k / n)². Shadows,
+    /// mirror images and the background have steps, too.
     Toon {
         /// The number of steps, black and white among them: 2 to 16.
         steps: u8,

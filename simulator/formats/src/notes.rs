@@ -24,7 +24,7 @@ impl Notes {
     }
 
     /// Adds all notes of another list.
-    pub fn append(&mut self, other: Self) {
+    pub(crate) fn append(&mut self, other: Self) {
         self.0.extend(other.0);
     }
 

@@ -81,7 +81,7 @@ impl Raster {
         let mut reader = png_reader(bytes)?;
         let size = (reader.info().width as usize, reader.info().height as usize);
         check(size)?;
-        let mut pixels = vec![0; reader.output_buffer_size()];
+        let mut pixels = room_for(&reader)?;
         let info = reader.next_frame(&mut pixels).map_err(broken)?;
         Self::of_channels(size, info.color_type.samples(), &pixels)
     }
@@ -131,6 +131,12 @@ fn png_reader(bytes: &[u8]) -> Result<png::Reader<Cursor<&[u8]>>, RasterError> {
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::normalize_to_color8());
     decoder.read_info().map_err(broken)
+}
+
+/// Room for the pixels of a PNG file.
+fn room_for(reader: &png::Reader<Cursor<&[u8]>>) -> Result<Vec<u8>, RasterError> {
+    let length = reader.output_buffer_size();
+    if length <= MOST_BYTES { Ok(vec![0; length]) } else { Err(RasterError::Size) }
 }
 
 /// Reads an image piece by piece, from the top: red, green, blue and opacity of each pixel. A PNG file that
@@ -247,7 +253,7 @@ impl Indexed {
         }
         check((width as usize, height as usize)).ok()?;
         let palette = info.palette.as_ref()?.as_chunks::<3>().0.to_vec();
-        let mut indices = vec![0; reader.output_buffer_size()];
+        let mut indices = room_for(&reader).ok()?;
         reader.next_frame(&mut indices).ok()?;
         Some(Self { width, height, depth, indices, palette })
     }

@@ -14,12 +14,12 @@ pub fn of_bytes(bytes: &[u8]) -> Result<&str, usize> {
 }
 
 /// The bytes after the byte order mark, if there is one.
-pub fn without_mark(bytes: &[u8]) -> &[u8] {
+pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes)
 }
 
 /// The lines of a file that end in LF, CR LF or CR, without a byte order mark.
-pub fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
+pub(crate) fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     let mut rest = without_mark(bytes);
     core::iter::from_fn(move || {
         if rest.is_empty() {
@@ -34,7 +34,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
 
 /// The text of a line, and whether it is UTF-8. A line that is not is decoded as Windows-1252, which has the
 /// letters of Latin-1.
-pub fn line(bytes: &[u8]) -> (Cow<'_, str>, bool) {
+pub(crate) fn line(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     /// The characters of the bytes from 0x80 to 0x9F; the others are those of the same number.
     const WINDOWS: [char; 32] = [
         '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',

@@ -15,5 +15,4 @@ pub mod ron;
 mod source;
 
 pub use loaded::{FILE_SETTINGS, LoadError, LoadedScene};
-pub use rayline_formats::OpenOptions;
 pub use source::{rust_source, to_bytes};

@@ -15,6 +15,8 @@ use rayline::{
 use rayline_simulator::{LoadedScene, Number, RenderOptions, render};
 use rayline_tests::{PovrayPicture, Watch, core_picture};
 
+use super::realtime::with_renderer;
+
 /// The scenes of the gallery that draw numbers.
 const SCENES: [&str; 7] = [
     "camera-lens",
@@ -887,10 +889,8 @@ fn the_sky_behind_too_many_layers_is_counted() {
             motions: &[],
         };
         let settings = Settings { area_lights: AreaLights::Sampled, ..Settings::new(1, 1) };
-        let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<f32>()];
-        let prepared = PreparedScene::<f32>::new(&scene, &mut memory).expect("a legal scene");
         let mut counts = RayCounts::default();
-        Renderer::new(&prepared, settings).expect("legal settings").pixel(0, 0, &mut counts);
+        with_renderer::<f32, _>(&scene, settings, |renderer| renderer.pixel(0, 0, &mut counts));
         assert!(counts.shadow > 0, "rays to the sky");
         (counts.cut_shadow_layers, counts.shadow)
     };

@@ -19,6 +19,8 @@ use rayline::{
 use rayline_simulator::{LoadedScene, Number, SceneFile};
 use rayline_tests::Screen;
 
+use super::realtime::with_renderer;
+
 const WIDTH: usize = 61;
 const HEIGHT: usize = 43;
 
@@ -38,12 +40,6 @@ const ALL: [Look; 5] = [
 
 fn settings(look: Look) -> Settings {
     Settings { bounces: 3, look, ..Settings::new(WIDTH as u32, HEIGHT as u32) }
-}
-
-fn with_renderer<R: Real, T>(scene: &Scene, settings: Settings, then: impl FnOnce(&Renderer<R>) -> T) -> T {
-    let mut memory = vec![MaybeUninit::uninit(); scene.bytes::<R>()];
-    let prepared = PreparedScene::new(scene, &mut memory).expect("a legal scene");
-    then(&Renderer::new(&prepared, settings).expect("legal settings"))
 }
 
 /// The whole picture, in groups of this many lines.

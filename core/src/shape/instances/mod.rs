@@ -119,20 +119,20 @@ impl<'a, S> Instances<'a, S> {
     }
 }
 
-impl Instances<'_> {
-    /// [`Geometry::bytes`], usable in constants.
-    pub const fn const_bytes<R: Real>(&self) -> usize {
-        Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
-    }
+/// A trait cannot have a `const fn`, so each type of model has its own. `Mesh` is for a set of shapes whose
+/// models are meshes only.
+macro_rules! const_bytes {
+    ($($Model:ty),+) => {
+        $(impl Instances<'_, $Model> {
+            /// [`Geometry::bytes`], usable in constants.
+            pub const fn const_bytes<R: Real>(&self) -> usize {
+                Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
+            }
+        })+
+    };
 }
 
-impl Instances<'_, Mesh<'_>> {
-    /// [`Geometry::bytes`], usable in constants: for a [set of shapes](crate::shape_set) whose models are
-    /// meshes only.
-    pub const fn const_bytes<R: Real>(&self) -> usize {
-        Self::pose_bytes::<R>(self.poses.len()).saturating_add(self.model.const_bytes::<R>())
-    }
-}
+const_bytes!(Model<'_>, Mesh<'_>);
 
 impl<'a, S: Geometry + 'a> Geometry for Instances<'a, S> {
     type Prepared<'m, R: Real>
